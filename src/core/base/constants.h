@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Every tolerance and default of the core, each with its unit and what changing it does.
+#pragma once
+
+#include "core/base/real.h"
+
+namespace softbody {
+
+/// Smallest number of hull points. Two points enclose no area.
+inline constexpr int MIN_HULL_POINTS = 3;
+
+/// Largest number of hull points accepted [1]. The check for self-intersection is quadratic:
+/// 4096 points take about 50 ms once, at creation.
+inline constexpr int MAX_HULL_POINTS = 4096;
+
+/// Largest substep count accepted or chosen [1]. Past it a body cannot be stepped explicitly in
+/// real time; the plan then reports itself as unsafe instead of growing without bound.
+inline constexpr int MAX_SUBSTEPS = 64;
+
+/// Fewest substeps the automatic rule gives a body that can touch something [1]. Contacts are
+/// found once a substep, and below four a resting body visibly sinks and creeps.
+inline constexpr int MIN_CONTACT_SUBSTEPS = 4;
+
+/// Stability budget S of the substep rule h²Ω² + 2hΓ <= S² [1]. 2 is the limit of the linear
+/// theory and fails for crumpled bodies; 1 leaves a factor of two in frequency.
+inline constexpr Real STABILITY_BUDGET = 1;
+
+/// Damping ratio c / sqrt(k m) below which large deformations ring for long and a pile may not
+/// settle [1]. Nothing is clamped to it; the node warns.
+inline constexpr Real DAMPING_FLOOR = Real(0.02);
+
+/// Default damping as a fraction of sqrt(k m) [1].
+inline constexpr Real DEFAULT_DAMPING_RATIO = Real(0.05);
+
+/// Default shape-matching stiffness as a fraction of the springs' stiffness [1]. Below about
+/// 0.4, some strongly deformed bodies stay folded for good.
+inline constexpr Real DEFAULT_SHAPE_MATCHING = Real(0.4);
+
+/// Half thickness given to a line segment [length, in world units where gravity is about 10
+/// a metre: multiplied by WorldData::length_unit]. A point rests this far from the line, so that
+/// rounding can never put it on the other side. Larger: visible gap. Smaller: leaks far from the origin.
+inline constexpr Real LINEAR_SLOP = Real(0.001);
+
+/// Springs shorter than this fraction of their rest length have no usable direction and exert no
+/// force for that evaluation [1].
+inline constexpr Real DEGENERATE_LENGTH = Real(1e-6);
+
+/// Approach speeds below this many substeps of free fall do not bounce [1]. A resting point gains
+/// one substep of gravity between contacts; without the threshold restitution would keep it alive.
+inline constexpr Real RESTITUTION_SUBSTEPS = 2;
+
+} // namespace softbody

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Finds and answers the contacts of bodies with their surroundings.
+#include "core/collision/collision_handling.h"
+
+#include "core/base/constants.h"
+#include "core/collision/convex_query.h"
+#include "core/geometry/triangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace softbody {
+
+namespace {
+
+bool notices(const SoftBodyData &body, const Surface &surface) {
+	return (body.settings().collision_mask & surface.layer) != 0;
+}
+
+// A collider's corner or round end against the hull: how far the hull must retreat from it.
+std::optional<SurfaceContact> find_edge_contact(std::span<const Vec2> hull, Vec2 corner, Real radius) {
+	std::size_t nearest = 0;
+	Real nearest_t = 0;
+	Real least = std::numeric_limits<Real>::max();
+	for (std::size_t i = 0; i < hull.size(); ++i) {
+		const Vec2 a = hull[i];
+		const Vec2 b = hull[(i + 1) % hull.size()];
+		const Real t = closest_parameter_on_segment(corner, a, b);
+		const Real distance = length_squared(corner - (a + (b - a) * t));
+		if (distance < least) {
+			least = distance;
+			nearest = i;
+			nearest_t = t;
+		}
+	}
+	const bool inside = point_in_polygon(corner, hull);
+	const Real distance = std::sqrt(least);
+	const Real depth = inside ? radius + distance : radius - distance;
+	if (!(depth > 0)) {
+		return {};
+	}
+	const std::size_t next = (nearest + 1) % hull.size();
+	const Vec2 edge = hull[next] - hull[nearest];
+	const Vec2 closest = hull[nearest] + edge * nearest_t;
+	const Vec2 away = (closest - corner) * (inside ? Real(-1) : Real(1));
+	// The hull must move so that the corner comes out through its nearest place: against the way from
+	// the corner to that place when inside, along it when outside. On the line itself: the inward normal.
+	Vec2 normal = perpendicular(edge);
+	if (distance > Real(1e-4) * length(edge)) {
+		normal = away;
+	}
+	const Real size = length(normal);
+	if (!(size > 0)) {
+		return {};
+	}
+	return SurfaceContact{ { nearest, next, nearest_t }, normal * (1 / size), depth };
+}
+
+} // namespace
+
+void CollisionHandling::begin_step() {
+	bounds_.clear();
+	for (const ConvexCollider &collider : world_.colliders()) {
+		bounds_.push_back(collider.bounds());
+	}
+}
+
+void CollisionHandling::begin_body(const SoftBodyData &body, Real dt) {
+	Real fastest = 0;
+	for (const Vec2 v : body.velocities()) {
+		fastest = std::max(fastest, length_squared(v));
+	}
+	// The box may be outgrown within the step (springs accelerate points); then it is gathered again.
+	margin_ = std::sqrt(fastest) * dt + body.shape().radius() / 4;
+	load_ = {};
+	gather(body, margin_);
+}
+
+void CollisionHandling::gather(const SoftBodyData &body, Real margin) {
+	nearby_.clear();
+	reach_ = bounding_box(body.hull()).grown(margin);
+	for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
+		if (notices(body, world_.colliders()[i].surface) && reach_.overlaps(bounds_[i])) {
+			nearby_.push_back(i);
+		}
+	}
+}
+
+std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h) {
+	bounce_threshold_ = RESTITUTION_SUBSTEPS * length(gravity) * h;
+	h_ = h;
+	contacts_ = 0;
+	handle_borders(body);
+	if (bounds_.empty()) {
+		return contacts_;
+	}
+	Aabb swept = bounding_box(body.hull());
+	for (std::size_t i = 0; i < body.shape().hull_count(); ++i) {
+		swept.include(before[i]);
+	}
+	if (!reach_.contains(swept)) {
+		// Gather around the whole way of this substep, which may already have left the old box.
+		const Vec2 way = swept.max - swept.min;
+		gather(body, margin_ + std::max(way.x, way.y));
+	}
+	for (const std::uint32_t i : nearby_) {
+		if (swept.overlaps(bounds_[i].grown(LINEAR_SLOP * world_.length_unit()))) {
+			handle_points(body, world_.colliders()[i], bounds_[i], before);
+			handle_edges(body, world_.colliders()[i]);
+		}
+	}
+	return contacts_;
+}
+
+void CollisionHandling::end_body(SoftBodyData &body) {
+	resist_rolling(body, load_);
+}
+
+void CollisionHandling::answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface) {
+	load_.add(answer_contact(body, contact, surface, bounce_threshold_, h_), surface);
+	contacts_++;
+}
+
+void CollisionHandling::handle_borders(SoftBodyData &body) {
+	for (const Border &border : world_.borders()) {
+		if (!notices(body, border.surface)) {
+			continue;
+		}
+		for (std::size_t i = 0; i < body.shape().hull_count(); ++i) {
+			const Real distance = signed_distance(border.plane, body.positions()[i]);
+			if (distance < 0) {
+				answer(body, { { i, i, 0 }, border.plane.normal, -distance }, border.surface);
+			}
+		}
+	}
+}
+
+void CollisionHandling::handle_points(SoftBodyData &body, const ConvexCollider &collider, const Aabb &bounds,
+		std::span<const Vec2> before) {
+	const Real slop = LINEAR_SLOP * world_.length_unit();
+	const Aabb thick = bounds.grown(slop);
+	for (std::size_t i = 0; i < body.shape().hull_count(); ++i) {
+		Aabb path;
+		path.include(before[i]);
+		path.include(body.positions()[i]);
+		if (!path.overlaps(thick)) {
+			continue;
+		}
+		if (const auto contact = find_point_contact(collider, before[i], body.positions()[i], slop)) {
+			answer(body, { { i, i, 0 }, contact->normal, contact->depth }, collider.surface);
+		}
+	}
+}
+
+void CollisionHandling::handle_edges(SoftBodyData &body, const ConvexCollider &collider) {
+	const Aabb box = bounding_box(body.hull()).grown(collider.radius);
+	for (const Vec2 corner : collider.vertices) {
+		if (!box.overlaps({ corner, corner })) {
+			continue;
+		}
+		if (const auto contact = find_edge_contact(body.hull(), corner, collider.radius)) {
+			answer(body, *contact, collider.surface);
+		}
+	}
+}
+
+Real measure_penetration(const WorldData &world, const SoftBodyData &body) {
+	Real deepest = 0;
+	for (const Border &border : world.borders()) {
+		for (const Vec2 p : body.hull()) {
+			if (notices(body, border.surface)) {
+				deepest = std::max(deepest, -signed_distance(border.plane, p));
+			}
+		}
+	}
+	const Aabb box = bounding_box(body.hull());
+	for (const ConvexCollider &collider : world.colliders()) {
+		if (!notices(body, collider.surface) || !box.overlaps(collider.bounds())) {
+			continue;
+		}
+		for (const Vec2 p : body.hull()) {
+			deepest = std::max(deepest, -surface_distance(collider, p).distance);
+		}
+		for (const Vec2 corner : collider.vertices) {
+			if (const auto contact = find_edge_contact(body.hull(), corner, collider.radius)) {
+				deepest = std::max(deepest, contact->depth);
+			}
+		}
+	}
+	return deepest;
+}
+
+} // namespace softbody

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Finds and answers the contacts of bodies with their surroundings.
+#pragma once
+
+#include "core/base/vec2.h"
+#include "core/collision/surface_response.h"
+#include "core/geometry/polygon.h"
+#include "core/model/world_data.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Contacts of soft bodies (thesis 4.4.2, "CollisionHandling"). Broad phase once a step: colliders
+/// whose box meets the box a body may sweep. Narrow phase in every substep: each hull point against
+/// each border and collider, and each corner (or round end) of a collider against the hull edges,
+/// so that neither can enter the other.
+class CollisionHandling {
+public:
+	/// `world` must outlive this object.
+	explicit CollisionHandling(const WorldData &world) : world_(world) {}
+
+	/// Reads the surroundings anew. Call once a step, before `begin_body`. O(colliders).
+	void begin_step();
+	/// Broad phase for one body and the coming `dt` [s]. O(colliders).
+	void begin_body(const SoftBodyData &body, Real dt);
+	/// Answers every contact of the body after a substep of `h` [s] that started at `before` (one
+	/// position a point), under the acceleration `gravity`. Returns how many it answered.
+	/// O(hull points × colliders nearby).
+	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h);
+	/// Ends the step of the body given to `begin_body`: resistance against rolling. O(points).
+	void end_body(SoftBodyData &body);
+
+private:
+	void answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface);
+	void gather(const SoftBodyData &body, Real margin);
+	void handle_borders(SoftBodyData &body);
+	void handle_points(SoftBodyData &body, const ConvexCollider &collider, const Aabb &bounds,
+			std::span<const Vec2> before);
+	void handle_edges(SoftBodyData &body, const ConvexCollider &collider);
+
+	const WorldData &world_;
+	std::vector<Aabb> bounds_; ///< of every collider
+	std::vector<std::uint32_t> nearby_; ///< colliders the current body may meet
+	Aabb reach_; ///< box for which `nearby_` is complete
+	Real margin_ = 0;
+	// Of the current body and substep.
+	Real bounce_threshold_ = 0;
+	Real h_ = 0;
+	std::size_t contacts_ = 0;
+	ContactLoad load_; ///< of the current body over the whole step
+};
+
+/// How deep a body is inside its surroundings [length]: the largest depth of a hull point in a border
+/// or collider that it notices, or of a collider's corner or round end in the hull. 0 when apart.
+/// O(hull points × colliders).
+Real measure_penetration(const WorldData &world, const SoftBodyData &body);
+
+} // namespace softbody

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Where a point meets a rounded convex collider.
+#include "core/collision/convex_query.h"
+
+#include "core/geometry/triangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softbody {
+
+namespace {
+
+// Outward unit normal of the edge that leaves vertex i, for positive winding.
+Vec2 face_normal(const std::vector<Vec2> &vertices, std::size_t i) {
+	const Vec2 edge = vertices[(i + 1) % vertices.size()] - vertices[i];
+	const Real size = length(edge);
+	return { edge.y / size, -edge.x / size };
+}
+
+SurfaceDistance distance_from_core(Vec2 offset, Vec2 fallback, Real radius) {
+	const Real size = length(offset);
+	return { size - radius, size > 0 ? offset * (1 / size) : fallback };
+}
+
+Vec2 closest_on_edge(const std::vector<Vec2> &vertices, std::size_t i, Vec2 p) {
+	const Vec2 a = vertices[i];
+	const Vec2 b = vertices[(i + 1) % vertices.size()];
+	return a + (b - a) * closest_parameter_on_segment(p, a, b);
+}
+
+SurfaceDistance polygon_distance(const ConvexCollider &collider, Vec2 p) {
+	SurfaceDistance nearest{ -std::numeric_limits<Real>::max(), {} };
+	for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
+		const Vec2 normal = face_normal(collider.vertices, i);
+		const Real distance = dot(normal, p - collider.vertices[i]);
+		if (distance > nearest.distance) {
+			nearest = { distance, normal };
+		}
+	}
+	if (nearest.distance > 0 && collider.radius > 0) {
+		// Outside the core polygon the rounded surface lies at `radius` from its closest point.
+		Vec2 offset;
+		Real least = std::numeric_limits<Real>::max();
+		for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
+			const Vec2 candidate = p - closest_on_edge(collider.vertices, i, p);
+			if (length_squared(candidate) < least) {
+				least = length_squared(candidate);
+				offset = candidate;
+			}
+		}
+		return distance_from_core(offset, nearest.normal, collider.radius);
+	}
+	nearest.distance -= collider.radius;
+	return nearest;
+}
+
+// Circle: only a point that crossed the far half needs the swept answer; elsewhere the nearest
+// surface is also the one it came through.
+std::optional<PointContact> swept_circle(const ConvexCollider &collider, Vec2 from, Vec2 to) {
+	const Vec2 centre = collider.vertices[0];
+	const Real radius = collider.radius;
+	if (dot(to - centre, from - centre) >= 0 || length_squared(from - centre) < radius * radius) {
+		return {};
+	}
+	const Vec2 closest = from + (to - from) * closest_parameter_on_segment(centre, from, to);
+	const Vec2 offset = closest - centre;
+	if (length_squared(offset) >= radius * radius) {
+		return {};
+	}
+	const Vec2 path = (to - from) * (1 / length(to - from));
+	const Vec2 entry = closest - path * std::sqrt(radius * radius - length_squared(offset));
+	const Vec2 normal = (entry - centre) * (1 / radius);
+	return PointContact{ normal, dot(normal, entry - to) };
+}
+
+std::optional<PointContact> swept_segment(const ConvexCollider &collider, Vec2 from, Vec2 to, Real radius) {
+	const Vec2 a = collider.vertices[0];
+	const Vec2 b = collider.vertices[1];
+	const double side = signed_double_area(a, b, from);
+	if (side == 0 || !segment_intersection(from, to, a, b)) {
+		return {};
+	}
+	const Vec2 normal = face_normal(collider.vertices, 0) * (side > 0 ? Real(-1) : Real(1));
+	return PointContact{ normal, radius - dot(normal, to - a) };
+}
+
+std::optional<PointContact> polygon_contact(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop) {
+	const std::vector<Vec2> &vertices = collider.vertices;
+	Real enter = 0;
+	Real leave = 1;
+	Real entry_distance = 0;
+	Vec2 entry_normal;
+	Real best = -std::numeric_limits<Real>::max(); // largest distance = least depth, over faces come from
+	Vec2 best_normal;
+	bool ends_inside = true;
+	for (std::size_t i = 0; i < vertices.size(); ++i) {
+		const Vec2 normal = face_normal(vertices, i);
+		const Real before = dot(normal, from - vertices[i]);
+		const Real after = dot(normal, to - vertices[i]);
+		if (after > 0) {
+			ends_inside = false;
+			if (before > 0) {
+				return {}; // the whole path is in front of this face
+			}
+			leave = std::min(leave, before / (before - after));
+		} else {
+			if (before > 0 && before / (before - after) >= enter) {
+				enter = before / (before - after);
+				entry_distance = after;
+				entry_normal = normal;
+			}
+			if (before >= -slop && after > best) {
+				best = after;
+				best_normal = normal;
+			}
+		}
+	}
+	if (ends_inside) {
+		if (best > -std::numeric_limits<Real>::max()) {
+			return PointContact{ best_normal, collider.radius - best };
+		}
+		const SurfaceDistance surface = surface_distance(collider, to);
+		return PointContact{ surface.normal, -surface.distance };
+	}
+	if (enter > 0 && enter < leave) {
+		return PointContact{ entry_normal, collider.radius - entry_distance };
+	}
+	return {};
+}
+
+} // namespace
+
+SurfaceDistance surface_distance(const ConvexCollider &collider, Vec2 p, Real least_radius) {
+	const std::vector<Vec2> &vertices = collider.vertices;
+	const Real radius = std::max(collider.radius, least_radius);
+	switch (vertices.size()) {
+		case 1:
+			return distance_from_core(p - vertices[0], { 0, -1 }, radius);
+		case 2:
+			return distance_from_core(p - closest_on_edge(vertices, 0, p), face_normal(vertices, 0), radius);
+		default:
+			return polygon_distance(collider, p);
+	}
+}
+
+std::optional<PointContact> find_point_contact(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop) {
+	const std::size_t count = collider.vertices.size();
+	const Real radius = count == 2 ? std::max(collider.radius, slop) : collider.radius;
+	std::optional<PointContact> contact;
+	if (count == 1) {
+		contact = swept_circle(collider, from, to);
+	} else if (count == 2) {
+		contact = swept_segment(collider, from, to, radius);
+	} else {
+		contact = polygon_contact(collider, from, to, slop);
+	}
+	if (!contact && (count < 3 || collider.radius > 0)) {
+		const SurfaceDistance surface = surface_distance(collider, to, radius);
+		if (surface.distance < 0) {
+			contact = PointContact{ surface.normal, -surface.distance };
+		}
+	}
+	if (contact && !(contact->depth > 0)) {
+		contact.reset();
+	}
+	return contact;
+}
+
+} // namespace softbody

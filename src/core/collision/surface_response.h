@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What a contact with an immovable surface does to the points of a body.
+#pragma once
+
+#include "core/base/vec2.h"
+#include "core/model/soft_body_data.h"
+#include "core/model/surroundings.h"
+
+namespace softbody {
+
+/// A place on a body's hull: a point (`a == b`, `t` 0), or a place on the edge from `a` to `b`.
+struct HullPlace {
+	std::size_t a = 0;
+	std::size_t b = 0;
+	Real t = 0; ///< share of b, 0..1
+};
+
+/// A contact of a body with its surroundings, ready to be answered.
+struct SurfaceContact {
+	HullPlace place;
+	Vec2 normal; ///< unit, from the surface into the body
+	Real depth = 0; ///< [length], >= 0
+};
+
+/// Answers one contact: moves the place out of the surface along the normal, gives the approach speed
+/// back times the restitution (if faster than `bounce_threshold` [length/s]), and takes from the sliding
+/// speed what Coulomb's law allows, |Δv_t| <= friction |Δv_n|, together with the way slid in this
+/// substep `h` [s], so that a body at rest on a slope does not creep. Moving out changes no velocity:
+/// a deep overlap is resolved without a jump. On an edge both ends share by inverse mass. Returns the
+/// normal impulse [mass·length/s], 0 when the place was already leaving or cannot move. O(1).
+Real answer_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,
+		Real h);
+
+/// What a body's contacts did to it during one step, for the resistance against rolling.
+struct ContactLoad {
+	Real normal_impulse = 0; ///< sum of |J_n| [mass·length/s]
+	Real surface_spin = 0; ///< sum of |J_n| times the surface's angular velocity [mass·length·rad/s²]
+
+	void add(Real impulse, const Surface &surface) {
+		normal_impulse += impulse;
+		surface_spin += impulse * surface.angular_velocity;
+	}
+};
+
+/// Brakes the body's spin relative to the surfaces it pressed on: |Δω| <= r R J / I with r the rolling
+/// resistance, R the body's radius, J the summed normal impulse, I the current inertia. Changes no
+/// linear momentum and never reverses the spin. O(points).
+void resist_rolling(SoftBodyData &body, const ContactLoad &load);
+
+} // namespace softbody

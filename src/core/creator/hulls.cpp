@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Outlines to start from: circle, box, capsule.
+#include "core/creator/hulls.h"
+
+#include "core/base/constants.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace softbody {
+
+namespace {
+
+Status check_count(double count) {
+	return check_between("point_count", count, MIN_HULL_POINTS, MAX_HULL_POINTS, "");
+}
+
+// Appends the points of the straight piece from a up to, but without, b.
+void append_line(std::vector<Vec2> &hull, Vec2 a, Vec2 b, int pieces) {
+	for (int i = 0; i < pieces; ++i) {
+		hull.push_back(a + (b - a) * (Real(i) / Real(pieces)));
+	}
+}
+
+void append_arc(std::vector<Vec2> &hull, Vec2 centre, Real radius, double from, int pieces) {
+	for (int i = 0; i < pieces; ++i) {
+		const double angle = from + std::numbers::pi * i / pieces;
+		hull.push_back(centre + Vec2{ Real(std::cos(angle)), Real(std::sin(angle)) } * radius);
+	}
+}
+
+double pieces_of(double size, double spacing) {
+	return std::fmax(1, std::ceil(size / spacing - 1e-6)); // 1e-6: an exact division must not gain a piece by rounding
+}
+
+} // namespace
+
+Result<std::vector<Vec2>> circle_hull(Real radius, int point_count) {
+	if (Status status = check_above("radius", radius, 0, "")) {
+		return *status;
+	}
+	if (Status status = check_count(point_count)) {
+		return *status;
+	}
+	std::vector<Vec2> hull;
+	hull.reserve(std::size_t(point_count));
+	for (int i = 0; i < point_count; ++i) {
+		const double angle = 2 * std::numbers::pi * i / point_count;
+		hull.push_back(Vec2{ Real(std::cos(angle)), Real(std::sin(angle)) } * radius);
+	}
+	return hull;
+}
+
+Result<std::vector<Vec2>> box_hull(Vec2 size, Real spacing) {
+	if (Status status = check_above("size.x", size.x, 0, "")) {
+		return *status;
+	}
+	if (Status status = check_above("size.y", size.y, 0, "")) {
+		return *status;
+	}
+	if (Status status = check_above("spacing", spacing, 0, "")) {
+		return *status;
+	}
+	const double across = pieces_of(size.x, spacing);
+	const double down = pieces_of(size.y, spacing);
+	if (Status status = check_count(2 * (across + down))) {
+		return *status;
+	}
+	const Vec2 h = size * Real(0.5);
+	std::vector<Vec2> hull;
+	append_line(hull, { -h.x, -h.y }, { h.x, -h.y }, int(across));
+	append_line(hull, { h.x, -h.y }, { h.x, h.y }, int(down));
+	append_line(hull, { h.x, h.y }, { -h.x, h.y }, int(across));
+	append_line(hull, { -h.x, h.y }, { -h.x, -h.y }, int(down));
+	return hull;
+}
+
+Result<std::vector<Vec2>> capsule_hull(Real radius, Real height, Real spacing) {
+	if (Status status = check_above("radius", radius, 0, "")) {
+		return *status;
+	}
+	if (Status status = check_above("height", height, 2 * double(radius), "(twice the radius)")) {
+		return *status;
+	}
+	if (Status status = check_above("spacing", spacing, 0, "")) {
+		return *status;
+	}
+	const double arc = std::fmax(2, pieces_of(std::numbers::pi * radius, spacing));
+	const double side = pieces_of(height - 2 * radius, spacing);
+	if (Status status = check_count(2 * (arc + side))) {
+		return *status;
+	}
+	const Real straight = height / 2 - radius;
+	std::vector<Vec2> hull;
+	append_arc(hull, { 0, straight }, radius, 0, int(arc));
+	append_line(hull, { -radius, straight }, { -radius, -straight }, int(side));
+	append_arc(hull, { 0, -straight }, radius, std::numbers::pi, int(arc));
+	append_line(hull, { radius, -straight }, { radius, straight }, int(side));
+	return hull;
+}
+
+} // namespace softbody

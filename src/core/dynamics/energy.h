@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Energy and momentum of a body, for tests, charts and the curious.
+#pragma once
+
+#include "core/base/vec2.h"
+#include "core/model/soft_body_data.h"
+
+namespace softbody {
+
+/// Energies in [mass·length²/s²]. All are sums over points or springs, evaluated in double.
+struct Energy {
+	double kinetic = 0;
+	double springs = 0; ///< sum of k (|d| - l)² / 2
+	double shape = 0; ///< sum of m k_s/mean(m) |x - goal|² / 2
+	double gravity = 0; ///< -sum of m g·x; 0 at the world's origin
+	double total() const { return kinetic + springs + shape + gravity; }
+};
+
+Energy measure_energy(const SoftBodyData &body, Vec2 gravity);
+
+struct Momentum {
+	double linear_x = 0; ///< [mass·length/s]
+	double linear_y = 0;
+	double angular = 0; ///< about `origin` [mass·length²/s]
+};
+
+Momentum measure_momentum(const SoftBodyData &body, Vec2 origin = {});
+
+} // namespace softbody

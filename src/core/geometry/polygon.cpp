@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Measures and checks of closed polygons.
+#include "core/geometry/polygon.h"
+
+#include "core/base/constants.h"
+#include "core/geometry/triangle.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace softbody {
+
+namespace {
+
+// Moments are summed about the first point and in double: far from the origin the plain shoelace
+// sum would lose the area in the rounding of large products.
+struct Moments {
+	double double_area = 0;
+	double x = 0;
+	double y = 0;
+};
+
+Moments moments(std::span<const Vec2> polygon) {
+	Moments sum;
+	for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+		const double ax = double(polygon[i].x) - polygon[0].x;
+		const double ay = double(polygon[i].y) - polygon[0].y;
+		const double bx = double(polygon[i + 1].x) - polygon[0].x;
+		const double by = double(polygon[i + 1].y) - polygon[0].y;
+		const double twice = ax * by - ay * bx;
+		sum.double_area += twice;
+		sum.x += twice * (ax + bx) / 3;
+		sum.y += twice * (ay + by) / 3;
+	}
+	return sum;
+}
+
+Error hull_error(const std::string &value, const std::string &bound, const std::string &remedy) {
+	return { "hull", value, bound, remedy };
+}
+
+std::string edge_text(std::size_t i, std::size_t count) {
+	return "edge " + std::to_string(i) + "-" + std::to_string((i + 1) % count);
+}
+
+} // namespace
+
+void Aabb::include(Vec2 p) {
+	min = { std::min(min.x, p.x), std::min(min.y, p.y) };
+	max = { std::max(max.x, p.x), std::max(max.y, p.y) };
+}
+
+Aabb Aabb::grown(Real margin) const {
+	return { { min.x - margin, min.y - margin }, { max.x + margin, max.y + margin } };
+}
+
+bool Aabb::overlaps(const Aabb &other) const {
+	return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y && other.min.y <= max.y;
+}
+
+bool Aabb::contains(const Aabb &other) const {
+	return min.x <= other.min.x && other.max.x <= max.x && min.y <= other.min.y && other.max.y <= max.y;
+}
+
+Aabb bounding_box(std::span<const Vec2> points) {
+	Aabb box;
+	for (const Vec2 p : points) {
+		box.include(p);
+	}
+	return box;
+}
+
+Real signed_area(std::span<const Vec2> polygon) {
+	return Real(moments(polygon).double_area / 2);
+}
+
+Vec2 area_centroid(std::span<const Vec2> polygon) {
+	if (polygon.empty()) {
+		return {};
+	}
+	const Moments sum = moments(polygon);
+	if (sum.double_area != 0) {
+		return { Real(polygon[0].x + sum.x / sum.double_area), Real(polygon[0].y + sum.y / sum.double_area) };
+	}
+	Vec2 mean;
+	for (const Vec2 p : polygon) {
+		mean += p;
+	}
+	return mean * (Real(1) / Real(polygon.size()));
+}
+
+bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon) {
+	bool inside = false;
+	for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+		const Vec2 a = polygon[j];
+		const Vec2 b = polygon[i];
+		// Half-open in y, so that a ray through a corner is counted once.
+		if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) {
+			inside = !inside;
+		}
+	}
+	return inside;
+}
+
+bool is_star_shaped_about(Vec2 centre, std::span<const Vec2> polygon) {
+	const bool positive = signed_area(polygon) > 0;
+	for (std::size_t i = 0; i < polygon.size(); ++i) {
+		const double twice = signed_double_area(centre, polygon[i], polygon[(i + 1) % polygon.size()]);
+		if (positive ? twice < 0 : twice > 0) {
+			return false;
+		}
+	}
+	return true;
+}
+
+Status check_hull(std::span<const Vec2> hull) {
+	const std::size_t count = hull.size();
+	if (count < std::size_t(MIN_HULL_POINTS) || count > std::size_t(MAX_HULL_POINTS)) {
+		return hull_error(std::to_string(count) + " points",
+				"must have between " + std::to_string(MIN_HULL_POINTS) + " and " + std::to_string(MAX_HULL_POINTS) +
+						" points",
+				count < std::size_t(MIN_HULL_POINTS) ? "add points until they enclose an area"
+													 : "simplify the outline");
+	}
+	for (std::size_t i = 0; i < count; ++i) {
+		if (!is_finite(hull[i])) {
+			return Error{ "hull[" + std::to_string(i) + "]",
+				"(" + number_text(hull[i].x) + ", " + number_text(hull[i].y) + ")", "must be finite",
+				"check the computation that produced this value" };
+		}
+	}
+	for (std::size_t i = 0; i < count; ++i) {
+		if (hull[i] == hull[(i + 1) % count]) {
+			return hull_error("points " + std::to_string(i) + " and " + std::to_string((i + 1) % count) + " coincide",
+					"must have distinct neighbouring points", "move or remove one of the two points");
+		}
+	}
+	for (std::size_t i = 0; i < count; ++i) {
+		// The next edge shares a corner by construction; it may only not fold back onto this one.
+		const Vec2 a = hull[i];
+		const Vec2 b = hull[(i + 1) % count];
+		const Vec2 c = hull[(i + 2) % count];
+		if (signed_double_area(a, b, c) == 0 && dot(b - a, c - b) < 0) {
+			return hull_error(edge_text((i + 1) % count, count) + " folds back onto " + edge_text(i, count),
+					"must not intersect itself", "move one of these points");
+		}
+		for (std::size_t j = i + 2; j < count; ++j) {
+			if ((j + 1) % count == i) {
+				continue;
+			}
+			if (segment_intersection(a, b, hull[j], hull[(j + 1) % count])) {
+				return hull_error(edge_text(i, count) + " meets " + edge_text(j, count), "must not intersect itself",
+						"move one of these points so that the outline does not cross");
+			}
+		}
+	}
+	if (signed_area(hull) == 0) {
+		return hull_error("zero area", "must enclose an area", "move a point off the line");
+	}
+	return {};
+}
+
+} // namespace softbody

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Measures and checks of closed polygons: area, centroid, containment, simplicity.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+
+#include <span>
+
+namespace softbody {
+
+/// Axis-aligned bounding box. Empty (min > max) when default constructed.
+struct Aabb {
+	Vec2 min{ Real(1e30), Real(1e30) };
+	Vec2 max{ Real(-1e30), Real(-1e30) };
+
+	void include(Vec2 p);
+	Aabb grown(Real margin) const;
+	bool overlaps(const Aabb &other) const;
+	bool contains(const Aabb &other) const;
+};
+
+Aabb bounding_box(std::span<const Vec2> points);
+
+/// Signed area of the closed polygon [length²]: positive when it winds from x towards y. O(n).
+/// Source: thesis Alg. 4.8 (shoelace), with its winding stated.
+Real signed_area(std::span<const Vec2> polygon);
+
+/// Centre of area [length]; the mean of the points when the area is zero. O(n).
+Vec2 area_centroid(std::span<const Vec2> polygon);
+
+/// Whether p lies inside the closed polygon (even-odd rule, so concave is fine). Points exactly on
+/// the border may fall on either side. O(n).
+bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon);
+
+/// Whether every border point is seen from `centre` without crossing the border. Thesis Alg. 4.11
+/// asks for convexity, but this is what its centre springs need. O(n).
+bool is_star_shaped_about(Vec2 centre, std::span<const Vec2> polygon);
+
+/// Refuses what cannot be a hull: fewer than 3 or more than 4096 points, a coordinate that is not
+/// finite, coincident neighbours, edges that touch or cross, zero area. Either winding is accepted.
+/// O(n²) once at creation.
+Status check_hull(std::span<const Vec2> hull);
+
+} // namespace softbody

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The one validator of per-body settings.
+#include "core/model/body_settings.h"
+
+#include "core/base/constants.h"
+
+namespace softbody {
+
+Status check_settings(const BodySettings &settings) {
+	if (Status status = check_at_least("shape_stiffness", settings.shape_stiffness, 0, "N/m")) {
+		return status;
+	}
+	if (Status status = check_at_least("shape_damping", settings.shape_damping, 0, "N·s/m")) {
+		return status;
+	}
+	if (Status status = check_at_least("friction", settings.friction, 0, "")) {
+		return status;
+	}
+	if (Status status = check_at_least("rolling_resistance", settings.rolling_resistance, 0, "")) {
+		return status;
+	}
+	if (Status status = check_between("restitution", settings.restitution, 0, 1, "")) {
+		return status;
+	}
+	if (Status status = check_finite("gravity_scale", settings.gravity_scale, "")) {
+		return status;
+	}
+	return check_between("substeps", settings.substeps, 0, MAX_SUBSTEPS, "");
+}
+
+} // namespace softbody

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The per-body values that may change between steps: surface, shape matching, gravity, substeps.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/real.h"
+
+#include <cstdint>
+
+namespace softbody {
+
+/// What a body is made of beyond its springs, and how it is stepped. A term whose coefficient is 0
+/// is not evaluated.
+struct BodySettings {
+	/// Shape-matching stiffness k_s [force/length], >= 0. Each point of mass m is pulled towards its
+	/// place in the best-fitting rigid copy of the rest shape with m k_s / mean(m). 0 switches the
+	/// term off; then a folded body stays folded. About 0.4 of the springs' stiffness always recovers.
+	Real shape_stiffness = 0;
+	/// Damping of motion relative to the rigid motion [force·s/length], >= 0, shared out like
+	/// `shape_stiffness`. It slows wobble, never flight or spin.
+	Real shape_damping = 0;
+	/// Coulomb friction coefficient [1], >= 0. 0 slides, 1 holds a slope of 45 degrees.
+	Real friction = Real(0.4);
+	/// Rolling resistance [1], >= 0: the spin lost to a contact is at most this times the normal impulse
+	/// times the body's radius, over its inertia. A soft body on flat ground otherwise rocks between two
+	/// hull points for tens of seconds. A body of resistance r stays on slopes up to atan(r).
+	Real rolling_resistance = 0;
+	/// Share of the approach speed given back by a contact [1], 0..1. The springs bounce by themselves.
+	Real restitution = 0;
+	/// Factor on the world's gravity [1], any finite value.
+	Real gravity_scale = 1;
+	/// Substeps a step, 1..MAX_SUBSTEPS, or 0 for the automatic rule (see `plan_substeps`).
+	int substeps = 0;
+	/// Which surroundings the body notices: those whose layer shares a bit with this mask.
+	std::uint32_t collision_mask = 0xffffffffu;
+};
+
+/// Refuses the first value outside its range, by name.
+Status check_settings(const BodySettings &settings);
+
+} // namespace softbody

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The state of one soft body: where its points are, how they move, what pushes them.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "core/model/body_settings.h"
+#include "core/model/point2d.h"
+#include "core/model/soft_body_shape.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// A force on one point, acting during the whole of the next step (thesis 4.4.2).
+struct ExternalForce {
+	std::uint32_t point = 0; ///< point index
+	Vec2 force; ///< [mass·length/s²]
+};
+
+/// A rigid placement: rotation about the body's origin, then translation.
+struct Pose {
+	Vec2 position; ///< [length]
+	Rotation rotation;
+
+	Vec2 apply(Vec2 local) const { return position + rotation.apply(local); }
+	Vec2 apply_inverse(Vec2 world) const { return rotation.apply_inverse(world - position); }
+};
+
+/// One soft body of the world: a shared shape, its settings, and the state that a step advances.
+/// Spans stay valid until the body's shape is replaced or the body is removed.
+class SoftBodyData {
+public:
+	/// At rest at `pose`, which places the coordinates of the shape's description.
+	/// Refuses settings outside their range and a pose that is not finite.
+	static Result<SoftBodyData> create(std::shared_ptr<const SoftBodyShape> shape, const BodySettings &settings,
+			const Pose &pose = {});
+
+	const SoftBodyShape &shape() const { return *shape_; }
+	const std::shared_ptr<const SoftBodyShape> &shared_shape() const { return shape_; }
+	const BodySettings &settings() const { return settings_; }
+	Status set_settings(const BodySettings &settings);
+	/// Replaces springs and masses; the state stays. Refuses another number of points or hull points.
+	Status set_shape(std::shared_ptr<const SoftBodyShape> shape);
+
+	std::size_t point_count() const { return positions_.size(); }
+	std::span<const Vec2> positions() const { return positions_; }
+	std::span<const Vec2> velocities() const { return velocities_; }
+	std::span<const Vec2> hull() const { return { positions_.data(), shape_->hull_count() }; }
+	std::span<const Real> inverse_masses() const { return inverse_masses_; }
+	/// Positions at the start of the last step, for interpolated drawing.
+	std::span<const Vec2> previous_positions() const { return previous_positions_; }
+	/// Everything about one point. Precondition: index < point_count().
+	Point2D point(std::size_t index) const;
+
+	/// Queues a force for the next step; several on one point add up. Refuses an index out of range
+	/// or a force that is not finite.
+	Status add_external_force(std::uint32_t point, Vec2 force);
+	/// Changes a velocity at once by impulse / mass; a pinned point stays. Refuses like `add_external_force`.
+	Status apply_impulse(std::uint32_t point, Vec2 impulse);
+	/// Replaces one point's state. Refuses an index out of range or values that are not finite.
+	Status set_point(std::uint32_t point, Vec2 position, Vec2 velocity);
+	/// Pins the point where it is (infinite mass, no velocity) or lets it go again.
+	Status set_pinned(std::uint32_t point, bool pinned);
+	/// Moves every point by the map p -> pose(reference⁻¹(p)) without touching velocities; the
+	/// previous positions follow, so that nothing is drawn in between. Refuses non-finite poses.
+	Status teleport(const Pose &reference, const Pose &pose);
+
+	const std::vector<ExternalForce> &external_forces() const { return external_forces_; }
+
+	// State access of the step (dynamics and collision); not for users of the core.
+	std::span<Vec2> mutable_positions() { return positions_; }
+	std::span<Vec2> mutable_velocities() { return velocities_; }
+	std::span<Vec2> mutable_previous_positions() { return previous_positions_; }
+	void clear_external_forces() { external_forces_.clear(); }
+	/// Last well-defined orientation; see `measure_frame`.
+	Rotation rotation_memory() const { return rotation_memory_; }
+	void set_rotation_memory(Rotation rotation) { rotation_memory_ = rotation; }
+
+private:
+	SoftBodyData() = default;
+	Status check_point(std::uint32_t point, const char *what, Vec2 value) const;
+
+	std::shared_ptr<const SoftBodyShape> shape_;
+	BodySettings settings_;
+	std::vector<Vec2> positions_;
+	std::vector<Vec2> velocities_;
+	std::vector<Vec2> previous_positions_;
+	std::vector<Real> inverse_masses_;
+	std::vector<ExternalForce> external_forces_;
+	Rotation rotation_memory_;
+};
+
+} // namespace softbody

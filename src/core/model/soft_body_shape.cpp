@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Checks and derived quantities of a soft body's structure.
+#include "core/model/soft_body_shape.h"
+
+#include "core/geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace softbody {
+
+namespace {
+
+Status check_spring(const Spring2D &spring, std::size_t index, std::size_t point_count) {
+	const std::string name = "springs[" + std::to_string(index) + "]";
+	if (spring.a >= point_count || spring.b >= point_count) {
+		return Error{ name, "points " + std::to_string(spring.a) + " and " + std::to_string(spring.b),
+			"must name points below " + std::to_string(point_count), "use indices of existing points" };
+	}
+	if (spring.a == spring.b) {
+		return Error{ name, "point " + std::to_string(spring.a) + " twice", "must join two different points",
+			"choose another end point" };
+	}
+	if (Status status = check_above(name + ".rest_length", spring.rest_length, 0, "")) {
+		return status;
+	}
+	if (Status status = check_at_least(name + ".stiffness", spring.stiffness, 0, "N/m")) {
+		return status;
+	}
+	return check_at_least(name + ".damping", spring.damping, 0, "N·s/m");
+}
+
+Status check_duplicates(const std::vector<Spring2D> &springs) {
+	using Key = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::size_t>;
+	std::vector<Key> keys;
+	keys.reserve(springs.size());
+	for (std::size_t i = 0; i < springs.size(); ++i) {
+		keys.push_back({ std::minmax(springs[i].a, springs[i].b), i });
+	}
+	std::sort(keys.begin(), keys.end());
+	for (std::size_t i = 1; i < keys.size(); ++i) {
+		if (keys[i].first == keys[i - 1].first) {
+			return Error{ "springs[" + std::to_string(keys[i].second) + "]",
+				"points " + std::to_string(keys[i].first.first) + " and " + std::to_string(keys[i].first.second),
+				"must not repeat spring " + std::to_string(keys[i - 1].second), "remove one of the two springs" };
+		}
+	}
+	return {};
+}
+
+Status check(const SoftBodyShape::Description &description) {
+	const std::size_t count = description.points.size();
+	if (description.hull_count > count) {
+		return Error{ "hull_count", std::to_string(description.hull_count), "must be <= " + std::to_string(count),
+			"add the missing points" };
+	}
+	const std::span<const Vec2> hull(description.points.data(), description.hull_count);
+	if (Status status = check_hull(hull)) {
+		return status;
+	}
+	if (signed_area(hull) < 0) {
+		return Error{ "hull", "negative winding", "must wind from x towards y (positive signed area)",
+			"reverse the order of the hull points" };
+	}
+	if (description.masses.size() != count) {
+		return Error{ "masses", std::to_string(description.masses.size()) + " entries",
+			"must have " + std::to_string(count) + " entries", "give one mass a point" };
+	}
+	for (std::size_t i = 0; i < count; ++i) {
+		const std::string index = "[" + std::to_string(i) + "]";
+		if (!is_finite(description.points[i])) {
+			return check_finite("points" + index,
+					std::isfinite(description.points[i].x) ? description.points[i].y : description.points[i].x, "");
+		}
+		if (Status status = check_above("masses" + index, description.masses[i], 0, "kg")) {
+			return status;
+		}
+	}
+	for (std::size_t i = 0; i < description.springs.size(); ++i) {
+		if (Status status = check_spring(description.springs[i], i, count)) {
+			return status;
+		}
+	}
+	return check_duplicates(description.springs);
+}
+
+} // namespace
+
+Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::create(Description description) {
+	if (Status status = check(description)) {
+		return *status;
+	}
+	// Not make_shared: the constructor is private, so that no unchecked shape can exist.
+	std::shared_ptr<SoftBodyShape> shape(new SoftBodyShape());
+	shape->rest_positions_ = std::move(description.points);
+	shape->masses_ = std::move(description.masses);
+	shape->springs_ = std::move(description.springs);
+	shape->hull_count_ = description.hull_count;
+	shape->derive();
+	return std::shared_ptr<const SoftBodyShape>(std::move(shape));
+}
+
+void SoftBodyShape::derive() {
+	double mass = 0;
+	double x = 0;
+	double y = 0;
+	for (std::size_t i = 0; i < rest_positions_.size(); ++i) {
+		mass += masses_[i];
+		x += double(masses_[i]) * rest_positions_[i].x;
+		y += double(masses_[i]) * rest_positions_[i].y;
+	}
+	const Vec2 centre{ Real(x / mass), Real(y / mass) };
+	origin_offset_ += centre;
+	total_mass_ = Real(mass);
+	double inertia = 0;
+	Real reach_squared = 0;
+	for (std::size_t i = 0; i < rest_positions_.size(); ++i) {
+		rest_positions_[i] -= centre;
+		inertia += double(masses_[i]) * length_squared(rest_positions_[i]);
+		reach_squared = std::max(reach_squared, length_squared(rest_positions_[i]));
+	}
+	rest_inertia_ = Real(inertia);
+	radius_ = std::sqrt(reach_squared);
+	rest_area_ = signed_area(rest_hull());
+
+	std::vector<Real> stiffness(point_count());
+	std::vector<Real> damping(point_count());
+	for (const Spring2D &spring : springs_) {
+		for (const std::uint32_t end : { spring.a, spring.b }) {
+			stiffness[end] += spring.stiffness;
+			damping[end] += spring.damping;
+		}
+	}
+	spring_frequency_squared_ = 0;
+	spring_damping_rate_ = 0;
+	for (const Spring2D &spring : springs_) {
+		spring_frequency_squared_ = std::max(spring_frequency_squared_,
+				stiffness[spring.a] / masses_[spring.a] + stiffness[spring.b] / masses_[spring.b]);
+		spring_damping_rate_ = std::max(spring_damping_rate_,
+				damping[spring.a] / masses_[spring.a] + damping[spring.b] / masses_[spring.b]);
+	}
+}
+
+Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::with_spring_values(Real stiffness, Real damping) const {
+	if (Status status = check_at_least("stiffness", stiffness, 0, "N/m")) {
+		return *status;
+	}
+	if (Status status = check_at_least("damping", damping, 0, "N·s/m")) {
+		return *status;
+	}
+	std::shared_ptr<SoftBodyShape> copy(new SoftBodyShape(*this));
+	for (Spring2D &spring : copy->springs_) {
+		spring.stiffness = stiffness;
+		spring.damping = damping;
+	}
+	copy->derive();
+	return std::shared_ptr<const SoftBodyShape>(std::move(copy));
+}
+
+Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::with_total_mass(Real total_mass) const {
+	if (Status status = check_above("mass", total_mass, 0, "kg")) {
+		return *status;
+	}
+	std::shared_ptr<SoftBodyShape> copy(new SoftBodyShape(*this));
+	const Real factor = total_mass / total_mass_;
+	for (Real &mass : copy->masses_) {
+		mass *= factor;
+	}
+	copy->derive();
+	return std::shared_ptr<const SoftBodyShape>(std::move(copy));
+}
+
+} // namespace softbody

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// What never changes while a body moves: its points at rest, masses, hull and springs.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "core/model/spring2d.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Immutable structure of a soft body. Bodies made alike share one through `std::shared_ptr`;
+/// changing a spring means making another shape.
+///
+/// Points [0, hull_count) are the hull in order, wound so that its signed area is positive; inner
+/// points follow. Rest positions are stored relative to the centre of mass.
+class SoftBodyShape {
+public:
+	/// Input of `create`. `points` may lie anywhere; `masses` has one entry a point.
+	struct Description {
+		std::vector<Vec2> points; ///< rest positions [length], hull first
+		std::vector<Real> masses; ///< [mass], each > 0
+		std::size_t hull_count = 0; ///< 3..points.size()
+		std::vector<Spring2D> springs;
+	};
+
+	/// Checks everything and builds the shape. Refuses: a bad hull (see `check_hull`) or one of
+	/// negative winding, sizes that do not match, non-finite points, masses <= 0, springs whose
+	/// index is out of range, whose ends are the same point or repeat an earlier spring, whose rest
+	/// length is not > 0, or whose stiffness or damping is negative or not finite. O(points² + springs).
+	static Result<std::shared_ptr<const SoftBodyShape>> create(Description description);
+
+	std::span<const Vec2> rest_positions() const { return rest_positions_; }
+	std::span<const Vec2> rest_hull() const { return { rest_positions_.data(), hull_count_ }; }
+	std::span<const Real> masses() const { return masses_; }
+	std::span<const Spring2D> springs() const { return springs_; }
+	std::size_t point_count() const { return rest_positions_.size(); }
+	std::size_t hull_count() const { return hull_count_; }
+
+	/// Where the centre of mass lay in the coordinates of the description [length].
+	Vec2 origin_offset() const { return origin_offset_; }
+	Real total_mass() const { return total_mass_; }
+	Real rest_area() const { return rest_area_; } ///< area inside the hull at rest [length²], > 0
+	Real rest_inertia() const { return rest_inertia_; } ///< about the centre of mass [mass·length²]
+	Real radius() const { return radius_; } ///< largest distance of a point from the centre of mass
+
+	/// Upper bound of the highest squared angular frequency of the springs [1/s²] in any
+	/// configuration: max over springs ij of D_i/m_i + D_j/m_j with D_i the sum of k at i. The
+	/// Hessian of one spring has eigenvalues k and k(1 - l/|x|) <= k, hence the bound.
+	Real spring_frequency_squared() const { return spring_frequency_squared_; }
+	/// The same sum over damping coefficients: upper bound of the springs' damping rate [1/s].
+	Real spring_damping_rate() const { return spring_damping_rate_; }
+
+	/// Copy with every spring's stiffness and damping replaced. Refuses negative or non-finite values.
+	Result<std::shared_ptr<const SoftBodyShape>> with_spring_values(Real stiffness, Real damping) const;
+	/// Copy with all masses scaled so that they sum to `total_mass`. Refuses values not > 0.
+	Result<std::shared_ptr<const SoftBodyShape>> with_total_mass(Real total_mass) const;
+
+private:
+	SoftBodyShape() = default;
+	void derive();
+
+	std::vector<Vec2> rest_positions_;
+	std::vector<Real> masses_;
+	std::vector<Spring2D> springs_;
+	std::size_t hull_count_ = 0;
+	Vec2 origin_offset_;
+	Real total_mass_ = 0;
+	Real rest_area_ = 0;
+	Real rest_inertia_ = 0;
+	Real radius_ = 0;
+	Real spring_frequency_squared_ = 0;
+	Real spring_damping_rate_ = 0;
+};
+
+} // namespace softbody

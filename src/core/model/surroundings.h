@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What bodies rest on: borders (half-planes) and rounded convex colliders.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "core/geometry/plane.h"
+#include "core/geometry/polygon.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace softbody {
+
+/// The side of a contact that belongs to the surroundings. Values combine with the body's by the
+/// rule of Godot's PhysicsMaterial.
+struct Surface {
+	Real friction = 1; ///< Coulomb coefficient [1], >= 0; the smaller of body and surface counts
+	bool rough = false; ///< the surface's friction counts even where it is the larger
+	Real restitution = 0; ///< [1], 0..1; added to the body's, at most 1
+	bool absorbent = false; ///< subtracted from the body's instead, at least 0
+	Vec2 linear_velocity; ///< of the surface at `velocity_origin` [length/s] (conveyor, moving body)
+	Real angular_velocity = 0; ///< [rad/s]
+	Vec2 velocity_origin; ///< centre of that rotation [length]
+	std::uint32_t layer = 1; ///< compared with BodySettings::collision_mask
+
+	Vec2 velocity_at(Vec2 p) const { return linear_velocity + perpendicular(p - velocity_origin) * angular_velocity; }
+};
+
+/// A border of the world: everything behind the plane is solid (thesis 4.4.2, "borders").
+struct Border {
+	Plane plane;
+	Surface surface;
+};
+
+/// A convex obstacle: the points within `radius` of the convex hull of `vertices`. One vertex is a
+/// circle (radius > 0), two are a segment or capsule, three and more a polygon (rounded if
+/// radius > 0). Vertices wind with positive signed area.
+struct ConvexCollider {
+	std::vector<Vec2> vertices;
+	Real radius = 0; ///< [length], >= 0
+	Surface surface;
+
+	Aabb bounds() const { return bounding_box(vertices).grown(radius); }
+};
+
+/// Refuses a plane that is not finite or whose normal is not of unit length (to 1e-3), and bad surface values.
+Status check_border(const Border &border);
+
+/// Refuses no vertices, non-finite ones, a negative radius, a single point without radius, coincident
+/// vertices, a polygon that is not convex or winds negatively, and bad surface values.
+Status check_collider(const ConvexCollider &collider);
+
+} // namespace softbody

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Everything a simulation contains: gravity, bodies, and the surroundings they rest on.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "core/model/soft_body_data.h"
+#include "core/model/surroundings.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Names a body for as long as it lives; after its removal the id refers to nothing, even when
+/// the place is used again.
+struct BodyId {
+	std::uint32_t index = UINT32_MAX;
+	std::uint32_t generation = 0;
+	friend bool operator==(BodyId a, BodyId b) = default;
+};
+
+/// The environment of a simulation (thesis 4.4.2, "WorldData"). Bodies are stored densely and
+/// stepped in the order of that storage; removing one moves the last into its place.
+class WorldData {
+public:
+	/// Acceleration [length/s²], the same for every mass (thesis eq. 3.8 and 3.9).
+	Vec2 gravity() const { return gravity_; }
+	Status set_gravity(Vec2 gravity);
+	/// How many world units make a metre [length/m], > 0: tolerances scale with it. Default 1.
+	Real length_unit() const { return length_unit_; }
+	Status set_length_unit(Real length_unit);
+
+	BodyId add_soft_body(SoftBodyData body);
+	/// False when the id refers to nothing.
+	bool remove_soft_body(BodyId id);
+	/// Null when the id refers to nothing. Valid until a body is added or removed.
+	SoftBodyData *find(BodyId id);
+	const SoftBodyData *find(BodyId id) const;
+	std::span<SoftBodyData> soft_bodies() { return bodies_; }
+	std::span<const SoftBodyData> soft_bodies() const { return bodies_; }
+	/// Id of the body stored at `index` of `soft_bodies()`.
+	BodyId id_at(std::size_t index) const { return ids_[index]; }
+
+	const std::vector<Border> &borders() const { return borders_; }
+	const std::vector<ConvexCollider> &colliders() const { return colliders_; }
+	Status add_border(const Border &border);
+	Status add_collider(ConvexCollider collider);
+	/// Forgets borders and colliders, for callers that hand over fresh ones every step.
+	void clear_surroundings();
+
+private:
+	struct Slot {
+		std::uint32_t dense = UINT32_MAX; ///< place in `bodies_`, UINT32_MAX when free
+		std::uint32_t generation = 0;
+	};
+
+	Vec2 gravity_{ 0, 0 };
+	Real length_unit_ = 1;
+	std::vector<SoftBodyData> bodies_;
+	std::vector<BodyId> ids_;
+	std::vector<Slot> slots_;
+	std::vector<std::uint32_t> free_slots_;
+	std::vector<Border> borders_;
+	std::vector<ConvexCollider> colliders_;
+};
+
+} // namespace softbody
