@@ -74,7 +74,6 @@ void CollisionHandling::begin_body(const SoftBodyData &body, Real dt) {
 	}
 	// The box may be outgrown within the step (springs accelerate points); then it is gathered again.
 	margin_ = std::sqrt(fastest) * dt + body.shape().radius() / 4;
-	load_ = {};
 	gather(body, margin_);
 }
 
@@ -92,10 +91,16 @@ std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> 
 	bounce_threshold_ = RESTITUTION_SUBSTEPS * length(gravity) * h;
 	h_ = h;
 	contacts_ = 0;
+	load_ = {};
 	handle_borders(body);
-	if (bounds_.empty()) {
-		return contacts_;
+	if (!bounds_.empty()) {
+		handle_colliders(body, before);
 	}
+	resist_rolling(body, load_);
+	return contacts_;
+}
+
+void CollisionHandling::handle_colliders(SoftBodyData &body, std::span<const Vec2> before) {
 	Aabb swept = bounding_box(body.hull());
 	for (std::size_t i = 0; i < body.shape().hull_count(); ++i) {
 		swept.include(before[i]);
@@ -111,11 +116,6 @@ std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> 
 			handle_edges(body, world_.colliders()[i]);
 		}
 	}
-	return contacts_;
-}
-
-void CollisionHandling::end_body(SoftBodyData &body) {
-	resist_rolling(body, load_);
 }
 
 void CollisionHandling::answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface) {

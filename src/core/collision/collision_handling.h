@@ -27,16 +27,16 @@ public:
 	/// Broad phase for one body and the coming `dt` [s]. O(colliders).
 	void begin_body(const SoftBodyData &body, Real dt);
 	/// Answers every contact of the body after a substep of `h` [s] that started at `before` (one
-	/// position a point), under the acceleration `gravity`. Returns how many it answered.
+	/// position a point), under the acceleration `gravity`, and resists rolling. Returns how many it
+	/// answered.
 	/// O(hull points × colliders nearby).
 	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h);
-	/// Ends the step of the body given to `begin_body`: resistance against rolling. O(points).
-	void end_body(SoftBodyData &body);
 
 private:
 	void answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface);
 	void gather(const SoftBodyData &body, Real margin);
 	void handle_borders(SoftBodyData &body);
+	void handle_colliders(SoftBodyData &body, std::span<const Vec2> before);
 	void handle_points(SoftBodyData &body, const ConvexCollider &collider, const Aabb &bounds,
 			std::span<const Vec2> before);
 	void handle_edges(SoftBodyData &body, const ConvexCollider &collider);
@@ -50,7 +50,7 @@ private:
 	Real bounce_threshold_ = 0;
 	Real h_ = 0;
 	std::size_t contacts_ = 0;
-	ContactLoad load_; ///< of the current body over the whole step
+	ContactLoad load_;
 };
 
 /// How deep a body is inside its surroundings [length]: the largest depth of a hull point in a border

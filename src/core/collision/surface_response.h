@@ -31,7 +31,7 @@ struct SurfaceContact {
 Real answer_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,
 		Real h);
 
-/// What a body's contacts did to it during one step, for the resistance against rolling.
+/// What a body's contacts did to it during one substep, for the resistance against rolling.
 struct ContactLoad {
 	Real normal_impulse = 0; ///< sum of |J_n| [mass·length/s]
 	Real surface_spin = 0; ///< sum of |J_n| times the surface's angular velocity [mass·length·rad/s²]

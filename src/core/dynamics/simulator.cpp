@@ -35,7 +35,12 @@ StepReport Simulator::simulate(Real dt) {
 	}
 	collision_.begin_step();
 	for (std::size_t i = 0; i < world_.soft_bodies().size(); ++i) {
-		simulate_body(world_.soft_bodies()[i], world_.id_at(i), dt, report);
+		SoftBodyData &body = world_.soft_bodies()[i];
+		if (body.is_active()) {
+			simulate_body(body, world_.id_at(i), dt, report);
+		} else {
+			std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
+		}
 	}
 	return report;
 }
@@ -62,7 +67,6 @@ void Simulator::simulate_body(SoftBodyData &body, BodyId id, Real dt, StepReport
 		report.contacts += collision_.handle(body, before, gravity, h);
 		report.substeps++;
 	}
-	collision_.end_body(body);
 
 	if (!has_finite_state(body)) {
 		std::ranges::copy(body.previous_positions(), body.mutable_positions().begin());

@@ -68,6 +68,11 @@ public:
 	/// previous positions follow, so that nothing is drawn in between. Refuses non-finite poses.
 	Status teleport(const Pose &reference, const Pose &pose);
 
+	/// An inactive body is left out of the step: it keeps its state and queued forces, and nothing it
+	/// would collide with notices it. Default true.
+	bool is_active() const { return active_; }
+	void set_active(bool active) { active_ = active; }
+
 	const std::vector<ExternalForce> &external_forces() const { return external_forces_; }
 
 	// State access of the step (dynamics and collision); not for users of the core.
@@ -91,6 +96,7 @@ private:
 	std::vector<Real> inverse_masses_;
 	std::vector<ExternalForce> external_forces_;
 	Rotation rotation_memory_;
+	bool active_ = true;
 };
 
 } // namespace softbody

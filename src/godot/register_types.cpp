@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Registers the extension's classes and its singleton with Godot.
+#include "godot/register_types.h"
+
+#include "godot/soft_body_2d.h"
+#include "godot/soft_body_server_2d.h"
+
+#include <gdextension_interface.h>
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/godot.hpp>
+
+using namespace godot;
+
+static SoftBodyServer2D *server = nullptr;
+
+void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
+	if (p_level != MODULE_INITIALIZATION_LEVEL_SCENE) {
+		return;
+	}
+	GDREGISTER_CLASS(SoftBodyServer2D);
+	GDREGISTER_CLASS(SoftBody2D);
+	server = memnew(SoftBodyServer2D);
+	Engine::get_singleton()->register_singleton("SoftBodyServer2D", server);
+}
+
+void uninitialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
+	if (p_level != MODULE_INITIALIZATION_LEVEL_SCENE) {
+		return;
+	}
+	Engine::get_singleton()->unregister_singleton("SoftBodyServer2D");
+	memdelete(server);
+	server = nullptr;
+}
+
+extern "C" GDExtensionBool GDE_EXPORT soft_body_2d_library_init(GDExtensionInterfaceGetProcAddress p_get_proc_address,
+		GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
+	GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
+	init.register_initializer(initialize_soft_body_2d_module);
+	init.register_terminator(uninitialize_soft_body_2d_module);
+	init.set_minimum_library_initialization_level(MODULE_INITIALIZATION_LEVEL_SCENE);
+	return init.init();
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// The node: a soft body that lives, collides and is drawn in a 2D scene.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/model/soft_body_data.h"
+#include "core/model/world_data.h"
+
+#include <godot_cpp/classes/node2d.hpp>
+#include <godot_cpp/classes/texture2d.hpp>
+#include <godot_cpp/templates/hash_map.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/packed_vector2_array.hpp>
+
+#include <optional>
+
+namespace softbody {
+class SoftBodySpace2D;
+}
+
+namespace godot {
+
+/// See doc_classes/SoftBody2D.xml for what each property means to a user; this comment says how the
+/// node is built. Its properties describe a body; the body itself (`softbody::SoftBodyData`) lives in
+/// the world of the node's space while the node is in the tree, and in `stored_body_` while it is not,
+/// so that re-parenting keeps its motion. Point indices of the public interface follow `hull`; the
+/// core may hold the hull reversed (`hull_reversed_`), and `core_index` translates.
+class SoftBody2D : public Node2D {
+	GDCLASS(SoftBody2D, Node2D)
+
+public:
+	SoftBody2D();
+	~SoftBody2D();
+
+	void set_hull(const PackedVector2Array &p_hull);
+	PackedVector2Array get_hull() const { return hull_; }
+	void set_mass(double p_mass);
+	double get_mass() const { return mass_; }
+	void set_stiffness(double p_stiffness);
+	double get_stiffness() const { return stiffness_; }
+	void set_damping(double p_damping);
+	double get_damping() const { return damping_; }
+	void set_friction(double p_friction);
+	double get_friction() const { return friction_; }
+	void set_bounce(double p_bounce);
+	double get_bounce() const { return bounce_; }
+	void set_rolling_resistance(double p_rolling_resistance);
+	double get_rolling_resistance() const { return rolling_resistance_; }
+	void set_shape_matching(double p_shape_matching);
+	double get_shape_matching() const { return shape_matching_; }
+	void set_shape_damping(double p_shape_damping);
+	double get_shape_damping() const { return shape_damping_; }
+	void set_gravity_scale(double p_gravity_scale);
+	double get_gravity_scale() const { return gravity_scale_; }
+	void set_substeps(int p_substeps);
+	int get_substeps() const { return substeps_; }
+	void set_collision_layer(uint32_t p_layer) { collision_layer_ = p_layer; }
+	uint32_t get_collision_layer() const { return collision_layer_; }
+	void set_collision_mask(uint32_t p_mask);
+	uint32_t get_collision_mask() const { return collision_mask_; }
+	void set_color(const Color &p_color);
+	Color get_color() const { return color_; }
+	void set_texture(const Ref<Texture2D> &p_texture);
+	Ref<Texture2D> get_texture() const { return texture_; }
+
+	static PackedVector2Array make_circle_hull(double p_radius, int p_point_count);
+	static PackedVector2Array make_box_hull(const Vector2 &p_size, double p_spacing);
+	static PackedVector2Array make_capsule_hull(double p_radius, double p_height, double p_spacing);
+
+	int get_point_count() const;
+	PackedVector2Array get_point_positions() const;
+	PackedVector2Array get_point_velocities() const;
+	PackedVector2Array get_interpolated_hull(double p_fraction) const;
+	int get_nearest_point(const Vector2 &p_global_position) const;
+	bool has_point(const Vector2 &p_global_position) const;
+	void apply_point_force(int p_index, const Vector2 &p_force);
+	void apply_point_impulse(int p_index, const Vector2 &p_impulse);
+	void apply_central_force(const Vector2 &p_force);
+	void apply_central_impulse(const Vector2 &p_impulse);
+	Vector2 get_center_of_mass_position() const;
+	Vector2 get_linear_velocity() const;
+	double get_angular_velocity() const;
+	double get_area() const;
+	double get_rest_area() const;
+	double get_kinetic_energy() const;
+	double get_penetration() const;
+	Dictionary get_substep_plan() const;
+	void reset();
+
+	PackedStringArray get_warnings() const;
+	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
+
+	// For the server.
+	softbody::BodyId get_body_id() const { return body_id_; }
+	/// "SoftBody2D 'Jelly' (/root/Main/Jelly)": how messages name this node.
+	String describe() const;
+	/// Before the step: takes over a transform that the user set, and whether the node may process.
+	void prepare_step();
+	/// After the step: moves the node along and keeps what drawing interpolates.
+	void finish_step();
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+private:
+	/// One end of the interpolation: the body's frame, and its points in that frame.
+	struct Pose {
+		Transform2D transform;
+		PackedVector2Array local_points; ///< core order
+	};
+
+	bool accept(const StringName &p_property, const softbody::Status &p_status);
+	softbody::BodySettings make_settings() const;
+	/// The structure at the scale of `p_transform`, or what is wrong with it.
+	softbody::Result<std::shared_ptr<const softbody::SoftBodyShape>> make_shape(const Transform2D &p_transform) const;
+	softbody::SoftBodyData *body();
+	const softbody::SoftBodyData *body() const;
+	std::size_t core_index(int p_index) const;
+	bool check_index(int p_index) const;
+
+	void enter_space();
+	void leave_space();
+	void rebuild_body();
+	void apply_shape();
+	void apply_settings();
+	void take_over_transform();
+	Transform2D body_transform() const;
+	Pose current_pose() const;
+	void update_topology();
+
+	PackedVector2Array interpolated_points(double p_fraction, const Transform2D &p_relative_to) const;
+	void draw();
+
+	PackedVector2Array hull_;
+	double mass_ = 1;
+	double stiffness_ = 300;
+	double damping_ = 0.2;
+	double friction_ = 0.4;
+	double bounce_ = 0;
+	double rolling_resistance_ = 0.03;
+	double shape_matching_ = 0.4;
+	double shape_damping_ = 0.25;
+	double gravity_scale_ = 1;
+	int substeps_ = 0;
+	uint32_t collision_layer_ = 1;
+	uint32_t collision_mask_ = 1;
+	Color color_ = Color(1, 1, 1);
+	Ref<Texture2D> texture_;
+	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
+
+	softbody::SoftBodySpace2D *space_ = nullptr;
+	softbody::BodyId body_id_;
+	std::optional<softbody::SoftBodyData> stored_body_;
+	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
+	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
+	bool hull_reversed_ = false;
+	Pose previous_;
+	Pose current_;
+	bool moving_ = false; ///< whether the last tick stepped the body
+	bool redraw_needed_ = true;
+
+	PackedInt32Array triangles_;
+	PackedVector2Array uvs_;
+};
+
+} // namespace godot

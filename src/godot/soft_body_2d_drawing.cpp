@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// How the node is drawn: a triangle mesh between the last two physics ticks.
+#include "godot/soft_body_2d.h"
+
+#include "core/geometry/polygon.h"
+#include "godot/convert.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/geometry2d.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/core/math.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace godot {
+
+namespace {
+
+// Hull and centre point in the order the core holds them.
+PackedVector2Array rest_points(const PackedVector2Array &p_hull, bool p_reversed) {
+	PackedVector2Array points;
+	Vector2 mean;
+	const int64_t count = p_hull.size();
+	for (int64_t i = 0; i < count; i++) {
+		points.push_back(p_hull[p_reversed ? (count - i) % count : i]);
+		mean += p_hull[i];
+	}
+	points.push_back(mean / real_t(count));
+	return points;
+}
+
+} // namespace
+
+// Triangles and texture coordinates come from the rest shape once: a fan around the centre point, which
+// follows the body's inside, or, where the hull hides part of itself from it, cut ears.
+void SoftBody2D::update_topology() {
+	const int hull_count = int(hull_.size());
+	const PackedVector2Array points = rest_points(hull_, hull_reversed_);
+	triangles_.clear();
+	const std::vector<softbody::Vec2> hull = softbody::to_core(points.slice(0, hull_count));
+	if (softbody::is_star_shaped_about(softbody::to_core(points[hull_count]), hull)) {
+		for (int i = 0; i < hull_count; i++) {
+			for (const int index : { hull_count, i, (i + 1) % hull_count }) {
+				triangles_.push_back(index);
+			}
+		}
+	} else {
+		triangles_ = Geometry2D::get_singleton()->triangulate_polygon(points.slice(0, hull_count));
+	}
+
+	const softbody::Aabb box = softbody::bounding_box(hull);
+	const Vector2 corner = softbody::to_godot(box.min);
+	const Vector2 size = softbody::to_godot(box.max - box.min);
+	uvs_.clear();
+	for (const Vector2 &point : points) {
+		uvs_.push_back((point - corner) / size);
+	}
+	queue_redraw();
+}
+
+PackedVector2Array SoftBody2D::interpolated_points(double p_fraction, const Transform2D &p_relative_to) const {
+	const int64_t count = current_.local_points.size();
+	PackedVector2Array points;
+	if (count == 0 || previous_.local_points.size() != count) {
+		return points;
+	}
+	const real_t fraction = real_t(p_fraction);
+	Transform2D frame;
+	if (p_fraction <= 0 || p_fraction >= 1) {
+		frame = p_fraction <= 0 ? previous_.transform : current_.transform; // exact at the ticks
+	} else {
+		frame = previous_.transform.interpolate_with(current_.transform, fraction);
+	}
+	const Transform2D transform = p_relative_to.affine_inverse() * frame;
+	points.resize(count);
+	Vector2 *write = points.ptrw();
+	for (int64_t i = 0; i < count; i++) {
+		write[i] = transform.xform(previous_.local_points[i].lerp(current_.local_points[i], fraction));
+	}
+	return points;
+}
+
+void SoftBody2D::draw() {
+	PackedVector2Array points;
+	if (space_ == nullptr || current_.local_points.is_empty()) {
+		points = rest_points(hull_, hull_reversed_);
+	} else {
+		const double fraction = Engine::get_singleton()->get_physics_interpolation_fraction();
+		const Transform2D transform = get_global_transform();
+		if (is_physics_interpolated_and_enabled()) {
+			// The engine moves the canvas item between the ticks; only the shape is left to us.
+			const Transform2D frame = previous_.transform.interpolate_with(current_.transform, real_t(fraction));
+			points = interpolated_points(fraction, frame);
+		} else {
+			points = interpolated_points(fraction, transform);
+		}
+	}
+	if (triangles_.is_empty() || points.is_empty()) {
+		return;
+	}
+	PackedColorArray colors;
+	colors.push_back(color_);
+	RenderingServer::get_singleton()->canvas_item_add_triangle_array(get_canvas_item(), triangles_, points, colors,
+			texture_.is_valid() ? uvs_ : PackedVector2Array(), PackedInt32Array(), PackedFloat32Array(),
+			texture_.is_valid() ? texture_->get_rid() : RID());
+}
+
+} // namespace godot

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// All soft bodies of one physics space.
+#include "godot/soft_body_space_2d.h"
+
+#include "godot/convert.h"
+#include "godot/soft_body_2d.h"
+
+#include <godot_cpp/classes/physics_server2d.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace softbody {
+
+namespace {
+
+// Godot's own conversion between pixels and metres in 2D: tolerances of the core scale with it.
+constexpr Real PIXELS_PER_METRE = 100;
+
+// How far a body may get in one step [px]: its fastest point plus what gravity adds, and a margin for
+// points that the springs throw ahead.
+Aabb reach_of(const SoftBodyData &p_body, Vec2 p_gravity, double p_delta) {
+	Real fastest = 0;
+	for (const Vec2 velocity : p_body.velocities()) {
+		fastest = std::max(fastest, length_squared(velocity));
+	}
+	const Real delta = Real(p_delta);
+	const Real way = (std::sqrt(fastest) + length(p_gravity) * delta) * delta;
+	return bounding_box(p_body.hull()).grown(way + p_body.shape().radius() / 2);
+}
+
+} // namespace
+
+SoftBodySpace2D::SoftBodySpace2D(const RID &p_space) : space_(p_space) {
+	world_.set_length_unit(PIXELS_PER_METRE);
+}
+
+void SoftBodySpace2D::add(SoftBody2D *p_node) {
+	nodes_.push_back(p_node);
+}
+
+void SoftBodySpace2D::remove(SoftBody2D *p_node) {
+	std::erase(nodes_, p_node);
+}
+
+void SoftBodySpace2D::read_gravity() {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	const Vector2 direction = server->area_get_param(space_, PhysicsServer2D::AREA_PARAM_GRAVITY_VECTOR);
+	const double strength = server->area_get_param(space_, PhysicsServer2D::AREA_PARAM_GRAVITY);
+	if (const Status status = world_.set_gravity(to_core(direction * real_t(strength)))) {
+		ERR_PRINT_ONCE("SoftBody2D keeps the last gravity: " + to_godot(status->message()));
+	}
+}
+
+void SoftBodySpace2D::read_surroundings(double p_delta) {
+	reader_.begin(world_);
+	PhysicsDirectSpaceState2D *state = PhysicsServer2D::get_singleton()->space_get_direct_state(space_);
+	ERR_FAIL_NULL_MSG(state, "SoftBody2D: the physics space cannot be read now; this tick has no surroundings.");
+	for (const SoftBodyData &body : world_.soft_bodies()) {
+		if (body.is_active()) {
+			reader_.read(state, reach_of(body, world_.gravity(), p_delta), body.settings().collision_mask, world_);
+		}
+	}
+}
+
+void SoftBodySpace2D::step(double p_delta) {
+	read_gravity();
+	for (SoftBody2D *node : nodes_) {
+		node->prepare_step();
+	}
+	read_surroundings(p_delta);
+	const StepReport report = simulator_.simulate(Real(p_delta));
+	for (const BodyId id : report.reset_bodies) {
+		if (const SoftBody2D *node = node_of(id)) {
+			ERR_PRINT(node->describe() + ": its motion became non-finite and was stopped; it is back where it was "
+										 "before this tick. Lower the stiffness or the forces, or raise the substeps.");
+		}
+	}
+	for (SoftBody2D *node : nodes_) {
+		node->finish_step();
+	}
+}
+
+SoftBody2D *SoftBodySpace2D::node_of(BodyId p_id) const {
+	const auto found = std::find_if(nodes_.begin(), nodes_.end(),
+			[p_id](const SoftBody2D *p_node) { return p_node->get_body_id() == p_id; });
+	return found == nodes_.end() ? nullptr : *found;
+}
+
+} // namespace softbody
