@@ -1,0 +1,68 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: MIT
+# Builds the parts of the repository, and makes the demo project ready to run.
+#
+# Needs common.sh; import_project and check_extension need godot.sh and an engine found by it.
+
+ADDON_EXTENSION=res://addons/soft_body_2d/soft_body_2d.gdextension
+
+# run_scons ARGS…: SCons at the top of the repository, with a cache that outlives a `git clean`.
+run_scons() {
+	# A fixed hash seed makes godot-cpp generate the same text in every run, so that the cache knows it again.
+	(cd "$REPO_DIR" && SCONS_CACHE=${SCONS_CACHE-$CACHE_DIR/scons} PYTHONHASHSEED=0 scons -Q "$@")
+}
+
+# need_godot_cpp: fetches the submodule if its folder is empty, and says which version is used.
+need_godot_cpp() {
+	local commit tag
+	if [[ ! -f $REPO_DIR/godot-cpp/SConstruct ]]; then
+		need_packages git ca-certificates || return 1
+		step "Fetching godot-cpp"
+		if ! GIT_TERMINAL_PROMPT=0 limited 600 git -C "$REPO_DIR" submodule update --init --depth 1 godot-cpp \
+			>"$LOG_DIR/godot_cpp.log" 2>&1; then
+			tail -n 3 "$LOG_DIR/godot_cpp.log" >&2
+			problem "godot-cpp is missing and could not be fetched; with a network, run: git submodule update --init"
+			return 1
+		fi
+	fi
+	commit=$(git -C "$REPO_DIR/godot-cpp" rev-parse --short HEAD 2>/dev/null) || commit="of unknown commit"
+	tag=$(git -C "$REPO_DIR/godot-cpp" describe --tags --exact-match 2>/dev/null) || tag=
+	step "godot-cpp $commit${tag:+ ($tag)}"
+}
+
+# build_extension [ARGS…]: builds the library and puts the addon into the demo project.
+build_extension() {
+	need_packages scons g++ || return 1
+	need_godot_cpp || return 1
+	step "Building the extension"
+	run_scons "$@" || { problem "the extension does not compile"; return 1; }
+	# Godot loads the extensions of this list. It would write it itself, but only at the end of its first import, during
+	# which our classes would be unknown to the project's scripts.
+	mkdir -p "$PROJECT_DIR/.godot"
+	grep -qsxF "$ADDON_EXTENSION" "$PROJECT_DIR/.godot/extension_list.cfg" ||
+		echo "$ADDON_EXTENSION" >>"$PROJECT_DIR/.godot/extension_list.cfg"
+}
+
+# import_project: has Godot import the project's files if any of them is new since the last time.
+import_project() {
+	local stamp=$PROJECT_DIR/.godot/imported_by_scripts
+	if [[ -f $stamp && -z $(find "$PROJECT_DIR" \( -name .godot -o -name bin \) -prune -o -newer "$stamp" -print -quit) ]]; then
+		return 0
+	fi
+	step "Importing the demo project"
+	if ! godot_headless 300 --path "$PROJECT_DIR" --import >"$LOG_DIR/import.log" 2>&1; then
+		tail -n 20 "$LOG_DIR/import.log" >&2
+		problem "Godot could not import $PROJECT_DIR (see $LOG_DIR/import.log)"
+		return 1
+	fi
+	touch "$stamp"
+}
+
+# check_extension: whether the engine really loads what was built.
+check_extension() {
+	if ! godot_headless 60 --path "$PROJECT_DIR" --script "$REPO_DIR/scripts/lib/extension_loaded.gd" \
+		>"$LOG_DIR/extension.log" 2>&1; then
+		tail -n 20 "$LOG_DIR/extension.log" >&2
+		problem "Godot does not load the extension (see $LOG_DIR/extension.log)"
+	fi
+}

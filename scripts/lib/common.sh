@@ -1,0 +1,58 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: MIT
+# What all scripts share: the folders, messages, and the installation of missing Debian packages.
+# shellcheck disable=SC2034 # The scripts that read this one use the folders.
+
+REPO_DIR=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+PROJECT_DIR=$REPO_DIR/godot_project
+LOG_DIR=$REPO_DIR/build/logs
+CACHE_DIR=${XDG_CACHE_HOME:-${HOME:?is not set, and the downloads are kept below it}/.cache}/soft_body_2d
+mkdir -p "$LOG_DIR" "$CACHE_DIR"
+
+# step TEXT: says what happens now.
+step() {
+	printf '==> %s\n' "$*"
+}
+
+# problem TEXT: says in one line what is wrong and how to mend it, and returns 1.
+problem() {
+	printf 'error: %s\n' "$*" >&2
+	return 1
+}
+
+# has_package NAME: whether the thing that we want from that Debian package is here, wherever it came from.
+has_package() {
+	case $1 in
+		g++) command -v "${CXX:-g++}" >/dev/null ;;
+		doctest-dev) echo '#include <doctest/doctest.h>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;
+		ca-certificates) [[ -e /etc/ssl/certs/ca-certificates.crt ]] || ! command -v apt-get >/dev/null ;;
+		debian-archive-keyring) [[ -e /usr/share/keyrings/debian-archive-keyring.gpg ]] ;;
+		xvfb) command -v Xvfb >/dev/null && command -v xvfb-run >/dev/null ;;
+		*) command -v "$1" >/dev/null ;;
+	esac
+}
+
+# need_packages NAME…: installs those of the Debian packages that are missing, or says which ones are.
+need_packages() {
+	local name missing=() as_root=() remedy
+	for name in "$@"; do
+		has_package "$name" || missing+=("$name")
+	done
+	[[ ${#missing[@]} -gt 0 ]] || return 0
+	remedy="install them and run this again (on Debian: apt-get install ${missing[*]})"
+
+	command -v apt-get >/dev/null || { problem "missing: ${missing[*]}; $remedy"; return 1; }
+	if [[ $EUID -ne 0 ]]; then
+		command -v sudo >/dev/null || { problem "missing: ${missing[*]}, and there is no sudo; $remedy"; return 1; }
+		as_root=(sudo)
+		[[ -t 0 ]] || as_root+=(-n) # Nobody is there to be asked for a password.
+	fi
+	as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o Acquire::Retries=3 -o DPkg::Lock::Timeout=300)
+
+	step "Installing ${missing[*]}"
+	if ! { "${as_root[@]}" update && "${as_root[@]}" install -y --no-install-recommends "${missing[@]}"; } \
+		>"$LOG_DIR/apt.log" 2>&1; then
+		tail -n 5 "$LOG_DIR/apt.log" >&2
+		problem "could not install ${missing[*]} (see $LOG_DIR/apt.log); $remedy"
+	fi
+}

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds and runs all tests, and installs first what is missing for that; the last line is the result.
+#
+# Usage: scripts/test.sh [core|engine]
+#   core    only the tests of the simulation core, which need neither Godot nor godot-cpp
+#   engine  only the tests inside of Godot
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
+. "$REPO_DIR/scripts/lib/godot.sh"
+. "$REPO_DIR/scripts/lib/build.sh"
+
+TIME_LIMIT=600
+passed=0
+failed=0
+
+# count STATUS PASSED FAILED: adds the result of one program. One that ends badly without a failed test, or that ran no
+# test at all, counts as one failure.
+count() {
+	local status=$1 more_passed=${2:-0} more_failed=${3:-0}
+	if [[ $more_failed -eq 0 && ($status -ne 0 || $more_passed -eq 0) ]]; then
+		problem "the tests ended with status $status after $more_passed passed tests" || true
+		more_failed=1
+	fi
+	passed=$((passed + more_passed))
+	failed=$((failed + more_failed))
+}
+
+# The core, as two programs: in single and in double precision.
+test_core() {
+	local real log status summary
+	need_packages scons g++ doctest-dev || return 1
+	step "Building the tests of the core"
+	run_scons tests || { problem "the core or its tests do not compile"; return 1; }
+	for real in float double; do
+		step "Testing the core, $real"
+		log=$LOG_DIR/tests_core_$real.log
+		status=0
+		(cd "$REPO_DIR" && limited $TIME_LIMIT "build/tests/softbody_tests_$real" --no-colors=true) 2>&1 | tee "$log" ||
+			status=$?
+		# [doctest] test cases:  57 |  56 passed | 1 failed | 0 skipped
+		summary=$(sed -nE 's/^\[doctest\] test cases: .*\| *([0-9]+) passed \| *([0-9]+) failed.*/\1 \2/p' "$log" | tail -n 1)
+		# shellcheck disable=SC2086 # Two numbers, or none if the program did not reach its end.
+		count "$status" $summary
+	done
+}
+
+# The nodes and resources, in the engine.
+test_engine() {
+	local log=$LOG_DIR/tests_engine.log status=0 summary
+	build_extension target=template_debug || return 1
+	find_godot || return 1
+	step "Godot $GODOT_NAME"
+	import_project || return 1
+	check_extension || return 1
+	step "Testing in Godot"
+	godot_headless $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd 2>&1 | tee "$log" || status=$?
+	summary=$(sed -nE 's/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p' "$log" | tail -n 1)
+	# shellcheck disable=SC2086 # As above.
+	count "$status" $summary
+}
+
+case ${1:-all} in
+	core) parts=(core) ;;
+	engine) parts=(engine) ;;
+	all) parts=(core engine) ;;
+	*) problem "usage: scripts/test.sh [core|engine]" || exit 2 ;;
+esac
+for part in "${parts[@]}"; do
+	"test_$part" || failed=$((failed + 1))
+done
+echo "$passed passed, $failed failed"
+[[ $failed -eq 0 ]]
