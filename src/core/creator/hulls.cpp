@@ -23,10 +23,18 @@ void append_line(std::vector<Vec2> &hull, Vec2 a, Vec2 b, int pieces) {
 	}
 }
 
+// Point on the unit circle. Where a coordinate is 0 the library returns about 1e-16 (pi is rounded);
+// a hull that people read in an inspector should say 0.
+Vec2 on_circle(double angle) {
+	const double x = std::cos(angle);
+	const double y = std::sin(angle);
+	return { std::abs(x) < 1e-12 ? Real(0) : Real(x), std::abs(y) < 1e-12 ? Real(0) : Real(y) };
+}
+
 void append_arc(std::vector<Vec2> &hull, Vec2 centre, Real radius, double from, int pieces) {
 	for (int i = 0; i < pieces; ++i) {
 		const double angle = from + std::numbers::pi * i / pieces;
-		hull.push_back(centre + Vec2{ Real(std::cos(angle)), Real(std::sin(angle)) } * radius);
+		hull.push_back(centre + on_circle(angle) * radius);
 	}
 }
 
@@ -47,7 +55,7 @@ Result<std::vector<Vec2>> circle_hull(Real radius, int point_count) {
 	hull.reserve(std::size_t(point_count));
 	for (int i = 0; i < point_count; ++i) {
 		const double angle = 2 * std::numbers::pi * i / point_count;
-		hull.push_back(Vec2{ Real(std::cos(angle)), Real(std::sin(angle)) } * radius);
+		hull.push_back(on_circle(angle) * radius);
 	}
 	return hull;
 }
