@@ -25,6 +25,13 @@ inline constexpr int MIN_CONTACT_SUBSTEPS = 4;
 /// theory and fails for crumpled bodies; 1 leaves a factor of two in frequency.
 inline constexpr Real STABILITY_BUDGET = 1;
 
+/// Most substeps the automatic choice spends on explicit springs [1]; past it the body goes to XPBD,
+/// which is bounded for any stiffness but damps the wobble.
+inline constexpr int EXPLICIT_SUBSTEP_CAP = 32;
+
+/// Substeps of a body that went to XPBD [1]. More make it stiffer and livelier.
+inline constexpr int XPBD_SUBSTEPS = 8;
+
 /// Damping ratio c / sqrt(k m) below which large deformations ring for long and a pile may not
 /// settle [1]. Nothing is clamped to it; the node warns.
 inline constexpr Real DAMPING_FLOOR = Real(0.02);

@@ -2,6 +2,7 @@
 // Energy and momentum of a body.
 #include "core/dynamics/energy.h"
 
+#include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 
 #include <cmath>
@@ -24,6 +25,8 @@ Energy measure_energy(const SoftBodyData &body, Vec2 gravity) {
 				(double(strain.x) * strain.x + double(strain.y) * strain.y) / 2;
 		energy.gravity -= mass * (double(acceleration.x) * p.x + double(acceleration.y) * p.y);
 	}
+	const double excess = signed_area(body.hull()) - double(body.settings().inflation) * shape.rest_area();
+	energy.pressure = body.settings().pressure_stiffness * excess * excess / (2 * double(shape.rest_area()));
 	for (const Spring2D &spring : shape.springs()) {
 		const Vec2 a = body.positions()[spring.a];
 		const Vec2 b = body.positions()[spring.b];

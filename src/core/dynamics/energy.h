@@ -11,9 +11,10 @@ namespace softbody {
 struct Energy {
 	double kinetic = 0;
 	double springs = 0; ///< sum of k (|d| - l)² / 2
+	double pressure = 0; ///< k_p (A - s A0)² / (2 A0)
 	double shape = 0; ///< sum of m k_s/mean(m) |x - goal|² / 2
 	double gravity = 0; ///< -sum of m g·x; 0 at the world's origin
-	double total() const { return kinetic + springs + shape + gravity; }
+	double total() const { return kinetic + springs + pressure + shape + gravity; }
 };
 
 Energy measure_energy(const SoftBodyData &body, Vec2 gravity);

@@ -3,6 +3,7 @@
 #include "core/dynamics/forces.h"
 
 #include "core/base/constants.h"
+#include "core/dynamics/pressure.h"
 #include "core/model/body_frame.h"
 
 namespace softbody {
@@ -46,6 +47,9 @@ void evaluate_forces(const SoftBodyData &body, Vec2 gravity, std::span<const Vec
 		forces[i] = acceleration * shape.masses()[i] + external[i];
 	}
 	add_spring_forces(shape, positions, velocities, forces);
+	if (body.settings().pressure_stiffness > 0) {
+		add_pressure_forces(body, positions, forces);
+	}
 	if (body.settings().shape_stiffness > 0 || body.settings().shape_damping > 0) {
 		add_shape_forces(body, positions, velocities, forces);
 	}

@@ -10,7 +10,7 @@
 namespace softbody {
 
 /// Adds up all forces at the given state (thesis eq. 3.7): gravity, springs with projected damping,
-/// shape matching, and `external`. `positions`, `velocities` and `external` have one entry a point;
+/// pressure, shape matching, and `external`. A term that is switched off is not evaluated. `positions`, `velocities` and `external` have one entry a point;
 /// `forces` [mass·length/s²] is overwritten. Reads no state of the body other than its shape,
 /// settings and rotation memory, so that multi-stage integrators can evaluate it anywhere.
 /// O(points + springs).

@@ -2,7 +2,6 @@
 // Advances a whole world by one fixed time step.
 #include "core/dynamics/simulator.h"
 
-#include "core/dynamics/semi_implicit_euler.h"
 #include "core/model/body_frame.h"
 
 #include <algorithm>
@@ -47,7 +46,7 @@ StepReport Simulator::simulate(Real dt) {
 
 void Simulator::simulate_body(SoftBodyData &body, BodyId id, Real dt, StepReport &report) {
 	const std::size_t count = body.point_count();
-	forces_.resize(std::max(forces_.size(), count));
+	workspace_.begin_body(count);
 	before_.resize(std::max(before_.size(), count));
 	external_.assign(count, Vec2{});
 	for (const ExternalForce &external : body.external_forces()) {
@@ -56,15 +55,21 @@ void Simulator::simulate_body(SoftBodyData &body, BodyId id, Real dt, StepReport
 	body.clear_external_forces();
 	std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
 
-	const int substeps = plan(body, dt).substeps;
-	const Real h = dt / Real(substeps);
+	const SubstepPlan chosen = plan(body, dt);
+	const IntegratorStep step = integrator_traits(chosen.integrator).step;
+	const Real h = dt / Real(chosen.substeps);
+	const SubstepInput input{ world_.gravity(), external_, h };
 	const std::span<Vec2> before(before_.data(), count);
 	const Vec2 gravity = world_.gravity() * body.settings().gravity_scale;
 	collision_.begin_body(body, dt);
-	for (int i = 0; i < substeps; ++i) {
+	for (int i = 0; i < chosen.substeps; ++i) {
 		std::ranges::copy(body.positions(), before.begin());
-		step_semi_implicit_euler(body, world_.gravity(), external_, h, { forces_.data(), count });
-		report.contacts += collision_.handle(body, before, gravity, h);
+		step(body, input, workspace_);
+		const std::size_t contacts = collision_.handle(body, before, gravity, h);
+		report.contacts += contacts;
+		if (contacts > 0) {
+			workspace_.forces_are_current = false;
+		}
 		report.substeps++;
 	}
 

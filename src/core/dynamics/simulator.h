@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/vec2.h"
 #include "core/collision/collision_handling.h"
+#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/model/world_data.h"
 
@@ -43,7 +44,7 @@ private:
 
 	WorldData &world_;
 	CollisionHandling collision_;
-	std::vector<Vec2> forces_;
+	IntegratorWorkspace workspace_;
 	std::vector<Vec2> external_;
 	std::vector<Vec2> before_; ///< positions at the start of the substep
 };

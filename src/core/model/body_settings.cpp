@@ -13,6 +13,12 @@ Status check_settings(const BodySettings &settings) {
 	if (Status status = check_at_least("shape_damping", settings.shape_damping, 0, "N·s/m")) {
 		return status;
 	}
+	if (Status status = check_at_least("pressure_stiffness", settings.pressure_stiffness, 0, "N/m")) {
+		return status;
+	}
+	if (Status status = check_at_least("inflation", settings.inflation, 0, "")) {
+		return status;
+	}
 	if (Status status = check_at_least("friction", settings.friction, 0, "")) {
 		return status;
 	}
@@ -23,6 +29,9 @@ Status check_settings(const BodySettings &settings) {
 		return status;
 	}
 	if (Status status = check_finite("gravity_scale", settings.gravity_scale, "")) {
+		return status;
+	}
+	if (Status status = check_between("integrator", int(settings.integrator), 0, INTEGRATOR_COUNT - 1, "")) {
 		return status;
 	}
 	return check_between("substeps", settings.substeps, 0, MAX_SUBSTEPS, "");

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The per-body values that may change between steps: surface, shape matching, gravity, substeps.
+// The per-body values that may change between steps: terms of the model, surface, integration.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/base/real.h"
+#include "core/model/integrator.h"
 
 #include <cstdint>
 
@@ -19,6 +20,11 @@ struct BodySettings {
 	/// Damping of motion relative to the rigid motion [force·s/length], >= 0, shared out like
 	/// `shape_stiffness`. It slows wobble, never flight or spin.
 	Real shape_damping = 0;
+	/// Pressure stiffness k_p [force/length], >= 0: the body pushes its hull outward with the pressure
+	/// k_p (inflation - A/A0) (thesis 2.1.3). Without inner springs it is a balloon.
+	Real pressure_stiffness = 0;
+	/// Area that the pressure aims at, as a multiple of the rest area [1], >= 0. Above 1 inflates.
+	Real inflation = 1;
 	/// Coulomb friction coefficient [1], >= 0. 0 slides, 1 holds a slope of 45 degrees.
 	Real friction = Real(0.4);
 	/// Rolling resistance [1], >= 0: the spin lost to a contact is at most this times the normal impulse
@@ -29,6 +35,8 @@ struct BodySettings {
 	Real restitution = 0;
 	/// Factor on the world's gravity [1], any finite value.
 	Real gravity_scale = 1;
+	/// How the points advance; see `plan_substeps` for what AUTOMATIC chooses.
+	Integrator integrator = Integrator::AUTOMATIC;
 	/// Substeps a step, 1..MAX_SUBSTEPS, or 0 for the automatic rule (see `plan_substeps`).
 	int substeps = 0;
 	/// Which surroundings the body notices: those whose layer shares a bit with this mask.

@@ -125,6 +125,14 @@ void SoftBodyShape::derive() {
 	radius_ = std::sqrt(reach_squared);
 	rest_area_ = signed_area(rest_hull());
 
+	area_mobility_ = 0;
+	least_hull_mass_ = masses_[0];
+	for (std::size_t i = 0; i < hull_count_; ++i) {
+		const Vec2 across = rest_positions_[(i + 1) % hull_count_] - rest_positions_[(i + hull_count_ - 1) % hull_count_];
+		area_mobility_ += length_squared(across) / (4 * masses_[i]);
+		least_hull_mass_ = std::min(least_hull_mass_, masses_[i]);
+	}
+
 	std::vector<Real> stiffness(point_count());
 	std::vector<Real> damping(point_count());
 	for (const Spring2D &spring : springs_) {

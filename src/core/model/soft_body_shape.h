@@ -54,6 +54,10 @@ public:
 	/// The same sum over damping coefficients: upper bound of the springs' damping rate [1/s].
 	Real spring_damping_rate() const { return spring_damping_rate_; }
 
+	/// Sum over the hull of |∂A/∂x_i|²/m_i at rest [length²/mass]: what the pressure's frequency bound needs.
+	Real area_mobility() const { return area_mobility_; }
+	Real least_hull_mass() const { return least_hull_mass_; } ///< [mass]
+
 	/// Copy with every spring's stiffness and damping replaced. Refuses negative or non-finite values.
 	Result<std::shared_ptr<const SoftBodyShape>> with_spring_values(Real stiffness, Real damping) const;
 	/// Copy with all masses scaled so that they sum to `total_mass`. Refuses values not > 0.
@@ -74,6 +78,8 @@ private:
 	Real radius_ = 0;
 	Real spring_frequency_squared_ = 0;
 	Real spring_damping_rate_ = 0;
+	Real area_mobility_ = 0;
+	Real least_hull_mass_ = 0;
 };
 
 } // namespace softbody

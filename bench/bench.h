@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What every benchmark of the core is: a function from options to a JSON result.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace bench {
+
+struct Options {
+	bool quick = false; ///< fewer cases, to end within seconds
+};
+
+/// Runs and returns what was measured; never aborts on a blow-up, which is a result like any other.
+using Bench = nlohmann::json (*)(const Options &options);
+
+nlohmann::json work_precision(const Options &options);
+nlohmann::json stability(const Options &options);
+nlohmann::json energy(const Options &options);
+nlohmann::json recovery(const Options &options);
+nlohmann::json automatic(const Options &options);
+
+} // namespace bench

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Pressure: a body that holds its area (thesis 2.1.3 and 2.1.4).
+#pragma once
+
+#include "core/base/vec2.h"
+#include "core/model/soft_body_data.h"
+
+#include <span>
+
+namespace softbody {
+
+/// Signed area of the hull [length²], and its derivative with respect to each hull point [length]:
+/// half the vector between the point's neighbours, turned outward. `gradient` has at least as many
+/// entries as `hull`. O(hull points).
+Real area_and_gradient(std::span<const Vec2> hull, std::span<Vec2> gradient);
+
+/// Pressure of the body [force/length] at the area A: k_p (s - A/A0), positive when it pushes outward.
+/// Linear in the area rather than 1/A (Matyka 2004): a gas law explodes as the hull is crushed and
+/// turns its sign when the hull is inverted, this one always pushes back towards the target area.
+Real pressure_at(const SoftBodyData &body, Real area);
+
+/// Adds the pressure's force p ∂A/∂x_i on every hull point. The work it does is p dA, and the forces
+/// sum to zero force and zero torque because area does not change under rigid motion.
+void add_pressure_forces(const SoftBodyData &body, std::span<const Vec2> positions, std::span<Vec2> forces);
+
+} // namespace softbody

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The names of the ways to advance a body in time.
+#pragma once
+
+#include <cstdint>
+
+namespace softbody {
+
+/// How a body's points advance. Orders and limits are those of the undamped oscillator of angular
+/// frequency ω stepped by h; docs/accuracy.md charts all of them.
+enum class Integrator : std::uint8_t {
+	AUTOMATIC, ///< semi-implicit Euler while its safe number of substeps is affordable, else XPBD
+	EXPLICIT_EULER, ///< order 1, 1 evaluation; gains energy at every h without damping (thesis 3.3.1)
+	SEMI_IMPLICIT_EULER, ///< order 1, 1 evaluation, symplectic; stable for hω < 2
+	MIDPOINT, ///< order 2, 2 evaluations; gains energy slowly at every h without damping (thesis 3.3.2, corrected)
+	HEUN, ///< order 2, 2 evaluations; what the thesis's midpoint formulas average; like MIDPOINT
+	RUNGE_KUTTA_4, ///< order 4, 4 evaluations; stable for hω < 2√2, loses energy there (thesis 3.3.3, corrected)
+	VELOCITY_VERLET, ///< order 2, 1 evaluation, symplectic; stable for hω < 2
+	XPBD, ///< order 1, constraints; bounded for every stiffness and h, damps wobble numerically
+};
+
+inline constexpr int INTEGRATOR_COUNT = 8;
+
+} // namespace softbody
