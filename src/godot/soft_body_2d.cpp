@@ -6,6 +6,7 @@
 #include "core/creator/hulls.h"
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/energy.h"
+#include "core/dynamics/substep_plan.h"
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 #include "godot/convert.h"
@@ -41,6 +42,22 @@ bool same_scale(const Transform2D &p_a, const Transform2D &p_b) {
 	const real_t size = p_a.columns[0].length() + p_a.columns[1].length();
 	return p_a.columns[0].distance_to(p_b.columns[0]) <= 1e-4 * size &&
 			p_a.columns[1].distance_to(p_b.columns[1]) <= 1e-4 * size;
+}
+
+const char *reason_text(softbody::PlanReason p_reason) {
+	switch (p_reason) {
+		case softbody::PlanReason::STABILITY:
+			return "stability";
+		case softbody::PlanReason::CONTACTS:
+			return "contacts";
+		case softbody::PlanReason::TOO_STIFF:
+			return "too_stiff";
+		case softbody::PlanReason::FIXED:
+			return "fixed";
+		case softbody::PlanReason::UNSTABLE:
+			break;
+	}
+	return "unstable";
 }
 
 softbody::Pose rotation_and_position(const Transform2D &p_transform) {
@@ -114,6 +131,29 @@ void SoftBody2D::set_damping(double p_damping) {
 	}
 }
 
+void SoftBody2D::set_center_point(bool p_center_point) {
+	if (center_point_ != p_center_point) {
+		center_point_ = p_center_point;
+		update_topology();
+		rebuild_body();
+		update_configuration_warnings();
+	}
+}
+
+void SoftBody2D::set_pressure(double p_pressure) {
+	if (accept("pressure", softbody::check_at_least("pressure", p_pressure, 0, "N/m"))) {
+		pressure_ = p_pressure;
+		apply_settings();
+	}
+}
+
+void SoftBody2D::set_inflation(double p_inflation) {
+	if (accept("inflation", softbody::check_at_least("inflation", p_inflation, 0, ""))) {
+		inflation_ = p_inflation;
+		apply_settings();
+	}
+}
+
 void SoftBody2D::set_friction(double p_friction) {
 	if (accept("friction", softbody::check_at_least("friction", p_friction, 0, ""))) {
 		friction_ = p_friction;
@@ -156,6 +196,13 @@ void SoftBody2D::set_gravity_scale(double p_gravity_scale) {
 	}
 }
 
+void SoftBody2D::set_integrator(Integrator p_integrator) {
+	if (accept("integrator", softbody::check_between("integrator", p_integrator, 0, softbody::INTEGRATOR_COUNT - 1, ""))) {
+		integrator_ = p_integrator;
+		apply_settings();
+	}
+}
+
 void SoftBody2D::set_substeps(int p_substeps) {
 	if (accept("substeps", softbody::check_between("substeps", p_substeps, 0, softbody::MAX_SUBSTEPS, ""))) {
 		substeps_ = p_substeps;
@@ -182,15 +229,18 @@ void SoftBody2D::set_texture(const Ref<Texture2D> &p_texture) {
 
 softbody::BodySettings SoftBody2D::make_settings() const {
 	softbody::BodySettings settings;
-	const double point_mass = mass_ / double(hull_.size() + 1);
+	const double point_mass = mass_ / get_point_count();
 	const double shape_stiffness = shape_matching_ * stiffness_;
 	settings.shape_stiffness = softbody::Real(shape_stiffness);
 	// The shape-matching oscillator of one point has the frequency sqrt(k_s/m): c = 2 ζ sqrt(k_s m).
 	settings.shape_damping = softbody::Real(2 * shape_damping_ * std::sqrt(shape_stiffness * point_mass));
+	settings.pressure_stiffness = softbody::Real(pressure_);
+	settings.inflation = softbody::Real(inflation_);
 	settings.friction = softbody::Real(friction_);
 	settings.restitution = softbody::Real(bounce_);
 	settings.rolling_resistance = softbody::Real(rolling_resistance_);
 	settings.gravity_scale = softbody::Real(gravity_scale_);
+	settings.integrator = softbody::Integrator(integrator_);
 	settings.substeps = substeps_;
 	settings.collision_mask = collision_mask_;
 	return settings;
@@ -207,6 +257,7 @@ softbody::Result<std::shared_ptr<const softbody::SoftBodyShape>> SoftBody2D::mak
 	options.mass = softbody::Real(mass_);
 	options.stiffness = softbody::Real(stiffness_);
 	options.damping = softbody::Real(damping_);
+	options.centre_point = center_point_;
 	return softbody::SoftBodyCreator::create_polygon(points, options);
 }
 
@@ -422,7 +473,7 @@ bool SoftBody2D::check_index(int p_index) const {
 }
 
 int SoftBody2D::get_point_count() const {
-	return int(hull_.size()) + 1;
+	return int(hull_.size()) + (center_point_ ? 1 : 0);
 }
 
 PackedVector2Array SoftBody2D::get_point_positions() const {
@@ -557,9 +608,12 @@ Dictionary SoftBody2D::get_substep_plan() const {
 			softbody::plan_substeps(*shape.value(), make_settings(), softbody::Real(delta), collision_mask_ != 0);
 	result["frequency"] = plan.frequency;
 	result["damping_rate"] = plan.damping_rate;
+	result["integrator"] = int(plan.integrator);
 	result["substeps"] = plan.substeps;
 	result["stability_margin"] = plan.stability_margin;
 	result["safe"] = plan.safe;
+	result["reason"] = reason_text(plan.reason);
+	result["cost"] = plan.cost;
 	return result;
 }
 

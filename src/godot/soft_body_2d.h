@@ -31,6 +31,18 @@ class SoftBody2D : public Node2D {
 	GDCLASS(SoftBody2D, Node2D)
 
 public:
+	/// Same values as softbody::Integrator.
+	enum Integrator {
+		INTEGRATOR_AUTOMATIC,
+		INTEGRATOR_EXPLICIT_EULER,
+		INTEGRATOR_SEMI_IMPLICIT_EULER,
+		INTEGRATOR_MIDPOINT,
+		INTEGRATOR_HEUN,
+		INTEGRATOR_RUNGE_KUTTA_4,
+		INTEGRATOR_VELOCITY_VERLET,
+		INTEGRATOR_XPBD,
+	};
+
 	SoftBody2D();
 	~SoftBody2D();
 
@@ -42,6 +54,12 @@ public:
 	double get_stiffness() const { return stiffness_; }
 	void set_damping(double p_damping);
 	double get_damping() const { return damping_; }
+	void set_center_point(bool p_center_point);
+	bool has_center_point() const { return center_point_; }
+	void set_pressure(double p_pressure);
+	double get_pressure() const { return pressure_; }
+	void set_inflation(double p_inflation);
+	double get_inflation() const { return inflation_; }
 	void set_friction(double p_friction);
 	double get_friction() const { return friction_; }
 	void set_bounce(double p_bounce);
@@ -54,6 +72,8 @@ public:
 	double get_shape_damping() const { return shape_damping_; }
 	void set_gravity_scale(double p_gravity_scale);
 	double get_gravity_scale() const { return gravity_scale_; }
+	void set_integrator(Integrator p_integrator);
+	Integrator get_integrator() const { return integrator_; }
 	void set_substeps(int p_substeps);
 	int get_substeps() const { return substeps_; }
 	void set_collision_layer(uint32_t p_layer) { collision_layer_ = p_layer; }
@@ -138,12 +158,16 @@ private:
 	double mass_ = 1;
 	double stiffness_ = 300;
 	double damping_ = 0.2;
+	bool center_point_ = true;
+	double pressure_ = 0;
+	double inflation_ = 1;
 	double friction_ = 0.4;
 	double bounce_ = 0;
 	double rolling_resistance_ = 0.03;
 	double shape_matching_ = 0.4;
 	double shape_damping_ = 0.25;
 	double gravity_scale_ = 1;
+	Integrator integrator_ = INTEGRATOR_AUTOMATIC;
 	int substeps_ = 0;
 	uint32_t collision_layer_ = 1;
 	uint32_t collision_mask_ = 1;
@@ -167,3 +191,5 @@ private:
 };
 
 } // namespace godot
+
+VARIANT_ENUM_CAST(SoftBody2D::Integrator);

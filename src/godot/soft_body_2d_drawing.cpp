@@ -17,16 +17,22 @@ namespace godot {
 
 namespace {
 
-// Hull and centre point in the order the core holds them.
+Vector2 mean_of(const PackedVector2Array &p_points) {
+	Vector2 sum;
+	for (const Vector2 &point : p_points) {
+		sum += point;
+	}
+	return sum / real_t(p_points.size());
+}
+
+// Hull and middle in the order the core holds them.
 PackedVector2Array rest_points(const PackedVector2Array &p_hull, bool p_reversed) {
 	PackedVector2Array points;
-	Vector2 mean;
 	const int64_t count = p_hull.size();
 	for (int64_t i = 0; i < count; i++) {
 		points.push_back(p_hull[p_reversed ? (count - i) % count : i]);
-		mean += p_hull[i];
 	}
-	points.push_back(mean / real_t(count));
+	points.push_back(mean_of(points));
 	return points;
 }
 
@@ -98,6 +104,9 @@ void SoftBody2D::draw() {
 	}
 	if (triangles_.is_empty() || points.is_empty()) {
 		return;
+	}
+	if (points.size() == hull_.size()) {
+		points.push_back(mean_of(points)); // the fan needs a middle even where the body has no point there
 	}
 	PackedColorArray colors;
 	colors.push_back(color_);

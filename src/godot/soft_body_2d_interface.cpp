@@ -53,7 +53,7 @@ PackedStringArray SoftBody2D::get_warnings() const {
 	if (stiffness_ * radius < FOLDING_STIFFNESS * weight) {
 		warnings.push_back("Stiffness " + String::num(stiffness_) + " N/m is too low for the body's weight: it will fold. Use at least " + String::num(std::ceil(SAGGING_STIFFNESS * weight / radius)) + " N/m, or less mass or gravity_scale.");
 	}
-	const double floor = softbody::DAMPING_FLOOR * std::sqrt(stiffness_ * mass_ / double(hull_.size() + 1));
+	const double floor = softbody::DAMPING_FLOOR * std::sqrt(stiffness_ * mass_ / get_point_count());
 	if (damping_ < floor) {
 		warnings.push_back("Damping " + String::num(damping_) + " N·s/m is too low to calm strong deformations. Use at least " + String::num(floor, 3) + " N·s/m.");
 	}
@@ -73,6 +73,12 @@ void SoftBody2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_stiffness"), &SoftBody2D::get_stiffness);
 	ClassDB::bind_method(D_METHOD("set_damping", "damping"), &SoftBody2D::set_damping);
 	ClassDB::bind_method(D_METHOD("get_damping"), &SoftBody2D::get_damping);
+	ClassDB::bind_method(D_METHOD("set_center_point", "center_point"), &SoftBody2D::set_center_point);
+	ClassDB::bind_method(D_METHOD("has_center_point"), &SoftBody2D::has_center_point);
+	ClassDB::bind_method(D_METHOD("set_pressure", "pressure"), &SoftBody2D::set_pressure);
+	ClassDB::bind_method(D_METHOD("get_pressure"), &SoftBody2D::get_pressure);
+	ClassDB::bind_method(D_METHOD("set_inflation", "inflation"), &SoftBody2D::set_inflation);
+	ClassDB::bind_method(D_METHOD("get_inflation"), &SoftBody2D::get_inflation);
 	ClassDB::bind_method(D_METHOD("set_friction", "friction"), &SoftBody2D::set_friction);
 	ClassDB::bind_method(D_METHOD("get_friction"), &SoftBody2D::get_friction);
 	ClassDB::bind_method(D_METHOD("set_bounce", "bounce"), &SoftBody2D::set_bounce);
@@ -85,6 +91,8 @@ void SoftBody2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_shape_damping"), &SoftBody2D::get_shape_damping);
 	ClassDB::bind_method(D_METHOD("set_gravity_scale", "gravity_scale"), &SoftBody2D::set_gravity_scale);
 	ClassDB::bind_method(D_METHOD("get_gravity_scale"), &SoftBody2D::get_gravity_scale);
+	ClassDB::bind_method(D_METHOD("set_integrator", "integrator"), &SoftBody2D::set_integrator);
+	ClassDB::bind_method(D_METHOD("get_integrator"), &SoftBody2D::get_integrator);
 	ClassDB::bind_method(D_METHOD("set_substeps", "substeps"), &SoftBody2D::set_substeps);
 	ClassDB::bind_method(D_METHOD("get_substeps"), &SoftBody2D::get_substeps);
 	ClassDB::bind_method(D_METHOD("set_collision_layer", "layer"), &SoftBody2D::set_collision_layer);
@@ -125,11 +133,16 @@ void SoftBody2D::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "mass", PROPERTY_HINT_RANGE, "0.001,1000,0.001,or_greater,exp,suffix:kg"), "set_mass", "get_mass");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "gravity_scale", PROPERTY_HINT_RANGE, "-8,8,0.001,or_less,or_greater"), "set_gravity_scale", "get_gravity_scale");
 
+	ADD_GROUP("Structure", "");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "center_point"), "set_center_point", "has_center_point");
+
 	ADD_GROUP("Material", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "stiffness", PROPERTY_HINT_RANGE, "0,10000,0.1,or_greater,exp,suffix:N/m"), "set_stiffness", "get_stiffness");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "damping", PROPERTY_HINT_RANGE, "0,20,0.001,or_greater,suffix:N·s/m"), "set_damping", "get_damping");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "shape_matching", PROPERTY_HINT_RANGE, "0,2,0.01,or_greater"), "set_shape_matching", "get_shape_matching");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "shape_damping", PROPERTY_HINT_RANGE, "0,1,0.01,or_greater"), "set_shape_damping", "get_shape_damping");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "pressure", PROPERTY_HINT_RANGE, "0,10000,0.1,or_greater,exp,suffix:N/m"), "set_pressure", "get_pressure");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "inflation", PROPERTY_HINT_RANGE, "0,3,0.01,or_greater"), "set_inflation", "get_inflation");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "friction", PROPERTY_HINT_RANGE, "0,1,0.01,or_greater"), "set_friction", "get_friction");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "bounce", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_bounce", "get_bounce");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "rolling_resistance", PROPERTY_HINT_RANGE, "0,1,0.001,or_greater"), "set_rolling_resistance", "get_rolling_resistance");
@@ -139,11 +152,21 @@ void SoftBody2D::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "collision_mask", PROPERTY_HINT_LAYERS_2D_PHYSICS), "set_collision_mask", "get_collision_mask");
 
 	ADD_GROUP("Solver", "");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "integrator", PROPERTY_HINT_ENUM, "Automatic,Explicit Euler,Semi-Implicit Euler,Midpoint,Heun,Runge-Kutta 4,Velocity Verlet,XPBD"), "set_integrator", "get_integrator");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "substeps", PROPERTY_HINT_RANGE, "0,64,1"), "set_substeps", "get_substeps");
 
 	ADD_GROUP("Drawing", "");
 	ADD_PROPERTY(PropertyInfo(Variant::COLOR, "color"), "set_color", "get_color");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_texture", "get_texture");
+
+	BIND_ENUM_CONSTANT(INTEGRATOR_AUTOMATIC);
+	BIND_ENUM_CONSTANT(INTEGRATOR_EXPLICIT_EULER);
+	BIND_ENUM_CONSTANT(INTEGRATOR_SEMI_IMPLICIT_EULER);
+	BIND_ENUM_CONSTANT(INTEGRATOR_MIDPOINT);
+	BIND_ENUM_CONSTANT(INTEGRATOR_HEUN);
+	BIND_ENUM_CONSTANT(INTEGRATOR_RUNGE_KUTTA_4);
+	BIND_ENUM_CONSTANT(INTEGRATOR_VELOCITY_VERLET);
+	BIND_ENUM_CONSTANT(INTEGRATOR_XPBD);
 }
 
 } // namespace godot

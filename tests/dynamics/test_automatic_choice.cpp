@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Claims about what the automatic choice picks, and what it says about it.
+#include "core/base/constants.h"
+#include "core/dynamics/simulator.h"
+#include "core/dynamics/substep_plan.h"
+#include "scenes/thesis_body.h"
+#include "support/compare.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+constexpr Real TICK = Real(1) / 60;
+
+SubstepPlan plan_for(Real stiffness, const BodySettings &settings = {}, bool has_contacts = false) {
+	return plan_substeps(*thesis_shape_with_ratio(stiffness, Real(0.05)), settings, TICK, has_contacts);
+}
+
+} // namespace
+
+TEST_CASE("a soft body takes one substep alone and the contact minimum beside surroundings") {
+	CHECK(plan_for(1).substeps == 1);
+	CHECK(plan_for(1).reason == PlanReason::STABILITY);
+	CHECK(plan_for(1, {}, true).substeps == MIN_CONTACT_SUBSTEPS);
+	CHECK(plan_for(1, {}, true).reason == PlanReason::CONTACTS);
+}
+
+TEST_CASE("the automatic choice is semi-implicit Euler up to its cap, then XPBD") {
+	bool was_explicit = false;
+	bool was_xpbd = false;
+	for (double k = 10; k < 1e8; k *= 1.5) {
+		const SubstepPlan plan = plan_for(Real(k));
+		CHECK(plan.safe);
+		if (plan.integrator == Integrator::XPBD) {
+			was_xpbd = true;
+			CHECK(plan.reason == PlanReason::TOO_STIFF);
+			CHECK(plan.substeps == XPBD_SUBSTEPS);
+		} else {
+			CHECK_FALSE(was_xpbd); // once too stiff, a stiffer body is not softer
+			was_explicit = true;
+			CHECK(plan.integrator == Integrator::SEMI_IMPLICIT_EULER);
+			CHECK(plan.substeps <= EXPLICIT_SUBSTEP_CAP);
+		}
+	}
+	CHECK(was_explicit);
+	CHECK(was_xpbd);
+}
+
+TEST_CASE("a fixed count is kept and judged") {
+	BodySettings settings;
+	settings.substeps = 2;
+	const SubstepPlan soft = plan_for(100, settings);
+	CHECK(soft.substeps == 2);
+	CHECK(soft.reason == PlanReason::FIXED);
+	CHECK(soft.safe);
+	const SubstepPlan stiff = plan_for(1e5, settings);
+	CHECK(stiff.substeps == 2);
+	CHECK_FALSE(stiff.safe);
+	CHECK(stiff.stability_margin < 1);
+}
+
+TEST_CASE("a named integrator is kept, and called unsafe where no step is stable") {
+	for (int i = 1; i < INTEGRATOR_COUNT; ++i) {
+		BodySettings settings;
+		settings.integrator = Integrator(i);
+		CHECK(plan_for(100, settings).integrator == Integrator(i));
+	}
+	BodySettings explicit_euler;
+	explicit_euler.integrator = Integrator::EXPLICIT_EULER;
+	const SubstepPlan undamped = plan_substeps(*thesis_shape(100, 0), explicit_euler, TICK, false);
+	CHECK_FALSE(undamped.safe);
+	CHECK(undamped.reason == PlanReason::UNSTABLE);
+	CHECK(undamped.substeps == MAX_SUBSTEPS);
+}
+
+TEST_CASE("pressure and shape matching raise the frequency bound") {
+	const double bare = plan_for(100).frequency;
+	BodySettings shape;
+	shape.shape_stiffness = 40;
+	BodySettings pressure;
+	pressure.pressure_stiffness = 200;
+	CHECK(plan_for(100, shape).frequency > bare);
+	CHECK(plan_for(100, pressure).frequency > bare);
+}
+
+TEST_CASE("a stiff crumpled body under the automatic choice stays finite and keeps its energy") {
+	for (const Real k : { Real(1e3), Real(1e5), Real(1e7) }) {
+		WorldData world;
+		BodySettings settings;
+		settings.shape_stiffness = Real(0.4) * k;
+		SoftBodyData body = thesis_body(thesis_shape_with_ratio(k, Real(0.05)), settings);
+		for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+			const Vec2 p = body.positions()[i];
+			body.set_point(i, { p.x * Real(0.1), p.y * Real(1.4) }, {});
+		}
+		world.add_soft_body(std::move(body));
+		Simulator simulator(world);
+		for (int i = 0; i < 300; ++i) {
+			CHECK(simulator.simulate(TICK).reset_bodies.empty());
+		}
+		CHECK(all_finite(world.soft_bodies()[0].positions()));
+	}
+}
+
+TEST_CASE("values of the new terms outside their range are refused by name, and nothing changes") {
+	SoftBodyData body = thesis_body(thesis_shape());
+	const auto refuses = [&](auto change, const char *name) {
+		BodySettings settings;
+		change(settings);
+		const Status status = body.set_settings(settings);
+		REQUIRE(status);
+		CHECK(mentions(status->name, name));
+		CHECK(body.settings().pressure_stiffness == 0);
+		CHECK(body.settings().inflation == 1);
+		CHECK(body.settings().integrator == Integrator::AUTOMATIC);
+	};
+	for (const Real bad : { Real(-1), NOT_A_NUMBER, INFINITE }) {
+		refuses([&](BodySettings &s) { s.pressure_stiffness = bad; }, "pressure_stiffness");
+		refuses([&](BodySettings &s) { s.inflation = bad; }, "inflation");
+	}
+	refuses([](BodySettings &s) { s.integrator = Integrator(INTEGRATOR_COUNT); }, "integrator");
+}
