@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""Runs one benchmark, judges what it measured, prints a table and keeps the result. `scripts/bench.sh` calls it."""
+
+import argparse
+import json
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable
+
+import machine
+import tables_b
+import work_precision
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build" / "bench"
+RESULTS = ROOT / "bench" / "results"
+
+
+@dataclass(frozen=True)
+class Bench:
+    """One benchmark: which programs measure it, what becomes of their results, and how that is shown."""
+
+    precisions: tuple  # the first is the one whose figures count; the others stand beside it
+    summarize: Callable  # {precision: result of the program} -> the section of the result file
+    print_table: Callable  # the same section -> None
+    timed: bool = False  # measures time: its programs run one after the other
+
+
+def per_precision(summarize):
+    """For benchmarks whose precisions are judged apart: the first one's figures, and the others under their names."""
+
+    def summarize_all(results):
+        (first, main), *others = ((precision, summarize(result)) for precision, result in results.items())
+        return {"precision": first, **main, **dict(others)}
+
+    return summarize_all
+
+
+BENCHES = {
+    "work-precision": Bench(("double", "float"), work_precision.summarize, work_precision.print_table, timed=True),
+    "stability": Bench(("double",), per_precision(tables_b.summarize_stability), tables_b.print_stability),
+    "energy": Bench(("double", "float"), per_precision(tables_b.summarize_energy), tables_b.print_energy),
+    "recovery": Bench(("float",), per_precision(tables_b.summarize_recovery), tables_b.print_recovery),
+    "auto": Bench(("float",), per_precision(tables_b.summarize_auto), tables_b.print_auto),
+}
+
+
+def measure(name, precision, quick):
+    """Runs the program of that precision and returns what it wrote."""
+    output = BUILD / f"{name}_{precision}.json"
+    output.unlink(missing_ok=True)
+    command = [BUILD / f"softbody_bench_{precision}", name, output] + (["--quick"] if quick else [])
+    subprocess.run(command, check=True, stdout=sys.stderr)
+    return json.loads(output.read_text(encoding="utf-8"))
+
+
+def as_lines(value, indent=0):
+    """JSON with one line a key, and one line an entry of a list of objects: small, and a change of one point shows."""
+    pad = " " * (indent + 1)
+    if isinstance(value, dict) and indent < 2:
+        entries = [f"{pad}{json.dumps(key)}: {as_lines(item, indent + 1)}" for key, item in value.items()]
+        return "{\n" + ",\n".join(entries) + "\n" + " " * indent + "}"
+    if isinstance(value, list) and any(isinstance(item, dict) for item in value):
+        return "[\n" + ",\n".join(pad + json.dumps(item, allow_nan=False) for item in value) + "\n" + " " * indent + "]"
+    return json.dumps(value, allow_nan=False)
+
+
+def keep(section, name, quick):
+    """Puts the section into this machine's file. A quick run stays in the build folder: it is no result to quote."""
+    folder = BUILD / "quick_results" if quick else RESULTS
+    file = folder / f"{machine.machine_name()}.json"
+    folder.mkdir(parents=True, exist_ok=True)
+    content = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+    content[name] = section
+    ordered = {key: content[key] for key in BENCHES if key in content}
+    file.write_text(as_lines(ordered) + "\n", encoding="utf-8")
+    return file
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="scripts/bench.sh", description=__doc__.split(".")[0] + ".")
+    parser.add_argument("name", metavar="NAME", choices=BENCHES, help=", ".join(BENCHES))
+    parser.add_argument("--json", action="store_true", help="with the result as one JSON object in the last line")
+    parser.add_argument("--quick", action="store_true", help="fewer cases, within 40 s")
+    arguments = parser.parse_args()
+    name, quick, bench = arguments.name, arguments.quick, BENCHES[arguments.name]
+
+    begin = time.monotonic()
+    with ThreadPoolExecutor(max_workers=1 if bench.timed else len(bench.precisions)) as pool:
+        measured = list(pool.map(lambda precision: measure(name, precision, quick), bench.precisions))
+    section = machine.head(f"scripts/bench.sh {name}{' --quick' if quick else ''}", BUILD, bench.precisions[0])
+    section.update(bench.summarize(dict(zip(bench.precisions, measured))))
+    bench.print_table(section)
+    file = keep(section, name, quick)
+    print(f"==> {time.monotonic() - begin:.0f} s; the full result: {file.relative_to(ROOT)}")
+    if arguments.json:
+        print(json.dumps(section, allow_nan=False))
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (OSError, subprocess.CalledProcessError) as problem:
+        sys.exit(f"error: {problem}")
