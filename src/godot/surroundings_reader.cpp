@@ -175,8 +175,12 @@ void SurroundingsReader::read_shape(const RID &p_body, int p_shape_index, WorldD
 			add_round(data, 0, transform, surface, r_world);
 		} break;
 		case PhysicsServer2D::SHAPE_CAPSULE: {
-			const Vector2 size = data; // radius, and height with both caps
-			add_round(size.x, Math::max<real_t>(0, size.y / 2 - size.x), transform, surface, r_world);
+			// Godot's own server takes (radius, height) and returns (height, radius). The height includes
+			// both caps, so it is never the smaller of the two, whatever the order.
+			const Vector2 size = data;
+			const real_t radius = Math::min(size.x, size.y);
+			const real_t height = Math::max(size.x, size.y);
+			add_round(radius, Math::max<real_t>(0, height / 2 - radius), transform, surface, r_world);
 		} break;
 		case PhysicsServer2D::SHAPE_RECTANGLE: {
 			const Vector2 half = data;
