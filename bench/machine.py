@@ -46,7 +46,7 @@ def commit():
 def build_of(build, precision):
     """Compiler and flags, as the build noted them beside the program."""
     try:
-        program, *flags = (build / f"softbody_bench_{precision}.flags.txt").read_text(encoding="utf-8").split()
+        program, *flags = (build / f"softbody_bench_{precision}.flags").read_text(encoding="utf-8").split()
     except OSError:
         return "unknown", "unknown"
     return output_of(program, "--version").partition("\n")[0] or program, " ".join(flags)

@@ -30,7 +30,7 @@ AGREEMENT = 1e-9
 # Orders are fitted where the error is truncation alone: below LARGEST the method's next order no longer bends the
 # curve, above SMALLEST neither rounding nor the reference itself (some 1e-12) counts.
 LARGEST_FITTED, SMALLEST_FITTED = 1e-2, 1e-10
-MOST_FITTED, LEAST_FITTED = 6, 4
+MOST_FITTED, LEAST_FITTED = 5, 4
 
 BLOWN_UP = 10  # an error of so many radii is no motion of this body any more
 LEVELS = [10.0**-exponent for exponent in range(1, 12)]

@@ -43,6 +43,7 @@ done
 
 build_extension target=template_debug
 find_godot
+[[ $headless == yes ]] || need_window
 step "Godot $GODOT_NAME"
 import_project
 check_extension
@@ -57,7 +58,7 @@ fi
 step "Playing $seconds s of the demo"
 log=$LOG_DIR/demo.log
 limit=$((120 + 30 * seconds))
-arguments=(--fixed-fps 60 --path "$PROJECT_DIR" -- --summary "--quit-after-seconds=$seconds")
+arguments=(--fixed-fps 60 --audio-driver Dummy --path "$PROJECT_DIR" -- --summary "--quit-after-seconds=$seconds")
 status=0
 if [[ $headless == yes ]]; then
 	godot_headless $limit "${arguments[@]}" >"$log" 2>&1 || status=$?

@@ -10,5 +10,5 @@ set -euo pipefail
 find_godot
 case " $* " in
 	*" --headless "* | *" --version "* | *" --help "* | *" -h "*) exec "${GODOT_COMMAND[@]}" "$@" ;;
-	*) godot_windowed 0 "$@" ;;
+	*) need_window && godot_windowed 0 "$@" ;;
 esac

@@ -20,7 +20,7 @@ need_godot_cpp() {
 		step "Fetching godot-cpp"
 		if ! GIT_TERMINAL_PROMPT=0 limited 600 git -C "$REPO_DIR" submodule update --init --depth 1 godot-cpp \
 			>"$LOG_DIR/godot_cpp.log" 2>&1; then
-			tail -n 3 "$LOG_DIR/godot_cpp.log" >&2
+			grep -m 1 -E 'fatal|error' "$LOG_DIR/godot_cpp.log" >&2
 			problem "godot-cpp is missing and could not be fetched; with a network, run: git submodule update --init"
 			return 1
 		fi

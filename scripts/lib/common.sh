@@ -25,6 +25,8 @@ has_package() {
 	case $1 in
 		g++) command -v "${CXX:-g++}" >/dev/null ;;
 		doctest-dev) echo '#include <doctest/doctest.h>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;
+		nlohmann-json3-dev) echo '#include <nlohmann/json.hpp>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;
+		python3-venv) command -v python3 >/dev/null && python3 -c 'import ensurepip, venv' 2>/dev/null ;;
 		ca-certificates) [[ -e /etc/ssl/certs/ca-certificates.crt ]] || ! command -v apt-get >/dev/null ;;
 		debian-archive-keyring) [[ -e /usr/share/keyrings/debian-archive-keyring.gpg ]] ;;
 		xvfb) command -v Xvfb >/dev/null && command -v xvfb-run >/dev/null ;;

@@ -39,9 +39,15 @@ find_godot() {
 		fi
 	done
 	install_godot || return 1
-	accept_godot "$GODOT_ROOT/usr/bin/godot" \
+	# Its Mesa and its fontconfig are told where they are, as that is not where they were built to be. There is no driver
+	# for Vulkan among them.
+	accept_godot "$GODOT_ROOT/usr/bin/godot" env \
+		LIBGL_DRIVERS_PATH="$GODOT_LIBRARIES/dri" GBM_BACKENDS_PATH="$GODOT_LIBRARIES/gbm" \
+		__EGL_VENDOR_LIBRARY_DIRS="$GODOT_ROOT/usr/share/glvnd/egl_vendor.d" __GLX_VENDOR_LIBRARY_NAME=mesa \
+		FONTCONFIG_FILE="$GODOT_ROOT/etc/fonts/fonts.conf" \
 		"$GODOT_LIBRARIES/ld-linux-x86-64.so.2" --library-path "$GODOT_LIBRARIES:$GODOT_LIBRARIES/pulseaudio" \
-		"$GODOT_ROOT/usr/bin/godot" || problem "the Godot in $GODOT_ROOT does not run: delete that folder and try again"
+		"$GODOT_ROOT/usr/bin/godot" --rendering-driver opengl3 ||
+		problem "the Godot in $GODOT_ROOT does not run: delete that folder and try again"
 }
 
 # install_godot: Debian testing's engine, export templates and Mesa in a folder of their own, run by the loader in there.
@@ -69,13 +75,14 @@ install_godot() {
 			--include="$packages" testing - 2>"$LOG_DIR/godot_install.log" 9>&- </dev/null |
 			tar -x --no-same-owner --exclude=./dev --exclude=./tmp -C "$part" || exit 1
 		rm -rf "$part/tmp"
+		mkdir "$part/tmp" "$part/dev" "$part/proc" # With these, an exported game can have this folder as its root.
 		ln -sfn usr/bin "$part/bin"
 		ln -sfn usr/lib "$part/lib"
 		ln -sfn usr/lib64 "$part/lib64"
 		rm -rf "$GODOT_ROOT"
 		mv "$part" "$GODOT_ROOT"
 	) 9>"$GODOT_ROOT.lock" && return 0
-	tail -n 5 "$LOG_DIR/godot_install.log" >&2
+	grep -m 1 '^E:' "$LOG_DIR/godot_install.log" >&2
 	problem "could not install Godot (see $LOG_DIR/godot_install.log); try again, or $GODOT_REMEDY"
 }
 
@@ -102,21 +109,19 @@ godot_headless() {
 	limited "$limit" "${GODOT_COMMAND[@]}" --headless "$@"
 }
 
+# need_window: what it takes to open one.
+need_window() {
+	has_screen || need_packages xvfb xauth
+}
+
 # godot_windowed SECONDS ARGS…: runs the engine in a window; without a screen, in one that nobody sees, drawn by the CPU.
 godot_windowed() {
-	local limit=$1 start=()
+	local limit=$1
 	shift
-	if [[ ${GODOT_COMMAND[0]} == "$GODOT_LIBRARIES"/* ]]; then
-		# Its Mesa goes by these, as it is not where it was built to be. It comes without a driver for Vulkan.
-		start=(env "LIBGL_DRIVERS_PATH=$GODOT_LIBRARIES/dri" "GBM_BACKENDS_PATH=$GODOT_LIBRARIES/gbm"
-			"__EGL_VENDOR_LIBRARY_DIRS=$GODOT_ROOT/usr/share/glvnd/egl_vendor.d" __GLX_VENDOR_LIBRARY_NAME=mesa)
-		set -- --rendering-driver opengl3 "$@"
-	fi
 	if has_screen; then
-		limited "$limit" ${start[@]+"${start[@]}"} "${GODOT_COMMAND[@]}" "$@"
+		limited "$limit" "${GODOT_COMMAND[@]}" "$@"
 	else
-		need_packages xvfb xauth || return 1
-		limited "$limit" xvfb-run -a -s "-screen 0 1280x720x24" env LIBGL_ALWAYS_SOFTWARE=1 \
-			${start[@]+"${start[@]}"} "${GODOT_COMMAND[@]}" --rendering-driver opengl3 --audio-driver Dummy "$@"
+		limited "$limit" xvfb-run -a -s "-screen 0 1280x720x24" \
+			env LIBGL_ALWAYS_SOFTWARE=1 "${GODOT_COMMAND[@]}" --rendering-driver opengl3 --audio-driver Dummy "$@"
 	fi
 }

@@ -436,6 +436,18 @@ void SoftBody2D::take_over_transform() {
 	redraw_needed_ = true;
 }
 
+// The engine reports a changed transform at the end of the frame; whoever asks earlier gets the body
+// where the node has been put.
+const softbody::SoftBodyData *SoftBody2D::followed_body() const {
+	const_cast<SoftBody2D *>(this)->take_over_transform();
+	return body();
+}
+
+softbody::SoftBodyData *SoftBody2D::followed_body() {
+	take_over_transform();
+	return body();
+}
+
 void SoftBody2D::prepare_step() {
 	take_over_transform();
 	if (softbody::SoftBodyData *found = body()) {
@@ -478,7 +490,7 @@ int SoftBody2D::get_point_count() const {
 
 PackedVector2Array SoftBody2D::get_point_positions() const {
 	PackedVector2Array points;
-	if (const softbody::SoftBodyData *found = body()) {
+	if (const softbody::SoftBodyData *found = followed_body()) {
 		for (int i = 0; i < get_point_count(); i++) {
 			points.push_back(to_godot(found->positions()[core_index(i)]));
 		}
@@ -488,7 +500,7 @@ PackedVector2Array SoftBody2D::get_point_positions() const {
 
 PackedVector2Array SoftBody2D::get_point_velocities() const {
 	PackedVector2Array velocities;
-	if (const softbody::SoftBodyData *found = body()) {
+	if (const softbody::SoftBodyData *found = followed_body()) {
 		for (int i = 0; i < get_point_count(); i++) {
 			velocities.push_back(to_godot(found->velocities()[core_index(i)]));
 		}
@@ -518,7 +530,7 @@ int SoftBody2D::get_nearest_point(const Vector2 &p_global_position) const {
 }
 
 bool SoftBody2D::has_point(const Vector2 &p_global_position) const {
-	const softbody::SoftBodyData *found = body();
+	const softbody::SoftBodyData *found = followed_body();
 	return found != nullptr && softbody::point_in_polygon(to_core(p_global_position), found->hull());
 }
 
@@ -526,13 +538,13 @@ bool SoftBody2D::has_point(const Vector2 &p_global_position) const {
 
 void SoftBody2D::apply_point_force(int p_index, const Vector2 &p_force) {
 	if (check_index(p_index)) {
-		accept("force", body()->add_external_force(uint32_t(core_index(p_index)), to_core(p_force)));
+		accept("force", followed_body()->add_external_force(uint32_t(core_index(p_index)), to_core(p_force)));
 	}
 }
 
 void SoftBody2D::apply_point_impulse(int p_index, const Vector2 &p_impulse) {
 	if (check_index(p_index)) {
-		accept("impulse", body()->apply_impulse(uint32_t(core_index(p_index)), to_core(p_impulse)));
+		accept("impulse", followed_body()->apply_impulse(uint32_t(core_index(p_index)), to_core(p_impulse)));
 	}
 }
 
@@ -540,9 +552,10 @@ void SoftBody2D::apply_central_force(const Vector2 &p_force) {
 	if (!check_index(0)) {
 		return;
 	}
-	const softbody::SoftBodyShape &shape = body()->shape();
+	softbody::SoftBodyData &target = *followed_body();
+	const softbody::SoftBodyShape &shape = target.shape();
 	for (uint32_t i = 0; i < shape.point_count(); i++) {
-		if (!accept("force", body()->add_external_force(i, to_core(p_force) * (shape.masses()[i] / shape.total_mass())))) {
+		if (!accept("force", target.add_external_force(i, to_core(p_force) * (shape.masses()[i] / shape.total_mass())))) {
 			return;
 		}
 	}
@@ -552,9 +565,10 @@ void SoftBody2D::apply_central_impulse(const Vector2 &p_impulse) {
 	if (!check_index(0)) {
 		return;
 	}
-	const softbody::SoftBodyShape &shape = body()->shape();
+	softbody::SoftBodyData &target = *followed_body();
+	const softbody::SoftBodyShape &shape = target.shape();
 	for (uint32_t i = 0; i < shape.point_count(); i++) {
-		if (!accept("impulse", body()->apply_impulse(i, to_core(p_impulse) * (shape.masses()[i] / shape.total_mass())))) {
+		if (!accept("impulse", target.apply_impulse(i, to_core(p_impulse) * (shape.masses()[i] / shape.total_mass())))) {
 			return;
 		}
 	}
@@ -563,37 +577,37 @@ void SoftBody2D::apply_central_impulse(const Vector2 &p_impulse) {
 // Measures.
 
 Vector2 SoftBody2D::get_center_of_mass_position() const {
-	const softbody::SoftBodyData *found = body();
+	const softbody::SoftBodyData *found = followed_body();
 	return found ? to_godot(softbody::measure_frame(*found).centre) : get_global_position();
 }
 
 Vector2 SoftBody2D::get_linear_velocity() const {
-	const softbody::SoftBodyData *found = body();
+	const softbody::SoftBodyData *found = followed_body();
 	return found ? to_godot(softbody::measure_frame(*found).velocity) : Vector2();
 }
 
 double SoftBody2D::get_angular_velocity() const {
-	const softbody::SoftBodyData *found = body();
+	const softbody::SoftBodyData *found = followed_body();
 	return found ? double(softbody::measure_frame(*found).angular_velocity) : 0.0;
 }
 
 double SoftBody2D::get_area() const {
-	const softbody::SoftBodyData *found = body();
+	const softbody::SoftBodyData *found = followed_body();
 	return found ? double(softbody::signed_area(found->hull())) : get_rest_area();
 }
 
 double SoftBody2D::get_rest_area() const {
-	const softbody::SoftBodyData *found = body();
+	const softbody::SoftBodyData *found = followed_body();
 	return found ? double(found->shape().rest_area()) : std::abs(double(softbody::signed_area(to_core(hull_))));
 }
 
 double SoftBody2D::get_kinetic_energy() const {
-	const softbody::SoftBodyData *found = body();
+	const softbody::SoftBodyData *found = followed_body();
 	return found ? softbody::measure_energy(*found, {}).kinetic : 0.0;
 }
 
 double SoftBody2D::get_penetration() const {
-	const softbody::SoftBodyData *found = body();
+	const softbody::SoftBodyData *found = followed_body();
 	return found && space_ ? double(softbody::measure_penetration(space_->world(), *found)) : 0.0;
 }
 

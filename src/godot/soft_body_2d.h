@@ -138,6 +138,9 @@ private:
 	softbody::Result<std::shared_ptr<const softbody::SoftBodyShape>> make_shape(const Transform2D &p_transform) const;
 	softbody::SoftBodyData *body();
 	const softbody::SoftBodyData *body() const;
+	/// The body after it has followed a transform that the user has just set.
+	const softbody::SoftBodyData *followed_body() const;
+	softbody::SoftBodyData *followed_body();
 	std::size_t core_index(int p_index) const;
 	bool check_index(int p_index) const;
 
@@ -156,8 +159,8 @@ private:
 
 	PackedVector2Array hull_;
 	double mass_ = 1;
-	double stiffness_ = 300;
-	double damping_ = 0.2;
+	double stiffness_ = 100;
+	double damping_ = 0.12;
 	bool center_point_ = true;
 	double pressure_ = 0;
 	double inflation_ = 1;

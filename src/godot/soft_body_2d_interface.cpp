@@ -16,10 +16,10 @@ namespace godot {
 
 namespace {
 
-// Under its own weight a body folds when k R is below about this many times m g (measured, see docs).
-constexpr double FOLDING_STIFFNESS = 3;
-// And it sags visibly, by more than a tenth of its area, below this.
-constexpr double SAGGING_STIFFNESS = 8;
+// How much a body sags under its own weight depends on q = k n R / (8 m g) alone, n being the hull points
+// (measured for 8 to 64 of them): below 1 it folds, at 2 it has lost a tenth of its area, at 4 a twentieth.
+constexpr double FOLDING_STRENGTH = 1;
+constexpr double FIRM_STRENGTH = 4;
 
 PackedVector2Array hull_or_error(const softbody::Result<std::vector<softbody::Vec2>> &p_hull) {
 	if (!p_hull) {
@@ -50,12 +50,13 @@ PackedStringArray SoftBody2D::get_warnings() const {
 	const double gravity = double(ProjectSettings::get_singleton()->get_setting("physics/2d/default_gravity", 980.0));
 	const double weight = mass_ * gravity * std::abs(gravity_scale_);
 	const double radius = std::sqrt(get_rest_area() / Math_PI);
-	if (stiffness_ * radius < FOLDING_STIFFNESS * weight) {
-		warnings.push_back("Stiffness " + String::num(stiffness_) + " N/m is too low for the body's weight: it will fold. Use at least " + String::num(std::ceil(SAGGING_STIFFNESS * weight / radius)) + " N/m, or less mass or gravity_scale.");
+	const double unit_stiffness = 8 * weight / (radius * double(hull_.size())); // where q is 1
+	if (stiffness_ < FOLDING_STRENGTH * unit_stiffness) {
+		warnings.push_back("Stiffness " + String::num(stiffness_) + " N/m is too low for the body's weight: it will fold. Use at least " + String::num(std::ceil(FIRM_STRENGTH * unit_stiffness)) + " N/m, or less mass or gravity_scale.");
 	}
 	const double floor = softbody::DAMPING_FLOOR * std::sqrt(stiffness_ * mass_ / get_point_count());
 	if (damping_ < floor) {
-		warnings.push_back("Damping " + String::num(damping_) + " N·s/m is too low to calm strong deformations. Use at least " + String::num(floor, 3) + " N·s/m.");
+		warnings.push_back(vformat(String::utf8("Damping %s N·s/m is too low to calm strong deformations. Use at least %s N·s/m."), damping_, String::num(floor, 3)));
 	}
 	const Dictionary plan = get_substep_plan();
 	if (!plan.is_empty() && !bool(plan["safe"])) {
@@ -138,7 +139,7 @@ void SoftBody2D::_bind_methods() {
 
 	ADD_GROUP("Material", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "stiffness", PROPERTY_HINT_RANGE, "0,10000,0.1,or_greater,exp,suffix:N/m"), "set_stiffness", "get_stiffness");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "damping", PROPERTY_HINT_RANGE, "0,20,0.001,or_greater,suffix:N·s/m"), "set_damping", "get_damping");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "damping", PROPERTY_HINT_RANGE, String::utf8("0,20,0.001,or_greater,suffix:N·s/m")), "set_damping", "get_damping");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "shape_matching", PROPERTY_HINT_RANGE, "0,2,0.01,or_greater"), "set_shape_matching", "get_shape_matching");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "shape_damping", PROPERTY_HINT_RANGE, "0,1,0.01,or_greater"), "set_shape_damping", "get_shape_damping");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "pressure", PROPERTY_HINT_RANGE, "0,10000,0.1,or_greater,exp,suffix:N/m"), "set_pressure", "get_pressure");

@@ -97,6 +97,7 @@ std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> 
 		handle_colliders(body, before);
 	}
 	resist_rolling(body, load_);
+	give_back_bounce(body, load_, bounce_threshold_);
 	return contacts_;
 }
 
@@ -119,7 +120,9 @@ void CollisionHandling::handle_colliders(SoftBodyData &body, std::span<const Vec
 }
 
 void CollisionHandling::answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface) {
-	load_.add(answer_contact(body, contact, surface, bounce_threshold_, h_), surface);
+	const Real impulse = answer_contact(body, contact, surface, bounce_threshold_, h_);
+	const Vec2 place = body.positions()[contact.place.a];
+	load_.add(impulse, contact.normal, place, surface, combined_restitution(body.settings(), surface));
 	contacts_++;
 }
 

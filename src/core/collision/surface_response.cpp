@@ -8,6 +8,15 @@
 
 namespace softbody {
 
+Real combined_friction(const BodySettings &settings, const Surface &surface) {
+	return surface.rough ? surface.friction : std::min(settings.friction, surface.friction);
+}
+
+Real combined_restitution(const BodySettings &settings, const Surface &surface) {
+	return std::clamp(settings.restitution + (surface.absorbent ? -surface.restitution : surface.restitution), Real(0),
+			Real(1));
+}
+
 Real answer_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,
 		Real h) {
 	const auto [a, b, t] = contact.place;
@@ -31,11 +40,8 @@ Real answer_contact(SoftBodyData &body, const SurfaceContact &contact, const Sur
 
 	const Real approach = -dot(relative, contact.normal);
 	if (approach > 0) {
-		const BodySettings &settings = body.settings();
-		const Real friction = surface.rough ? surface.friction : std::min(settings.friction, surface.friction);
-		const Real restitution = std::clamp(settings.restitution +
-						(surface.absorbent ? -surface.restitution : surface.restitution),
-				Real(0), Real(1));
+		const Real friction = combined_friction(body.settings(), surface);
+		const Real restitution = combined_restitution(body.settings(), surface);
 		normal_change = approach * (approach > bounce_threshold ? 1 + restitution : Real(1));
 		const Vec2 slide = relative + contact.normal * approach;
 		const Real slide_speed = length(slide);
@@ -53,6 +59,46 @@ Real answer_contact(SoftBodyData &body, const SurfaceContact &contact, const Sur
 		v[b] += velocity_change * (mobility_b / mobility);
 	}
 	return normal_change / mobility;
+}
+
+void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold) {
+	TouchMemory &touch = body.touch_memory();
+	if (!touch.touching && !(load.restitution > 0)) {
+		return; // in free flight, or nothing bounces here
+	}
+	const Real mass = body.shape().total_mass();
+	Vec2 momentum;
+	for (std::size_t i = 0; i < body.point_count(); ++i) {
+		momentum += body.velocities()[i] * body.shape().masses()[i];
+	}
+	const Vec2 velocity = momentum * (1 / mass);
+	if (load.normal_impulse > 0) {
+		const Real size = length(load.impulse);
+		if (!(size > 0)) {
+			return; // squeezed from both sides: no direction to bounce to
+		}
+		touch.normal = load.impulse * (1 / size);
+		touch.surface_velocity = load.surface_velocity * (1 / load.normal_impulse);
+		touch.restitution = load.restitution / load.normal_impulse;
+		// What this substep's contacts have just taken belongs to the approach.
+		const Vec2 before = velocity - load.impulse * (1 / mass) - touch.surface_velocity;
+		touch.approach = std::max(touch.touching ? touch.approach : Real(0), -dot(before, touch.normal));
+		touch.touching = true;
+		return;
+	}
+	const Real leaving = dot(velocity - touch.surface_velocity, touch.normal);
+	if (!(leaving > 0)) {
+		return; // between two contacts of one touch
+	}
+	const Real missing = touch.restitution * touch.approach - leaving;
+	if (touch.approach > bounce_threshold && missing > 0) {
+		for (std::size_t i = 0; i < body.point_count(); ++i) {
+			if (body.inverse_masses()[i] > 0) {
+				body.mutable_velocities()[i] += touch.normal * missing;
+			}
+		}
+	}
+	touch = {};
 }
 
 void resist_rolling(SoftBodyData &body, const ContactLoad &load) {

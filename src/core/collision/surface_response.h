@@ -22,6 +22,10 @@ struct SurfaceContact {
 	Real depth = 0; ///< [length], >= 0
 };
 
+/// Friction coefficient and restitution of a body on a surface, by Godot's rule (see `Surface`).
+Real combined_friction(const BodySettings &settings, const Surface &surface);
+Real combined_restitution(const BodySettings &settings, const Surface &surface);
+
 /// Answers one contact: moves the place out of the surface along the normal, gives the approach speed
 /// back times the restitution (if faster than `bounce_threshold` [length/s]), and takes from the sliding
 /// speed what Coulomb's law allows, |Δv_t| <= friction |Δv_n|, together with the way slid in this
@@ -31,14 +35,21 @@ struct SurfaceContact {
 Real answer_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,
 		Real h);
 
-/// What a body's contacts did to it during one substep, for the resistance against rolling.
+/// What a body's contacts did to it during one substep, for what acts on the body as a whole.
 struct ContactLoad {
 	Real normal_impulse = 0; ///< sum of |J_n| [mass·length/s]
-	Real surface_spin = 0; ///< sum of |J_n| times the surface's angular velocity [mass·length·rad/s²]
+	Vec2 impulse; ///< sum of J_n n [mass·length/s]
+	// Sums of |J_n| times a value of the surface; divided by `normal_impulse` they are weighted means.
+	Real surface_spin = 0;
+	Real restitution = 0;
+	Vec2 surface_velocity;
 
-	void add(Real impulse, const Surface &surface) {
-		normal_impulse += impulse;
-		surface_spin += impulse * surface.angular_velocity;
+	void add(Real size, Vec2 normal, Vec2 place, const Surface &surface, Real combined_restitution) {
+		normal_impulse += size;
+		impulse += normal * size;
+		surface_spin += size * surface.angular_velocity;
+		restitution += size * combined_restitution;
+		surface_velocity += surface.velocity_at(place) * size;
 	}
 };
 
@@ -46,5 +57,11 @@ struct ContactLoad {
 /// resistance, R the body's radius, J the summed normal impulse, I the current inertia. Changes no
 /// linear momentum and never reverses the spin. O(points).
 void resist_rolling(SoftBodyData &body, const ContactLoad &load);
+
+/// Restitution of the body as a whole. Returning a share of each point's speed alone would feed the wobble,
+/// not the flight: a point is a small part of the mass. So the body remembers how fast its centre of mass
+/// approached, and when it parts from the surface, the springs having given back what they could, a missing
+/// rest is added to all points alike. Approaches below `bounce_threshold` [length/s] do not count. O(points).
+void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold);
 
 } // namespace softbody

@@ -31,7 +31,8 @@ struct BodySettings {
 	/// times the body's radius, over its inertia. A soft body on flat ground otherwise rocks between two
 	/// hull points for tens of seconds. A body of resistance r stays on slopes up to atan(r).
 	Real rolling_resistance = 0;
-	/// Share of the approach speed given back by a contact [1], 0..1. The springs bounce by themselves.
+	/// Share of the approach speed with which the body leaves a surface at least [1], 0..1. The springs
+	/// bounce by themselves; where they give back more, they do.
 	Real restitution = 0;
 	/// Factor on the world's gravity [1], any finite value.
 	Real gravity_scale = 1;

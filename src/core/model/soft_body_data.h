@@ -29,6 +29,15 @@ struct Pose {
 	Vec2 apply_inverse(Vec2 world) const { return rotation.apply_inverse(world - position); }
 };
 
+/// What a body remembers of the touch it is in, so that it can be given its bounce when it leaves.
+struct TouchMemory {
+	bool touching = false;
+	Real approach = 0; ///< fastest approach of the centre of mass during this touch [length/s]
+	Real restitution = 0; ///< of body and surface together [1]
+	Vec2 normal; ///< of the last contacts, weighted by their impulses; unit
+	Vec2 surface_velocity; ///< [length/s]
+};
+
 /// One soft body of the world: a shared shape, its settings, and the state that a step advances.
 /// Spans stay valid until the body's shape is replaced or the body is removed.
 class SoftBodyData {
@@ -83,6 +92,7 @@ public:
 	/// Last well-defined orientation; see `measure_frame`.
 	Rotation rotation_memory() const { return rotation_memory_; }
 	void set_rotation_memory(Rotation rotation) { rotation_memory_ = rotation; }
+	TouchMemory &touch_memory() { return touch_memory_; }
 
 private:
 	SoftBodyData() = default;
@@ -96,6 +106,7 @@ private:
 	std::vector<Real> inverse_masses_;
 	std::vector<ExternalForce> external_forces_;
 	Rotation rotation_memory_;
+	TouchMemory touch_memory_;
 	bool active_ = true;
 };
 

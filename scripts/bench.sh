@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Measures the core, prints a table and keeps the full result in bench/results; installs first what is missing for that.
+#
+# Usage: scripts/bench.sh NAME [--json] [--quick]
+#   work-precision  error against an independent reference, time and force evaluations of every integrator; their orders
+#   stability       the largest stable stiffness and step of every integrator, measured and in theory
+#   energy          the energy of a wobbling body over time
+#   recovery        which models find back to their shape from strong deformations
+#   auto            random bodies under the automatic choice of integrator and substeps
+#   --json   with the result as one JSON object in the last line
+#   --quick  fewer cases, within 40 s; its result goes to build/bench/quick_results and leaves the full one alone
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
+. "$REPO_DIR/scripts/lib/build.sh"
+. "$REPO_DIR/scripts/lib/bench.sh"
+
+names=(work-precision stability energy recovery auto)
+name=
+for argument in "$@"; do
+	case $argument in
+		--json | --quick) ;;
+		-*) name= && break ;;
+		*)
+			[[ -z $name && " ${names[*]} " == *" $argument "* ]] || { name= && break; }
+			name=$argument
+			;;
+	esac
+done
+if [[ -z $name ]]; then
+	problem "usage: scripts/bench.sh NAME [--json] [--quick], where NAME is one of: ${names[*]}" || exit 2
+fi
+
+need_packages scons g++ nlohmann-json3-dev
+need_bench_python
+step "Building the benchmarks"
+run_scons bench || problem "the core or its benchmarks do not compile"
+step "Measuring $name"
+exec "$BENCH_PYTHON" "$REPO_DIR/bench/bench.py" "$@"
