@@ -52,4 +52,11 @@ inline Pose to_core_pose(const godot::Transform2D &p_transform) {
 	return { to_core(p_transform.get_origin()), Rotation::from_angle(Real(p_transform.get_rotation())) };
 }
 
+/// Scale and skew of a transform; its rotation and position are left out.
+inline godot::Transform2D scale_and_skew(const godot::Transform2D &p_transform) {
+	godot::Transform2D scale = godot::Transform2D(-p_transform.get_rotation(), godot::Vector2()) * p_transform;
+	scale.set_origin(godot::Vector2());
+	return scale;
+}
+
 } // namespace softbody
