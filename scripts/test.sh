@@ -47,7 +47,7 @@ test_core() {
 
 # The nodes and resources, in the engine.
 test_engine() {
-	local log=$LOG_DIR/tests_engine.log status=0 summary
+	local log=$LOG_DIR/tests_engine.log status=0
 	build_extension target=template_debug || return 1
 	find_godot || return 1
 	step "Godot $GODOT_NAME"
@@ -55,9 +55,23 @@ test_engine() {
 	check_extension || return 1
 	step "Testing in Godot"
 	godot_headless $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd 2>&1 | tee "$log" || status=$?
-	summary=$(sed -nE 's/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p' "$log" | tail -n 1)
+	count_engine "$status" "$log"
+
+	# What is drawn can only be looked at in a window; without a screen, in one that nobody sees.
+	need_window || return 1
+	step "Testing in Godot, what is drawn"
+	log=$LOG_DIR/tests_drawing.log status=0
+	godot_windowed $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd -- test_drawing 2>&1 |
+		tee "$log" || status=$?
+	count_engine "$status" "$log"
+}
+
+# count_engine STATUS LOG: adds the result of one run in the engine.
+count_engine() {
+	local summary
+	summary=$(sed -nE 's/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p' "$2" | tail -n 1)
 	# shellcheck disable=SC2086 # As above.
-	count "$status" $summary
+	count "$1" $summary
 }
 
 case ${1:-all} in

@@ -56,4 +56,12 @@ inline constexpr Real DEGENERATE_LENGTH = Real(1e-6);
 /// one substep of gravity between contacts; without the threshold restitution would keep it alive.
 inline constexpr Real RESTITUTION_SUBSTEPS = 2;
 
+/// Time [s] over which a body that hardly moves forgets how fast it landed. Longer: a body that has come
+/// to rest leaps when it is nudged. Shorter: the turning point of a slow landing costs it its bounce.
+inline constexpr Real BOUNCE_MEMORY = Real(0.3);
+
+/// Least mobility of a place on a hull edge, as a share of its lighter end's [1]. An end is moved by at
+/// most 1 / sqrt of this, 5 times, what the place must move.
+inline constexpr Real LEAST_EDGE_MOBILITY = Real(0.04);
+
 } // namespace softbody

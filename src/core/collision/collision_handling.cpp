@@ -97,7 +97,7 @@ std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> 
 		handle_colliders(body, before);
 	}
 	resist_rolling(body, load_);
-	give_back_bounce(body, load_, bounce_threshold_);
+	give_back_bounce(body, load_, bounce_threshold_, h);
 	return contacts_;
 }
 

@@ -58,10 +58,12 @@ SurfaceDistance polygon_distance(const ConvexCollider &collider, Vec2 p) {
 
 // Circle: only a point that crossed the far half needs the swept answer; elsewhere the nearest
 // surface is also the one it came through.
-std::optional<PointContact> swept_circle(const ConvexCollider &collider, Vec2 from, Vec2 to) {
+std::optional<PointContact> swept_circle(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop) {
 	const Vec2 centre = collider.vertices[0];
 	const Real radius = collider.radius;
-	if (dot(to - centre, from - centre) >= 0 || length_squared(from - centre) < radius * radius) {
+	// A point that rests on the circle may lie inside by rounding; it still came from outside.
+	const Real inner = std::max(radius - slop, Real(0));
+	if (dot(to - centre, from - centre) >= 0 || length_squared(from - centre) < inner * inner) {
 		return {};
 	}
 	const Vec2 closest = from + (to - from) * closest_parameter_on_segment(centre, from, to);
@@ -99,15 +101,19 @@ std::optional<PointContact> polygon_contact(const ConvexCollider &collider, Vec2
 		const Vec2 normal = face_normal(vertices, i);
 		const Real before = dot(normal, from - vertices[i]);
 		const Real after = dot(normal, to - vertices[i]);
+		// The way through is sought in the polygon shrunk by the slop: a point that rests on a face may lie
+		// behind it by rounding and must still count as coming through it.
+		const Real in_front = before + slop;
+		const Real way = before - after;
 		if (after > 0) {
 			ends_inside = false;
 			if (before > 0) {
 				return {}; // the whole path is in front of this face
 			}
-			leave = std::min(leave, before / (before - after));
+			leave = std::min(leave, in_front / way);
 		} else {
-			if (before > 0 && before / (before - after) >= enter) {
-				enter = before / (before - after);
+			if (in_front > 0 && way > 0 && in_front / way >= enter) {
+				enter = in_front / way;
 				entry_distance = after;
 				entry_normal = normal;
 			}
@@ -150,7 +156,7 @@ std::optional<PointContact> find_point_contact(const ConvexCollider &collider, V
 	const Real radius = count == 2 ? std::max(collider.radius, slop) : collider.radius;
 	std::optional<PointContact> contact;
 	if (count == 1) {
-		contact = swept_circle(collider, from, to);
+		contact = swept_circle(collider, from, to, slop);
 	} else if (count == 2) {
 		contact = swept_segment(collider, from, to, radius);
 	} else {

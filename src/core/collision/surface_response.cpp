@@ -2,9 +2,11 @@
 // What a contact with an immovable surface does to the points of a body.
 #include "core/collision/surface_response.h"
 
+#include "core/base/constants.h"
 #include "core/model/body_frame.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace softbody {
 
@@ -26,7 +28,10 @@ Real answer_contact(SoftBodyData &body, const SurfaceContact &contact, const Sur
 	const Real mobility_b = body.inverse_masses()[b] * share_b;
 	// An impulse J at the place moves it by J w with w = w_a (1-t)² + w_b t²; dividing by w turns the
 	// wanted change at the place into the changes of its end points.
-	const Real mobility = mobility_a * share_a + mobility_b * share_b;
+	// Beside a pinned or very heavy end the exact w goes to 0 and would throw the other end away; the floor
+	// leaves such a contact partly unanswered, for the next substep.
+	const Real largest = std::max(body.inverse_masses()[a], body.inverse_masses()[b]);
+	const Real mobility = std::max(mobility_a * share_a + mobility_b * share_b, LEAST_EDGE_MOBILITY * largest);
 	if (!(mobility > 0)) {
 		return 0; // pinned
 	}
@@ -61,7 +66,7 @@ Real answer_contact(SoftBodyData &body, const SurfaceContact &contact, const Sur
 	return normal_change / mobility;
 }
 
-void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold) {
+void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h) {
 	TouchMemory &touch = body.touch_memory();
 	if (!touch.touching && !(load.restitution > 0)) {
 		return; // in free flight, or nothing bounces here
@@ -82,7 +87,14 @@ void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_t
 		touch.restitution = load.restitution / load.normal_impulse;
 		// What this substep's contacts have just taken belongs to the approach.
 		const Vec2 before = velocity - load.impulse * (1 / mass) - touch.surface_velocity;
-		touch.approach = std::max(touch.touching ? touch.approach : Real(0), -dot(before, touch.normal));
+		const Real approach = -dot(before, touch.normal);
+		if (!touch.touching) {
+			touch.approach = 0;
+		} else if (std::abs(approach) <= bounce_threshold) {
+			// A turning point passes through here within a substep or two; a body at rest stays.
+			touch.approach *= std::max(Real(0), 1 - h / BOUNCE_MEMORY);
+		}
+		touch.approach = std::max(touch.approach, approach);
 		touch.touching = true;
 		return;
 	}

@@ -62,6 +62,7 @@ void resist_rolling(SoftBodyData &body, const ContactLoad &load);
 /// not the flight: a point is a small part of the mass. So the body remembers how fast its centre of mass
 /// approached, and when it parts from the surface, the springs having given back what they could, a missing
 /// rest is added to all points alike. Approaches below `bounce_threshold` [length/s] do not count. O(points).
-void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold);
+/// While the body hardly moves (slower than the threshold) it forgets the approach, over BOUNCE_MEMORY.
+void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h);
 
 } // namespace softbody

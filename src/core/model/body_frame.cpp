@@ -35,8 +35,8 @@ BodyFrame measure_frame(const SoftBodyData &body, std::span<const Vec2> position
 		spin += masses[i] * cross(arm, velocities[i] - frame.velocity);
 		inertia += masses[i] * length_squared(arm);
 	}
-	const Real size = std::sqrt(along * along + across * across);
-	frame.rotation_defined = size > DEGENERATE_LENGTH * shape.rest_inertia();
+	const Real size = std::hypot(along, across);
+	frame.rotation_defined = std::isfinite(size) && size > DEGENERATE_LENGTH * shape.rest_inertia();
 	frame.rotation = frame.rotation_defined ? Rotation{ along / size, across / size } : body.rotation_memory();
 	frame.angular_velocity = inertia > DEGENERATE_LENGTH * shape.rest_inertia() ? spin / inertia : Real(0);
 	return frame;

@@ -61,7 +61,11 @@ Status check_collider(const ConvexCollider &collider) {
 		if (count > 1 && vertices[i] == vertices[(i + 1) % count]) {
 			return Error{ name, "coincides with the next", "must differ from its neighbours", "remove one of the two" };
 		}
-		if (count > 2 && signed_double_area(vertices[i], vertices[(i + 1) % count], vertices[(i + 2) % count]) < 0) {
+		// Turning the same way everywhere is not enough: a pentagram does, and winds twice. Seen from one
+		// vertex of a convex polygon the others also follow one another in order.
+		const bool wrong_turn = signed_double_area(vertices[i], vertices[(i + 1) % count], vertices[(i + 2) % count]) < 0;
+		const bool out_of_order = signed_double_area(vertices[0], vertices[i], vertices[(i + 1) % count]) < 0;
+		if (count > 2 && (wrong_turn || out_of_order)) {
 			return Error{ name, "a corner that turns the wrong way",
 				"must be convex and wind from x towards y (positive signed area)", "split it into convex parts" };
 		}

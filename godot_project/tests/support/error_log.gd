@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+extends Logger
+## Collects what the engine prints as errors and warnings, from any thread. Needs Godot 4.5.
+
+var _mutex := Mutex.new()
+var _entries := PackedStringArray()
+
+
+func _log_error(function: String, file: String, line: int, code: String, rationale: String,
+		_editor_notify: bool, error_type: int, _backtraces: Array[ScriptBacktrace]) -> void:
+	var kind := "warning" if error_type == ERROR_TYPE_WARNING else "error"
+	var text := code if rationale == "" else rationale
+	_mutex.lock()
+	_entries.append("%s: %s (%s, %s:%d)" % [kind, text, function, file.get_file(), line])
+	_mutex.unlock()
+
+
+## Everything since the last call.
+func take() -> PackedStringArray:
+	_mutex.lock()
+	var taken := _entries.duplicate()
+	_entries.clear()
+	_mutex.unlock()
+	return taken

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+extends "res://tests/support/suite.gd"
+## What the engine knows about the classes.
+
+## Name, type, and what the hint must contain.
+const PROPERTIES := {
+	"hull": [TYPE_PACKED_VECTOR2_ARRAY, "suffix:px"],
+	"mass": [TYPE_FLOAT, "suffix:kg"],
+	"stiffness": [TYPE_FLOAT, "suffix:N/m"],
+	"damping": [TYPE_FLOAT, "suffix:N·s/m"],
+	"friction": [TYPE_FLOAT, ""],
+	"bounce": [TYPE_FLOAT, ""],
+	"rolling_resistance": [TYPE_FLOAT, ""],
+	"shape_matching": [TYPE_FLOAT, ""],
+	"shape_damping": [TYPE_FLOAT, ""],
+	"gravity_scale": [TYPE_FLOAT, ""],
+	"substeps": [TYPE_INT, ""],
+	"collision_layer": [TYPE_INT, ""],
+	"collision_mask": [TYPE_INT, ""],
+	"color": [TYPE_COLOR, ""],
+	"texture": [TYPE_OBJECT, "Texture2D"],
+}
+const DEFAULTS := {
+	"mass": 1.0, "stiffness": 100.0, "damping": 0.12, "friction": 0.4, "bounce": 0.0,
+	"rolling_resistance": 0.03, "shape_matching": 0.4, "shape_damping": 0.25, "gravity_scale": 1.0,
+	"substeps": 0, "collision_layer": 1, "collision_mask": 1, "color": Color.WHITE, "texture": null,
+}
+const METHODS: Array[String] = [
+	"make_circle_hull", "make_box_hull", "make_capsule_hull", "get_point_count", "get_point_positions",
+	"get_point_velocities", "get_interpolated_hull", "get_nearest_point", "has_point", "apply_point_force",
+	"apply_point_impulse", "apply_central_force", "apply_central_impulse", "get_center_of_mass_position",
+	"get_linear_velocity", "get_angular_velocity", "get_area", "get_rest_area", "get_kinetic_energy",
+	"get_penetration", "get_substep_plan", "get_warnings", "reset",
+]
+const SERVER_METHODS: Array[String] = [
+	"get_body_count", "get_tick_count", "get_last_step_usec", "get_mean_step_usec", "reset_statistics",
+	"measure_max_penetration",
+]
+
+
+func _own_properties() -> Dictionary:
+	var found := {}
+	for property in ClassDB.class_get_property_list(&"SoftBody2D", true):
+		if property["usage"] & PROPERTY_USAGE_STORAGE:
+			found[property["name"]] = property
+	return found
+
+
+func test_soft_body_is_a_node_2d_that_can_be_made() -> void:
+	check(ClassDB.can_instantiate(&"SoftBody2D"), "SoftBody2D cannot be instantiated")
+	check(ClassDB.is_parent_class(&"SoftBody2D", &"Node2D"), "SoftBody2D is no Node2D")
+	check_equal(ClassDB.get_parent_class(&"SoftBody2D"), &"Node2D", "the parent class")
+	var body := SoftBody2D.new()
+	check_equal(body.get_class(), "SoftBody2D", "get_class()")
+	body.free()
+
+
+func test_every_property_has_its_type_and_unit() -> void:
+	var found := _own_properties()
+	for name: String in PROPERTIES:
+		if not check(found.has(name), "property %s is missing" % name):
+			continue
+		check_equal(found[name]["type"], PROPERTIES[name][0], "type of " + name)
+		var hint: String = found[name]["hint_string"]
+		var part: String = PROPERTIES[name][1]
+		check(part == "" or part in hint, "hint of %s is '%s', without '%s'" % [name, hint, part])
+		check(found[name]["usage"] & PROPERTY_USAGE_EDITOR, "%s is not shown in the inspector" % name)
+
+
+func test_every_stored_property_is_covered_by_these_tests() -> void:
+	for name: String in _own_properties():
+		check(PROPERTIES.has(name), "property %s is not in the list of this suite" % name)
+
+
+func test_numbers_have_ranges_and_layers_have_their_editor() -> void:
+	var found := _own_properties()
+	for name: String in ["mass", "stiffness", "damping", "friction", "bounce", "rolling_resistance",
+			"shape_matching", "shape_damping", "gravity_scale", "substeps"]:
+		check_equal(found[name]["hint"], PROPERTY_HINT_RANGE, "hint of " + name)
+	for name: String in ["mass", "stiffness", "damping"]:
+		check("or_greater" in found[name]["hint_string"], "the inspector ends the range of %s" % name)
+	check_equal(found["collision_layer"]["hint"], PROPERTY_HINT_LAYERS_2D_PHYSICS, "hint of collision_layer")
+	check_equal(found["collision_mask"]["hint"], PROPERTY_HINT_LAYERS_2D_PHYSICS, "hint of collision_mask")
+	check_equal(found["texture"]["hint"], PROPERTY_HINT_RESOURCE_TYPE, "hint of texture")
+
+
+func test_defaults_are_the_documented_ones() -> void:
+	var body := SoftBody2D.new()
+	for name: String in DEFAULTS:
+		check_equal(body.get(name), DEFAULTS[name], "default of " + name)
+		check_equal(ClassDB.class_get_property_default_value(&"SoftBody2D", name), DEFAULTS[name],
+				"what the inspector resets %s to" % name)
+	check_points_near(body.hull, SoftBody2D.make_circle_hull(50, 16), 0.001, "the default hull and a circle")
+	body.free()
+
+
+func test_every_method_exists() -> void:
+	for name in METHODS:
+		check(ClassDB.class_has_method(&"SoftBody2D", name, true), "SoftBody2D.%s() is missing" % name)
+	for name in SERVER_METHODS:
+		check(ClassDB.class_has_method(&"SoftBodyServer2D", name, true), "SoftBodyServer2D.%s() is missing" % name)
+
+
+func test_the_server_is_a_singleton() -> void:
+	check(Engine.has_singleton(&"SoftBodyServer2D"), "there is no singleton SoftBodyServer2D")
+	check_equal(Engine.get_singleton(&"SoftBodyServer2D").get_class(), "SoftBodyServer2D", "class of the singleton")

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+extends "res://tests/support/suite.gd"
+## The demo and every example run for two seconds without a word from the engine.
+
+const EXAMPLES := "res://examples"
+const DEMO := "res://demo/main.tscn"
+
+
+func _run_scene(path: String) -> void:
+	var scene := load(path) as PackedScene
+	if not check(scene != null, path + " does not load"):
+		return
+	var root := scene.instantiate()
+	stage.add_child(root)
+	await seconds(2)
+	var bodies := root.find_children("*", "SoftBody2D", true, false)
+	check(not bodies.is_empty(), path + " has no soft body")
+	for node in bodies:
+		var body := node as SoftBody2D
+		check_equal(body.get_warnings(), PackedStringArray(), "%s: warnings of %s" % [path, body.name])
+		check(all_finite(body.get_point_positions()), "%s: a point of %s is not finite" % [path, body.name])
+		check_above(body.get_area() / body.get_rest_area(), 0.4, "%s: area of %s over its rest area" % [path, body.name])
+		check_below(body.get_center_of_mass_position().length(), 1500, "%s: distance of %s from the origin" % [path, body.name])
+	check(not root.find_children("*", "Label", true, false).is_empty(), path + " does not say what to see")
+	root.queue_free()
+	await ticks(2)
+
+
+func test_the_demo_runs() -> void:
+	await _run_scene(DEMO)
+
+
+func test_every_example_runs() -> void:
+	var count := 0
+	for file in DirAccess.get_files_at(EXAMPLES):
+		if file.ends_with(".tscn"):
+			await _run_scene(EXAMPLES.path_join(file))
+			count += 1
+	check_above(count, 4, "number of examples")
+
+
+func test_a_reset_demo_starts_again() -> void:
+	var demo := (load(DEMO) as PackedScene).instantiate()
+	stage.add_child(demo)
+	await seconds(1)
+	var bodies := demo.find_children("*", "SoftBody2D", true, false)
+	var places := PackedVector2Array()
+	for node in bodies:
+		places.append((node as SoftBody2D).get_center_of_mass_position())
+	demo.call("reset")
+	await seconds(1)
+	for i in bodies.size():
+		check_near((bodies[i] as SoftBody2D).get_center_of_mass_position(), places[i], 0.5, "second fall of " + bodies[i].name)
+
+
+func _push_mouse(position: Vector2, pressed: bool) -> void:
+	var button := InputEventMouseButton.new()
+	button.button_index = MOUSE_BUTTON_LEFT
+	button.pressed = pressed
+	button.position = position
+	tree.root.push_input(button, true)
+
+
+func test_the_demo_obeys_mouse_and_key() -> void:
+	var demo := (load(DEMO) as PackedScene).instantiate()
+	stage.add_child(demo)
+	var body := demo.find_children("*", "SoftBody2D", true, false)[0] as SoftBody2D
+	var start := body.get_center_of_mass_position()
+	await seconds(3)
+	_push_mouse(body.get_center_of_mass_position(), true)
+	var motion := InputEventMouseMotion.new()
+	motion.position = start + Vector2(20, -100)
+	tree.root.push_input(motion, true)
+	await seconds(3)
+	check_near(body.get_center_of_mass_position(), motion.position, 80, "the dragged body and the mouse")
+	_push_mouse(motion.position, false)
+	await seconds(1)
+	check_above(body.get_center_of_mass_position().y, start.y, "y of the body that was let go")
+	var key := InputEventKey.new()
+	key.keycode = KEY_R
+	key.pressed = true
+	tree.root.push_input(key)
+	check_near(body.get_center_of_mass_position(), start, 1, "the body after the key R")
+
+
+func test_the_mouse_lifts_a_body_of_any_mass() -> void:
+	add_floor(100)
+	for mass: float in [0.2, 1.0, 6.0]:
+		var body := add_body(Vector2(0, 40), { "mass": mass, "stiffness": 300.0 * mass })
+		body.add_to_group(&"soft_bodies")
+		var grabber: Node2D = (load("res://common/grabber.gd") as GDScript).new()
+		stage.add_child(grabber)
+		await seconds(1)
+		check(grabber.call("grab", Vector2(0, 30)), "nothing to grab at %s kg" % mass)
+		grabber.set("target", Vector2(0, -200))
+		await seconds(3)
+		check_near(body.get_center_of_mass_position().y, -200.0, 40, "height of the lifted body of %s kg" % mass)
+		check_below(body.get_linear_velocity().length(), 10, "speed of the lifted body of %s kg" % mass)
+		grabber.call("release")
+		await seconds(2)
+		check_above(body.get_center_of_mass_position().y, 0, "height of the released body")
+		grabber.free()
+		body.free()

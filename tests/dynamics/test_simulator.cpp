@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Claims about a whole step: free fall, external forces, refused steps, failed bodies, reports.
+#include "core/dynamics/simulator.h"
+#include "core/dynamics/energy.h"
+#include "core/model/body_frame.h"
+#include "scenes/deformations.h"
+#include "scenes/jelly.h"
+#include "scenes/loose_points.h"
+#include "scenes/thesis_body.h"
+#include "support/compare.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+BodySettings fixed_substeps(int substeps) {
+	BodySettings settings;
+	settings.substeps = substeps;
+	return settings;
+}
+
+} // namespace
+
+TEST_CASE("a falling body is where the discrete sum g h² n (n + 1) / 2 puts it, and within g t h / 2 of g t² / 2") {
+	for (const int substeps : { 1, 5 }) {
+		WorldData world;
+		world.set_gravity({ 0, Real(-9.81) });
+		const BodyId id = world.add_soft_body(thesis_body(thesis_shape(), fixed_substeps(substeps)));
+		const auto start = copy_of(world.find(id)->positions());
+		Simulator simulator(world);
+		const int frames = 60;
+		const double dt = 0.01;
+		for (int n = 0; n < frames; ++n) {
+			simulator.simulate(Real(dt));
+		}
+		const double steps = frames * substeps;
+		const double h = dt / substeps;
+		const double exact = -9.81 * h * h * steps * (steps + 1) / 2;
+		const double t = dt * frames;
+		// Each step rounds a velocity up to 6 m/s and a position up to 2 m, and h itself is rounded.
+		const double tolerance = steps * EPSILON * 6 * h + steps * EPSILON * 2;
+		for (std::size_t i = 0; i < start.size(); ++i) {
+			const Vec2 moved = world.find(id)->positions()[i] - start[i];
+			CHECK(std::abs(double(moved.x)) <= tolerance);
+			CHECK(std::abs(double(moved.y) - exact) <= tolerance);
+			CHECK(std::abs(double(moved.y) + 9.81 * t * t / 2) <= 9.81 * t * h / 2 + tolerance);
+			CHECK(std::abs(double(world.find(id)->velocities()[i].y) + 9.81 * t) <= steps * EPSILON * 6);
+		}
+	}
+}
+
+TEST_CASE("external forces act during one step, every substep of it, and are then forgotten") {
+	for (const int substeps : { 1, 4 }) {
+		WorldData world;
+		const BodyId id = world.add_soft_body(loose_points(4, 2, {}, fixed_substeps(substeps)));
+		SoftBodyData &body = *world.find(id);
+		const auto start = copy_of(body.positions());
+		body.add_external_force(1, { 10, 0 });
+		body.add_external_force(1, { 0, 20 });
+		body.add_external_force(1, { -4, 0 });
+		Simulator simulator(world);
+		const double dt = 0.25;
+		simulator.simulate(Real(dt));
+		CHECK(body.external_forces().empty());
+		// F/m = (3, 10): v = F t / m, and the discrete sum of the way; all of these are exact in binary.
+		CHECK(body.velocities()[1] == Vec2{ Real(0.75), Real(2.5) });
+		const double h = dt / substeps;
+		const double way = h * h * substeps * (substeps + 1) / 2;
+		CHECK(distance(body.positions()[1], start[1] + Vec2{ Real(3 * way), Real(10 * way) }) <= 4 * EPSILON);
+		const Vec2 there = body.positions()[1];
+		simulator.simulate(Real(dt));
+		CHECK(body.velocities()[1] == Vec2{ Real(0.75), Real(2.5) });
+		CHECK(distance(body.positions()[1], there + body.velocities()[1] * Real(dt)) <= 4 * substeps * EPSILON);
+		for (const std::size_t i : { 0u, 2u, 3u }) {
+			CHECK(body.positions()[i] == start[i]);
+		}
+	}
+}
+
+TEST_CASE("forces queued for one body do not reach the next") {
+	WorldData world;
+	const BodyId first = world.add_soft_body(loose_points(4, 1));
+	const BodyId second = world.add_soft_body(loose_points(4, 1));
+	world.find(first)->add_external_force(2, { 100, 100 });
+	Simulator(world).simulate(Real(0.01));
+	CHECK(world.find(first)->velocities()[2].x > 0);
+	for (const Vec2 v : world.find(second)->velocities()) {
+		CHECK(v == Vec2{});
+	}
+}
+
+TEST_CASE("a step of zero, negative or unknown length is refused and nothing moves") {
+	WorldData world = pixel_world();
+	const BodyId id = world.add_soft_body(jelly_circle({ 0, 0 }));
+	SoftBodyData &body = *world.find(id);
+	body.set_point(0, { 70, 0 }, { 3, 4 });
+	body.add_external_force(1, { 1, 1 });
+	const auto positions = copy_of(body.positions());
+	const auto velocities = copy_of(body.velocities());
+	const auto previous = copy_of(body.previous_positions());
+	Simulator simulator(world);
+	for (const Real dt : { Real(0), Real(-0.01), NOT_A_NUMBER, INFINITE, -INFINITE }) {
+		const StepReport report = simulator.simulate(dt);
+		REQUIRE(report.refused.has_value());
+		CHECK(report.refused->name == "dt");
+		CHECK(report.substeps == 0);
+		CHECK(identical(body.positions(), positions));
+		CHECK(identical(body.velocities(), velocities));
+		CHECK(identical(body.previous_positions(), previous));
+		CHECK(body.external_forces().size() == 1);
+	}
+	CHECK_FALSE(simulator.simulate(Real(0.01)).refused);
+	CHECK_FALSE(identical(body.positions(), positions));
+}
+
+TEST_CASE("a body that loses its numbers is put back to rest and reported; the others never notice") {
+	for (const int way : { 0, 1, 2 }) {
+		CAPTURE(way);
+		WorldData sick = pixel_world();
+		WorldData sound = pixel_world();
+		std::array<BodyId, 3> ids;
+		for (WorldData *world : { &sick, &sound }) {
+			world->add_border(floor_at(100));
+			for (int i = 0; i < 3; ++i) {
+				ids[std::size_t(i)] = world->add_soft_body(jelly_circle({ Real(200 * i), 0 }));
+			}
+		}
+		Simulator sick_simulator(sick);
+		Simulator sound_simulator(sound);
+		for (int n = 0; n < 40; ++n) {
+			std::vector<Vec2> before;
+			if (n == 20) {
+				SoftBodyData &bad = *sick.find(ids[1]);
+				before = copy_of(bad.positions());
+				if (way == 0) {
+					bad.mutable_velocities()[3].x = NOT_A_NUMBER;
+				} else if (way == 1) { // finite, but not once divided by the mass of a point
+					REQUIRE_FALSE(bad.apply_impulse(3, { std::numeric_limits<Real>::max() / 2, 0 }));
+				} else { // finite, but not once squared
+					REQUIRE_FALSE(bad.add_external_force(3, { 0, -std::numeric_limits<Real>::max() / 4 }));
+				}
+			}
+			const StepReport report = sick_simulator.simulate(FRAME);
+			sound_simulator.simulate(FRAME);
+			if (n == 20) {
+				REQUIRE(report.reset_bodies.size() == 1);
+				CHECK(report.reset_bodies[0] == ids[1]);
+				CHECK(identical(sick.find(ids[1])->positions(), before));
+				for (const Vec2 v : sick.find(ids[1])->velocities()) {
+					CHECK(v == Vec2{});
+				}
+			} else {
+				CHECK(report.reset_bodies.empty());
+			}
+			for (const BodyId id : { ids[0], ids[2] }) {
+				CHECK(identical(sick.find(id)->positions(), sound.find(id)->positions()));
+				CHECK(identical(sick.find(id)->velocities(), sound.find(id)->velocities()));
+			}
+		}
+		CHECK(all_finite(sick.find(ids[1])->positions()));
+	}
+}
+
+TEST_CASE("a body's step does not depend on the bodies before it") {
+	WorldData alone = pixel_world();
+	WorldData crowd = pixel_world();
+	alone.add_border(floor_at(60));
+	crowd.add_border(floor_at(60));
+	const BodyId single = alone.add_soft_body(jelly_circle({ 0, 0 }));
+	for (int i = 1; i < 5; ++i) {
+		crowd.add_soft_body(thesis_body(thesis_shape(Real(1000 * i)), fixed_substeps(7 * i), Pose{ { Real(300 * i), 0 }, {} }));
+	}
+	const BodyId last = crowd.add_soft_body(jelly_circle({ 0, 0 }));
+	Simulator one(alone);
+	Simulator many(crowd);
+	for (int n = 0; n < 30; ++n) {
+		one.simulate(FRAME);
+		many.simulate(FRAME);
+	}
+	CHECK(identical(alone.find(single)->positions(), crowd.find(last)->positions()));
+}
+
+TEST_CASE("the report counts substeps of active bodies, and the plan says how many") {
+	WorldData world;
+	const BodyId first = world.add_soft_body(thesis_body(thesis_shape(), fixed_substeps(3)));
+	world.add_soft_body(thesis_body(thesis_shape(), fixed_substeps(5)));
+	const BodyId third = world.add_soft_body(thesis_body(thesis_shape()));
+	Simulator simulator(world);
+	const int planned = simulator.plan(*world.find(third), Real(0.01)).substeps;
+	CHECK(simulator.simulate(Real(0.01)).substeps == std::uint64_t(3 + 5 + planned));
+	world.find(first)->set_active(false);
+	const StepReport report = simulator.simulate(Real(0.01));
+	CHECK(report.substeps == std::uint64_t(5 + planned));
+	CHECK(report.contacts == 0);
+	world.remove_soft_body(third);
+	CHECK(simulator.simulate(Real(0.01)).substeps == 5);
+}
+
+TEST_CASE("the plan knows of contacts as soon as there are any surroundings") {
+	WorldData world;
+	const BodyId id = world.add_soft_body(thesis_body(thesis_shape(Real(0.001))));
+	const Simulator simulator(world);
+	CHECK(simulator.plan(*world.find(id), Real(0.01)).substeps == 1);
+	world.add_border(floor_at(1000));
+	CHECK(simulator.plan(*world.find(id), Real(0.01)).substeps == MIN_CONTACT_SUBSTEPS);
+	world.clear_surroundings();
+	world.add_collider(box_collider({ 1000, 0 }, { 1, 1 }));
+	CHECK(simulator.plan(*world.find(id), Real(0.01)).substeps == MIN_CONTACT_SUBSTEPS);
+}
+
+TEST_CASE("an inactive body keeps its state and its queued forces, and stands still for drawing") {
+	WorldData world = pixel_world();
+	const BodyId id = world.add_soft_body(jelly_circle({ 0, 0 }));
+	SoftBodyData &body = *world.find(id);
+	Simulator simulator(world);
+	simulator.simulate(FRAME);
+	simulator.simulate(FRAME);
+	CHECK_FALSE(identical(body.previous_positions(), body.positions()));
+	body.set_active(false);
+	body.add_external_force(0, { 1, 2 });
+	const auto positions = copy_of(body.positions());
+	const auto velocities = copy_of(body.velocities());
+	simulator.simulate(FRAME);
+	CHECK(identical(body.positions(), positions));
+	CHECK(identical(body.velocities(), velocities));
+	CHECK(identical(body.previous_positions(), positions));
+	CHECK(body.external_forces().size() == 1);
+	body.set_active(true);
+	simulator.simulate(FRAME);
+	CHECK_FALSE(identical(body.positions(), positions));
+	CHECK(body.external_forces().empty());
+}
+
+TEST_CASE("previous positions are those before the step, not before its last substep") {
+	WorldData world = pixel_world();
+	const BodyId id = world.add_soft_body(jelly_circle({ 0, 0 }));
+	Simulator simulator(world);
+	simulator.simulate(FRAME);
+	const auto before = copy_of(world.find(id)->positions());
+	simulator.simulate(FRAME);
+	CHECK(identical(world.find(id)->previous_positions(), before));
+}
+
+TEST_CASE("the same world steps to the same bits twice") {
+	std::vector<Vec2> first;
+	for (const int run : { 0, 1 }) {
+		WorldData world = pixel_world();
+		world.add_border(floor_at(80));
+		world.add_collider(box_collider({ 30, 60 }, { 20, 20 }));
+		const BodyId id = world.add_soft_body(jelly_circle({ 0, -50 }));
+		Simulator simulator(world);
+		for (int n = 0; n < 120; ++n) {
+			simulator.simulate(FRAME);
+		}
+		if (run == 0) {
+			first = copy_of(world.find(id)->positions());
+		} else {
+			CHECK(identical(first, world.find(id)->positions()));
+		}
+	}
+}
+
+TEST_CASE("a body that collapses to a point remembers how it was turned") {
+	WorldData world;
+	const BodyId id = world.add_soft_body(loose_points(4, 1));
+	SoftBodyData &body = *world.find(id);
+	const Rotation turn = Rotation::from_angle(Real(0.8));
+	for (std::uint32_t i = 0; i < 4; ++i) {
+		body.set_point(i, turn.apply(body.shape().rest_positions()[i]), {});
+	}
+	Simulator simulator(world);
+	simulator.simulate(Real(0.01));
+	CHECK(std::abs(double(body.rotation_memory().angle()) - 0.8) <= 8 * EPSILON);
+	for (std::uint32_t i = 0; i < 4; ++i) {
+		body.set_point(i, { 5, 5 }, {});
+	}
+	simulator.simulate(Real(0.01));
+	CHECK(std::abs(double(measure_frame(body).rotation.angle()) - 0.8) <= 8 * EPSILON);
+}
+
+TEST_CASE("what a body remembers is a rotation even after a step to an absurd, finite place") {
+	// The squares of these coordinates overflow, the coordinates do not.
+	WorldData world;
+	const BodyId id = world.add_soft_body(loose_points(4, 1));
+	SoftBodyData &body = *world.find(id);
+	const Real huge = std::sqrt(std::numeric_limits<Real>::max()) * 10;
+	for (std::uint32_t i = 0; i < 4; ++i) {
+		body.set_point(i, body.shape().rest_positions()[i] * huge, {});
+	}
+	Simulator(world).simulate(Real(0.01));
+	const Rotation memory = body.rotation_memory();
+	CHECK(std::abs(double(length({ memory.c, memory.s })) - 1) <= 8 * EPSILON);
+}

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Claims about the immutable structure of a body: its derived measures, its frequency bound, its refusals.
+#include "core/model/soft_body_shape.h"
+#include "model/spring_hessian.h"
+#include "scenes/thesis_body.h"
+#include "support/compare.h"
+#include "support/random.h"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+// A 4 x 3 rectangle with one inner point, unequal masses, and two springs.
+SoftBodyShape::Description rectangle() {
+	SoftBodyShape::Description description;
+	description.points = { { 10, 20 }, { 14, 20 }, { 14, 23 }, { 10, 23 }, { 11, 21 } };
+	description.masses = { 1, 2, 3, 4, 6 };
+	description.hull_count = 4;
+	description.springs = { { 0, 1, 4, 100, 1 }, { 1, 4, 3, 50, 2 } };
+	return description;
+}
+
+} // namespace
+
+TEST_CASE("a shape is stored about its centre of mass, with area, inertia and radius to match") {
+	const auto shape = SoftBodyShape::create(rectangle()).value();
+	const auto description = rectangle();
+	// Means weighted by 1, 2, 3, 4, 6 of 16.
+	const Vec2 centre{ Real((10 + 28 + 42 + 40 + 66) / 16.0), Real((20 + 40 + 69 + 92 + 126) / 16.0) };
+	CHECK(distance(shape->origin_offset(), centre) <= EPSILON * 24);
+	CHECK(shape->total_mass() == 16);
+	CHECK(shape->rest_area() == 12);
+	CHECK(shape->point_count() == 5);
+	CHECK(shape->hull_count() == 4);
+	CHECK(shape->rest_hull().size() == 4);
+	double x = 0;
+	double y = 0;
+	double inertia = 0;
+	double radius = 0;
+	for (std::size_t i = 0; i < 5; ++i) {
+		const Vec2 q = shape->rest_positions()[i];
+		CHECK(distance(q + centre, description.points[i]) <= 2 * EPSILON * 24);
+		const double mass = description.masses[i];
+		CHECK(shape->masses()[i] == description.masses[i]);
+		x += mass * q.x;
+		y += mass * q.y;
+		const double reach = distance(description.points[i], centre);
+		inertia += mass * reach * reach;
+		radius = std::fmax(radius, reach);
+	}
+	CHECK(std::abs(x) <= 16 * EPSILON * 24); // every coordinate near 24 was rounded once
+	CHECK(std::abs(y) <= 16 * EPSILON * 24);
+	CHECK(relative_error(shape->rest_inertia(), inertia) <= 8 * EPSILON * 24);
+	CHECK(relative_error(shape->radius(), radius) <= 8 * EPSILON * 24);
+}
+
+TEST_CASE("the frequency bound of the thesis body is 11 k/m") {
+	// Worst spring: hull point (3 springs) to centre (8 springs), all masses equal.
+	const Real k = 450;
+	const Real c = 7;
+	const auto shape = thesis_shape(k, c);
+	const double mass = 1.0 / 9;
+	CHECK(relative_error(shape->spring_frequency_squared(), 11 * k / mass) <= 8 * EPSILON);
+	CHECK(relative_error(shape->spring_damping_rate(), 11 * c / mass) <= 8 * EPSILON);
+}
+
+TEST_CASE("the frequency bound takes the worst spring of unequal masses and stiffnesses") {
+	const auto shape = SoftBodyShape::create(rectangle()).value();
+	// Spring 0-1: 100/1 + 150/2 = 175. Spring 1-4: 150/2 + 50/6.
+	CHECK(relative_error(shape->spring_frequency_squared(), 175) <= 4 * EPSILON);
+	// Damping: 1/1 + 3/2 = 2.5 and 3/2 + 2/6.
+	CHECK(relative_error(shape->spring_damping_rate(), 2.5) <= 4 * EPSILON);
+	auto free = rectangle();
+	free.springs.clear();
+	CHECK(SoftBodyShape::create(free).value()->spring_frequency_squared() == 0);
+	CHECK(SoftBodyShape::create(free).value()->spring_damping_rate() == 0);
+}
+
+TEST_CASE("the highest frequency of the thesis body at rest is the known 5.12 k/m") {
+	// From an independent eigenvalue computation (docs: 5.12); two decimals are known.
+	const auto shape = thesis_shape(1);
+	CHECK(std::abs(largest_frequency_squared(*shape, copy_of(shape->rest_positions())) * (1.0 / 9) - 5.12) <= 0.005);
+}
+
+TEST_CASE("no deformation has a frequency above the bound") {
+	Random random(31);
+	double highest = 0;
+	for (int i = 0; i < 100; ++i) {
+		auto shape = thesis_shape(100);
+		if (i % 2 == 1) { // unequal masses and stiffnesses
+			SoftBodyShape::Description description;
+			description.points = copy_of(shape->rest_positions());
+			description.hull_count = shape->hull_count();
+			for (std::size_t k = 0; k < shape->point_count(); ++k) {
+				description.masses.push_back(random.real(0.1, 2));
+			}
+			for (Spring2D spring : shape->springs()) {
+				spring.stiffness = random.real(10, 500);
+				description.springs.push_back(spring);
+			}
+			shape = SoftBodyShape::create(description).value();
+		}
+		std::vector<Vec2> positions = copy_of(shape->rest_positions());
+		for (Vec2 &p : positions) {
+			p += random.vector(i < 20 ? 0.05 : 1.5);
+		}
+		const double share = largest_frequency_squared(*shape, positions) / double(shape->spring_frequency_squared());
+		highest = std::fmax(highest, share);
+	}
+	// The numeric Hessian is good to about 1e-6 of its size.
+	CHECK(highest <= 1 + 1e-5);
+	CHECK(highest > 0.6); // and the bound is not wasteful: 8.57 of 11 is known to occur
+}
+
+TEST_CASE("everything that cannot be a body is refused by name") {
+	struct Case {
+		std::vector<std::string> parts;
+		std::function<void(SoftBodyShape::Description &)> spoil;
+	};
+	const std::vector<Case> cases{
+		{ { "hull_count" }, [](auto &d) { d.hull_count = 6; } },
+		{ { "hull", "2 points" }, [](auto &d) { d.hull_count = 2; } },
+		{ { "hull", "intersect" }, [](auto &d) { std::swap(d.points[0], d.points[1]); } },
+		{ { "hull", "winding" }, [](auto &d) { std::swap(d.points[1], d.points[3]); } },
+		{ { "hull[1]", "finite" }, [](auto &d) { d.points[1].x = NOT_A_NUMBER; } },
+		{ { "points[4]", "nan", "finite" }, [](auto &d) { d.points[4].y = NOT_A_NUMBER; } },
+		{ { "points[4]", "inf", "finite" }, [](auto &d) { d.points[4].x = INFINITE; } },
+		{ { "masses", "4 entries", "5" }, [](auto &d) { d.masses.pop_back(); } },
+		{ { "masses", "6 entries" }, [](auto &d) { d.masses.push_back(1); } },
+		{ { "masses[2]", "0" }, [](auto &d) { d.masses[2] = 0; } },
+		{ { "masses[4]", "-1" }, [](auto &d) { d.masses[4] = -1; } },
+		{ { "masses[0]", "nan" }, [](auto &d) { d.masses[0] = NOT_A_NUMBER; } },
+		{ { "springs[1]", "below 5" }, [](auto &d) { d.springs[1].a = 5; } },
+		{ { "springs[0]", "below 5" }, [](auto &d) { d.springs[0].b = 5; } },
+		{ { "springs[1]", "point 4 twice" }, [](auto &d) { d.springs[1].a = 4; } },
+		{ { "springs[2]", "repeat spring 0" }, [](auto &d) { d.springs.push_back({ 0, 1, 2, 1, 1 }); } },
+		{ { "springs[2]", "repeat spring 1" }, [](auto &d) { d.springs.push_back({ 4, 1, 2, 1, 1 }); } },
+		{ { "springs[0].rest_length", "> 0" }, [](auto &d) { d.springs[0].rest_length = 0; } },
+		{ { "springs[0].rest_length", "nan" }, [](auto &d) { d.springs[0].rest_length = NOT_A_NUMBER; } },
+		{ { "springs[1].stiffness", "-1" }, [](auto &d) { d.springs[1].stiffness = -1; } },
+		{ { "springs[1].stiffness", "inf" }, [](auto &d) { d.springs[1].stiffness = INFINITE; } },
+		{ { "springs[1].damping", "-1" }, [](auto &d) { d.springs[1].damping = -1; } },
+		{ { "springs[0].damping", "nan" }, [](auto &d) { d.springs[0].damping = NOT_A_NUMBER; } },
+	};
+	for (const Case &bad : cases) {
+		auto description = rectangle();
+		bad.spoil(description);
+		const auto result = SoftBodyShape::create(description);
+		REQUIRE_FALSE(result.has_value());
+		CAPTURE(result.error().message());
+		for (const std::string &part : bad.parts) {
+			CAPTURE(part);
+			CHECK(mentions(result.error().message(), part));
+		}
+	}
+	CHECK(SoftBodyShape::create(rectangle()).has_value());
+}
+
+TEST_CASE("springs of zero stiffness and damping are allowed, and so is every spring once") {
+	auto description = rectangle();
+	description.springs = { { 0, 1, 1, 0, 0 }, { 2, 1, 1, 0, 0 }, { 0, 2, 1, 0, 0 }, { 4, 3, 1, 0, 0 } };
+	CHECK(SoftBodyShape::create(description).has_value());
+}
+
+TEST_CASE("other spring values make another shape and leave the first alone") {
+	const auto shape = SoftBodyShape::create(rectangle()).value();
+	const auto other = shape->with_spring_values(10, 3).value();
+	for (const Spring2D &spring : other->springs()) {
+		CHECK(spring.stiffness == 10);
+		CHECK(spring.damping == 3);
+	}
+	CHECK(other->springs()[1].rest_length == 3);
+	// Spring 0-1: 10/1 + 20/2 = 20; damping 3/1 + 6/2 = 6.
+	CHECK(relative_error(other->spring_frequency_squared(), 20) <= 4 * EPSILON);
+	CHECK(relative_error(other->spring_damping_rate(), 6) <= 4 * EPSILON);
+	CHECK(shape->springs()[0].stiffness == 100);
+	CHECK(largest_distance(other->rest_positions(), shape->rest_positions()) <= 4 * EPSILON * 4);
+	CHECK(distance(other->origin_offset(), shape->origin_offset()) <= 4 * EPSILON * 24);
+	for (const Real bad : { Real(-1), NOT_A_NUMBER, INFINITE }) {
+		CHECK(shape->with_spring_values(bad, 1).error().name == "stiffness");
+		CHECK(shape->with_spring_values(1, bad).error().name == "damping");
+	}
+	CHECK(shape->with_spring_values(0, 0).has_value());
+}
+
+TEST_CASE("another total mass scales every mass, the inertia, and the frequency bound inversely") {
+	const auto shape = SoftBodyShape::create(rectangle()).value();
+	const auto other = shape->with_total_mass(4).value();
+	CHECK(relative_error(other->total_mass(), 4) <= 4 * EPSILON);
+	for (std::size_t i = 0; i < 5; ++i) {
+		CHECK(relative_error(other->masses()[i], shape->masses()[i] / 4) <= 2 * EPSILON);
+	}
+	CHECK(relative_error(other->rest_inertia(), shape->rest_inertia() / 4) <= 16 * EPSILON);
+	CHECK(relative_error(other->spring_frequency_squared(), shape->spring_frequency_squared() * 4) <= 8 * EPSILON);
+	CHECK(shape->total_mass() == 16);
+	for (const Real bad : { Real(0), Real(-1), NOT_A_NUMBER, INFINITE }) {
+		CHECK(shape->with_total_mass(bad).error().name == "mass");
+	}
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Claims about bodies under stable ids and about the world's own values.
+#include "core/model/world_data.h"
+#include "scenes/jelly.h"
+#include "scenes/thesis_body.h"
+#include "support/compare.h"
+#include "support/random.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+TEST_CASE("ids find their body through any order of adding and removing, and nothing once it is gone") {
+	// Each body carries a number in its friction; the oracle is a map from numbers to ids.
+	WorldData world;
+	Random random(61);
+	const auto shape = thesis_shape();
+	std::map<int, BodyId> alive;
+	std::vector<BodyId> gone;
+	int next = 0;
+	int wrong = 0;
+	for (int round = 0; round < 3000; ++round) {
+		if (alive.empty() || random.chance(0.51)) {
+			BodySettings settings;
+			settings.friction = Real(next);
+			const BodyId id = world.add_soft_body(thesis_body(shape, settings));
+			for (const auto &[number, other] : alive) {
+				wrong += id == other;
+			}
+			alive[next++] = id;
+		} else {
+			auto victim = alive.begin();
+			std::advance(victim, random.integer(0, int(alive.size()) - 1));
+			wrong += !world.remove_soft_body(victim->second);
+			gone.push_back(victim->second);
+			alive.erase(victim);
+		}
+		wrong += world.soft_bodies().size() != alive.size();
+		for (const auto &[number, id] : alive) {
+			const SoftBodyData *body = world.find(id);
+			wrong += !body || body->settings().friction != Real(number);
+		}
+		for (std::size_t i = 0; i < world.soft_bodies().size(); ++i) {
+			wrong += world.find(world.id_at(i)) != &world.soft_bodies()[i];
+		}
+		for (int k = 0; k < 5 && !gone.empty(); ++k) {
+			const BodyId id = gone[std::size_t(random.integer(0, int(gone.size()) - 1))];
+			wrong += world.find(id) != nullptr || world.remove_soft_body(id);
+		}
+	}
+	CHECK(wrong == 0);
+	CHECK(gone.size() > 1000);
+}
+
+TEST_CASE("an id that never was finds nothing") {
+	WorldData world;
+	CHECK(world.find({}) == nullptr);
+	CHECK(world.find({ 0, 0 }) == nullptr);
+	CHECK_FALSE(world.remove_soft_body({}));
+	const BodyId id = world.add_soft_body(thesis_body(thesis_shape()));
+	CHECK(world.find(id) != nullptr);
+	CHECK(world.find({ id.index, id.generation + 1 }) == nullptr);
+	CHECK(world.find({ id.index + 1, id.generation }) == nullptr);
+	const WorldData &constant = world;
+	CHECK(constant.find(id) == &constant.soft_bodies()[0]);
+}
+
+TEST_CASE("gravity and the length unit refuse what is not a number and stay as they were") {
+	WorldData world;
+	CHECK(world.gravity() == Vec2{});
+	CHECK(world.length_unit() == 1);
+	CHECK_FALSE(world.set_gravity({ 1, Real(-9.81) }));
+	CHECK_FALSE(world.set_length_unit(100));
+	for (const Real bad : { NOT_A_NUMBER, INFINITE, -INFINITE }) {
+		const Status gravity = world.set_gravity({ 0, bad });
+		REQUIRE(gravity.has_value());
+		CHECK(gravity->name == "gravity");
+		CHECK(world.set_gravity({ bad, 0 }));
+		CHECK(world.set_length_unit(bad));
+	}
+	for (const Real bad : { Real(0), Real(-1) }) {
+		const Status unit = world.set_length_unit(bad);
+		REQUIRE(unit.has_value());
+		CHECK(unit->name == "length_unit");
+	}
+	CHECK(world.gravity() == Vec2{ 1, Real(-9.81) });
+	CHECK(world.length_unit() == 100);
+}
+
+TEST_CASE("surroundings are taken when valid, refused when not, and forgotten together") {
+	WorldData world;
+	CHECK_FALSE(world.add_border(floor_at(10)));
+	CHECK_FALSE(world.add_collider(box_collider({ 0, 0 }, { 1, 1 })));
+	CHECK(world.add_border({ { { 0, 0 }, { 0, 2 } }, {} }));
+	CHECK(world.add_collider({}));
+	CHECK(world.borders().size() == 1);
+	CHECK(world.colliders().size() == 1);
+	const BodyId id = world.add_soft_body(thesis_body(thesis_shape()));
+	world.clear_surroundings();
+	CHECK(world.borders().empty());
+	CHECK(world.colliders().empty());
+	CHECK(world.find(id) != nullptr);
+}
