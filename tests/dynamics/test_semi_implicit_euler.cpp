@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Claims about the integrator: its discrete update, its frequency shift, its order, its stability limit.
-#include "core/dynamics/semi_implicit_euler.h"
+#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/simulator.h"
 #include "dynamics/replay.h"
@@ -19,9 +19,10 @@ namespace {
 
 // One step without gravity or external forces.
 void step(SoftBodyData &body, double h) {
-	std::vector<Vec2> forces(body.point_count());
+	IntegratorWorkspace workspace;
+	workspace.begin_body(body.point_count());
 	const std::vector<Vec2> none(body.point_count());
-	step_semi_implicit_euler(body, {}, none, Real(h), forces);
+	step_semi_implicit_euler(body, { {}, none, Real(h) }, workspace);
 }
 
 // Mean period of the stretch, from the times at which it crosses zero downwards.
@@ -70,8 +71,9 @@ TEST_CASE("one step is v += h F(x, v) / m, then x += h v with the new v") {
 		ReplayState state(body);
 		auto expected = replay_forces(body, to_complex(gravity), state);
 		expected[1] += to_complex(external[1]);
-		std::vector<Vec2> scratch(body.point_count());
-		step_semi_implicit_euler(body, gravity, external, Real(h), scratch);
+		IntegratorWorkspace workspace;
+		workspace.begin_body(body.point_count());
+		step_semi_implicit_euler(body, { gravity, external, Real(h) }, workspace);
 		for (std::size_t i = 0; i < body.point_count(); ++i) {
 			if (i != 4) {
 				state.w[i] += h / double(body.shape().masses()[i]) * expected[i];
