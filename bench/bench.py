@@ -31,11 +31,12 @@ class Bench:
 
 
 def per_precision(summarize):
-    """For benchmarks whose precisions are judged apart: the first one's figures, and the others under their names."""
+    """For benchmarks whose precisions are judged apart: all of the first one's figures, and the others' without lists."""
 
     def summarize_all(results):
         (first, main), *others = ((precision, summarize(result)) for precision, result in results.items())
-        return {"precision": first, **main, **dict(others)}
+        brief = {name: {k: v for k, v in one.items() if not isinstance(v, list)} for name, one in others}
+        return {"precision": first, **main, **brief}
 
     return summarize_all
 

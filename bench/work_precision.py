@@ -27,9 +27,10 @@ ORDER_TOLERANCE = 0.15
 WITHOUT_TARGET = ("xpbd",)
 AGREEMENT = 1e-9
 
-# Orders are fitted where the error is truncation alone: below LARGEST the method's next order no longer bends the
-# curve, above SMALLEST neither rounding nor the reference itself (some 1e-12) counts.
-LARGEST_FITTED, SMALLEST_FITTED = 1e-2, 1e-10
+# Orders are fitted to the finest runs whose error is truncation alone: below LARGEST_FITTED the method's next order
+# hardly bends the curve, and far above the best error that any method reaches for this body neither rounding nor the
+# reference itself counts.
+LARGEST_FITTED, SMALLEST_FITTED, ABOVE_BEST = 1e-2, 1e-10, 10
 MOST_FITTED, LEAST_FITTED = 5, 4
 
 BLOWN_UP = 10  # an error of so many radii is no motion of this body any more
@@ -104,9 +105,10 @@ def curves_of(points, precision):
     return {key: sorted(curve, key=lambda point: point["steps"]) for key, curve in curves.items()}
 
 
-def fitted_order(curve):
+def fitted_order(curve, best_error):
     """Least-squares slope of log error over log step, or nothing if too few points are fit for it."""
-    good = [p for p in curve if not p["blown_up"] and SMALLEST_FITTED <= p["error"] <= LARGEST_FITTED][-MOST_FITTED:]
+    lowest = max(SMALLEST_FITTED, ABOVE_BEST * best_error)
+    good = [p for p in curve if not p["blown_up"] and lowest <= p["error"] <= LARGEST_FITTED][-MOST_FITTED:]
     if len(good) < LEAST_FITTED:
         return None
     slope, _ = np.polyfit([math.log(p["steps"]) for p in good], [math.log(p["error"]) for p in good], 1)
@@ -116,9 +118,15 @@ def fitted_order(curve):
 def orders_of(points):
     """Orders in double precision: of every body and stiffness, and their median."""
     curves = curves_of(points, "double")
+    best_errors = {}
+    for (body, k, _), curve in curves.items():
+        errors = [point["error"] for point in curve if not point["blown_up"]]
+        best_errors[body, k] = min([best_errors.get((body, k), math.inf), *errors])
     orders = {}
     for integrator, expected in EXPECTED_ORDERS.items():
-        fits = {key[:2]: fitted_order(curve) for key, curve in curves.items() if key[2] == integrator}
+        fits = {
+            key[:2]: fitted_order(curve, best_errors[key[:2]]) for key, curve in curves.items() if key[2] == integrator
+        }
         found = sorted(fit for fit in fits.values() if fit is not None)
         if not found:
             continue
