@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Claims about the substep rule: the smallest safe count, its bounds, and what it reports.
-#include "core/dynamics/substep_plan.h"
 #include "core/base/constants.h"
+#include "core/dynamics/substep_plan.h"
 #include "scenes/loose_points.h"
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
