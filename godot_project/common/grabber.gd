@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 extends Node2D
-## Lets the mouse pull soft bodies: the left button grabs the nearest one by the patch of points under it.
+## Lets the mouse pull soft bodies: the left button grabs the nearest one by a patch of its hull, at the rim
+## by a few points, in the middle by all around.
 ##
 ## A spring pulls the patch towards the mouse. Its strength is stated as a frequency and multiplied by the
 ## mass, so that a light body and a heavy one follow alike. The force is held during a whole physics tick;
@@ -11,12 +12,12 @@ extends Node2D
 @export_range(1, 30, 0.1, "or_greater") var frequency := 13.0
 ## Brake on the body's motion while it is held; 1 follows without swinging.
 @export_range(0, 2, 0.01, "or_greater") var damping_ratio := 0.6
-## Points this close to the grabbed one are pulled along, in pixels.
-@export var patch_radius := 26.0
+## Hull points that are farther from the mouse than the nearest one by no more than this are pulled, in pixels.
+@export var patch_depth := 26.0
 ## A click this far outside a body still grabs it, in pixels.
 @export var reach := 24.0
-## The pull grows no further past this distance, in pixels. It keeps bodies from being torn through walls.
-@export var longest_pull := 160.0
+## The pull grows no further past this distance, in pixels.
+@export var longest_pull := 80.0
 
 ## Where the grabbed body is pulled, in global coordinates; follows the mouse.
 var target := Vector2.ZERO
@@ -58,10 +59,13 @@ func grab(place: Vector2) -> bool:
 			_body = body
 	if _body == null:
 		return false
-	var positions := _body.get_point_positions()
-	var centre := positions[_body.get_nearest_point(place)]
-	for i in positions.size():
-		if positions[i].distance_to(centre) <= patch_radius:
+	# The hull only: points inside touch nothing, and could be pulled through a wall.
+	var hull := _body.get_point_positions().slice(0, _body.hull.size())
+	var first := INF
+	for point in hull:
+		first = minf(first, point.distance_to(place))
+	for i in hull.size():
+		if hull[i].distance_to(place) <= first + patch_depth:
 			_points.append(i)
 	target = place
 	return true
@@ -77,7 +81,8 @@ func _physics_process(_delta: float) -> void:
 	if not is_instance_valid(_body) or not _body.is_inside_tree():
 		release()
 		return
-	var pull := (target - _patch_centre()).limit_length(longest_pull) * (_body.mass * frequency * frequency)
+	var centre := _patch_centre()
+	var pull := (_reachable(centre) - centre).limit_length(longest_pull) * (_body.mass * frequency * frequency)
 	for i in _points:
 		_body.apply_point_force(i, pull / _points.size())
 	_body.apply_central_force(_body.get_linear_velocity() * (-2 * damping_ratio * frequency * _body.mass))
@@ -95,6 +100,13 @@ func _draw() -> void:
 	draw_line(from, target, Color(1, 1, 1, 0.85), 2.5, true)
 	draw_circle(from, 5, Color.WHITE)
 	draw_circle(target, 7, Color("ffd166"))
+
+
+## The target, or the place before the solid that lies in between: pulled on, the body would be crushed.
+func _reachable(from: Vector2) -> Vector2:
+	var ray := PhysicsRayQueryParameters2D.create(from, target, _body.collision_mask)
+	var hit := get_world_2d().direct_space_state.intersect_ray(ray)
+	return target if hit.is_empty() else hit["position"] as Vector2
 
 
 func _patch_centre() -> Vector2:

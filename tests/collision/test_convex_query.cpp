@@ -15,7 +15,11 @@ using namespace softbody::testing;
 
 namespace {
 
-enum class Kind { CIRCLE, SEGMENT, CAPSULE, POLYGON, ROUNDED };
+enum class Kind { CIRCLE,
+	SEGMENT,
+	CAPSULE,
+	POLYGON,
+	ROUNDED };
 const Kind ALL_KINDS[] = { Kind::CIRCLE, Kind::SEGMENT, Kind::CAPSULE, Kind::POLYGON, Kind::ROUNDED };
 
 ConvexCollider random_collider(Random &random, Kind kind) {
@@ -155,11 +159,12 @@ TEST_CASE("a contact puts the point outside, and where there is none it is outsi
 	CHECK(found > 2000);
 }
 
-TEST_CASE("no path through the core of a collider goes unnoticed") {
+TEST_CASE("no path through the core of a collider goes unnoticed, and no path beside a collider is stopped") {
 	// For a circle the core is taken as the middle: a path that only shaves the rim far from its ends
 	// may pass.
 	Random random(113);
 	int through = 0;
+	int beside = 0;
 	for (int round = 0; round < 20000; ++round) {
 		const Kind kind = ALL_KINDS[round % 5];
 		ConvexCollider collider = random_collider(random, kind);
@@ -173,6 +178,11 @@ TEST_CASE("no path through the core of a collider goes unnoticed") {
 		double deepest = double(INFINITE);
 		for (int k = 1; k < 400; ++k) {
 			deepest = std::fmin(deepest, true_distance(core, from + (to - from) * (Real(k) / 400)));
+		}
+		// Samples are up to 0.07 apart, so a path whose samples keep a distance of 0.1 keeps clear of the slop.
+		if (deepest - (double(collider.radius) - double(core.radius)) > 0.1) {
+			beside++;
+			CHECK_FALSE(find_point_contact(collider, from, to, SLOP).has_value());
 		}
 		bool crosses = deepest < 0;
 		if (kind == Kind::SEGMENT || kind == Kind::CAPSULE) { // no inside to sample: the sides of both lines
@@ -192,6 +202,7 @@ TEST_CASE("no path through the core of a collider goes unnoticed") {
 		}
 	}
 	CHECK(through > 1000);
+	CHECK(beside > 1000);
 }
 
 TEST_CASE("a fast point returns to the side of a thin plate that it came from") {
@@ -230,6 +241,16 @@ TEST_CASE("a point that rests on a thin plate and is slammed through it in one s
 			REQUIRE(on_segment.has_value());
 			CHECK(on_segment->normal == Vec2{ 0, side });
 		}
+	}
+}
+
+TEST_CASE("a point that rests on a circle and is slammed through it in one substep returns to its side") {
+	const ConvexCollider circle{ { { 0, 0 } }, 1, {} };
+	for (const Real offset : { Real(0.0001), Real(0), Real(-0.0001) }) {
+		const auto contact = find_point_contact(circle, { 0, 1 + offset }, { 0, -3 }, SLOP);
+		REQUIRE(contact.has_value());
+		CHECK(distance(contact->normal, { 0, 1 }) <= 4 * EPSILON);
+		CHECK(std::abs(double(contact->depth) - 4) <= 16 * EPSILON);
 	}
 }
 

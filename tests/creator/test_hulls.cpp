@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Claims about the outlines of circle, box and capsule.
-#include "core/creator/hulls.h"
 #include "core/base/constants.h"
+#include "core/creator/hulls.h"
 #include "core/geometry/polygon.h"
 #include "support/compare.h"
 

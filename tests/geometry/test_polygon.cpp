@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Claims about areas, centroids, containment, and which outlines can be a hull.
-#include "core/geometry/polygon.h"
 #include "core/base/constants.h"
+#include "core/geometry/polygon.h"
 #include "geometry/integer_geometry.h"
 #include "support/compare.h"
 

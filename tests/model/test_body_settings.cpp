@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Claims about the validator of per-body settings.
-#include "core/model/body_settings.h"
 #include "core/base/constants.h"
+#include "core/model/body_settings.h"
 #include "support/compare.h"
 
 #include <doctest/doctest.h>

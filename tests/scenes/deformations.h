@@ -13,7 +13,10 @@
 namespace softbody::testing {
 
 /// What was done to the body; `deform` takes them in turn.
-enum class Deformation { FLATTENED, PUSHED_THROUGH, CRUMPLED, MIRRORED };
+enum class Deformation { FLATTENED,
+	PUSHED_THROUGH,
+	CRUMPLED,
+	MIRRORED };
 inline constexpr int DEFORMATION_COUNT = 4;
 
 /// Replaces the positions and stops the points. Flattened: to a tenth of its height along a random

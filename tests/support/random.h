@@ -11,7 +11,8 @@ namespace softbody::testing {
 /// SplitMix64 (Steele, Lea and Flood 2014): one addition and a mix, any seed is a good one.
 class Random {
 public:
-	explicit Random(std::uint64_t seed) : state_(seed) {}
+	explicit Random(std::uint64_t seed) :
+			state_(seed) {}
 
 	std::uint64_t bits() {
 		std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);

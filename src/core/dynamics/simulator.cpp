@@ -76,6 +76,7 @@ void Simulator::simulate_body(SoftBodyData &body, BodyId id, Real dt, StepReport
 	if (!has_finite_state(body)) {
 		std::ranges::copy(body.previous_positions(), body.mutable_positions().begin());
 		std::ranges::fill(body.mutable_velocities(), Vec2{});
+		body.touch_memory() = {};
 		report.reset_bodies.push_back(id);
 	}
 	const BodyFrame frame = measure_frame(body);

@@ -29,7 +29,7 @@ struct BodySettings {
 	Real friction = Real(0.4);
 	/// Rolling resistance [1], >= 0: the spin lost to a contact is at most this times the normal impulse
 	/// times the body's radius, over its inertia. A soft body on flat ground otherwise rocks between two
-	/// hull points for tens of seconds. A body of resistance r stays on slopes up to atan(r).
+	/// hull points for tens of seconds. On slopes up to about atan(r) it hardly rolls.
 	Real rolling_resistance = 0;
 	/// Share of the approach speed with which the body leaves a surface at least [1], 0..1. The springs
 	/// bounce by themselves; where they give back more, they do.

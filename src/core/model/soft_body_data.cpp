@@ -142,6 +142,7 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 			p = pose.apply(reference.apply_inverse(p));
 		}
 	}
+	touch_memory_ = {};
 	const Rotation from = reference.rotation;
 	const Rotation to = pose.rotation;
 	const Rotation turn{ to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s };

@@ -48,8 +48,10 @@ public:
 	Real radius() const { return radius_; } ///< largest distance of a point from the centre of mass
 
 	/// Upper bound of the highest squared angular frequency of the springs [1/s²] in any
-	/// configuration: max over springs ij of D_i/m_i + D_j/m_j with D_i the sum of k at i. The
-	/// Hessian of one spring has eigenvalues k and k(1 - l/|x|) <= k, hence the bound.
+	/// configuration. The Hessian of one spring has eigenvalues k and k(1 - l/|x|) <= k, so the whole is
+	/// bounded by the scalar graph Laplacian of the stiffnesses over the masses, and that by its signless
+	/// twin (D_i x_i + sum of k x_j) / m_i, a non-negative matrix, for which every positive vector x gives
+	/// a rigorous bound (Collatz and Wielandt): the largest quotient. A few power iterations choose x.
 	Real spring_frequency_squared() const { return spring_frequency_squared_; }
 	/// The same sum over damping coefficients: upper bound of the springs' damping rate [1/s].
 	Real spring_damping_rate() const { return spring_damping_rate_; }
@@ -66,6 +68,7 @@ public:
 private:
 	SoftBodyShape() = default;
 	void derive();
+	double largest_rate(Real Spring2D::*coefficient) const;
 
 	std::vector<Vec2> rest_positions_;
 	std::vector<Real> masses_;
