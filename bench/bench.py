@@ -31,7 +31,7 @@ class Bench:
 
 
 def per_precision(summarize):
-    """For benchmarks whose precisions are judged apart: all of the first one's figures, and the others' without lists."""
+    """For benchmarks whose precisions are judged apart: the first one's figures, and the others' without lists."""
 
     def summarize_all(results):
         (first, main), *others = ((precision, summarize(result)) for precision, result in results.items())

@@ -87,7 +87,8 @@ def save(figure, name):
 
 def source_note(figure, section):
     """Where the figures come from, small, at the foot."""
-    text = f"{section['command']} · commit {section['commit']} · {section['cpu']} · {section['compiler']} · {section['date'][:10]}"
+    commit, day = f"commit {section['commit']}", section["date"][:10]
+    text = " · ".join((section["command"], commit, section["cpu"], section["compiler"], day))
     foot = 0.17 / figure.get_figheight()
     figure.get_layout_engine().set(rect=(0, foot, 1, 1 - foot))
     figure.text(0.995, foot / 3, text, ha="right", va="bottom", fontsize=7, color="#666666")
@@ -152,8 +153,8 @@ def chart_work_precision(section):
             if body == bodies[-1]:
                 axes.set_xlabel("CPU time for a simulated second [µs]")
             for name, style in STYLES.items():
-                draw_runs(axes, curves.get((body, k, name), []), name, lambda p: p["us"], marker=style["marker"], ms=3.2,
-                          ls=style["ls"], **width_of(name))
+                draw_runs(axes, curves.get((body, k, name), []), name, lambda p: p["us"], marker=style["marker"],
+                          ms=3.2, ls=style["ls"], **width_of(name))
             for point in curves.get((body, k, "automatic"), []):
                 style = STYLES[point.get("method", DEFAULT)]
                 height = strip_height(DEFAULT) if point["blown_up"] else point["error"]
@@ -199,12 +200,15 @@ def chart_rounding(section):
                 axes.set_xlabel("step [ms]")
         row[0].set_ylabel(f"{BODIES[body]}\n\nerror / radius")
     grid[0][0].invert_xaxis()
-    handles = [Line2D([], [], color=STYLES[n]["color"], marker=STYLES[n]["marker"], mfc="none", label=STYLES[n]["label"])
-               for n in names]
+    handles = [
+        Line2D([], [], color=style["color"], marker=style["marker"], mfc="none", label=style["label"])
+        for style in (STYLES[name] for name in names)
+    ]
     handles += [Line2D([], [], color="#333333", label="double: line"),
                 Line2D([], [], color="#333333", ls="", marker="o", mfc="none", label="float: marker"),
                 Patch(color="#56B4E9", alpha=0.2, label="below float's relative resolution")]
-    figure.legend(handles=handles, loc="outside upper center", ncols=4, title="Truncation and rounding: smaller steps to the right")
+    figure.legend(handles=handles, loc="outside upper center", ncols=4,
+                  title="Truncation and rounding: smaller steps to the right")
     source_note(figure, section)
     save(figure, "rounding")
 
@@ -294,8 +298,9 @@ def chart_energy(section):
             if (damped, k) == kinds[-1]:
                 axes.set_xlabel("time [s]")
         row[0].set_ylabel(("light damping" if damped else "no damping") + f",\nk = {k:g} N/m\n\nenergy / initial")
-    figure.legend(handles=method_handles({run["integrator"] for run in runs}, markers=False), loc="outside upper center",
-                  ncols=4, title="Energy of a wobbling body without contact; a cross marks where a run blew up")
+    handles = method_handles({run["integrator"] for run in runs}, markers=False)
+    figure.legend(handles=handles, loc="outside upper center", ncols=4,
+                  title="Energy of a wobbling body without contact; a cross marks where a run blew up")
     source_note(figure, section)
     save(figure, "energy")
 
@@ -359,15 +364,19 @@ CHARTS_OF = {
 }
 
 
+def newest_date(file):
+    return max(section["date"] for section in json.loads(file.read_text(encoding="utf-8")).values())
+
+
 def result_file():
     """The file to draw: the one asked for, else this machine's, else the newest."""
     if len(sys.argv) > 1:
         return Path(sys.argv[1])
     folder = ROOT / "bench" / "results"
-    files = sorted(folder.glob("*.json"), key=lambda file: max(s["date"] for s in json.loads(file.read_text("utf-8")).values()))
+    files = sorted(folder.glob("*.json"), key=newest_date)
     own = folder / f"{machine.machine_name()}.json"
     if not files:
-        sys.exit("error: no results to draw in bench/results; run scripts/bench.sh work-precision first, and the others")
+        sys.exit("error: no results to draw in bench/results; run scripts/bench.sh work-precision and the others first")
     return own if own in files else files[-1]
 
 

@@ -35,7 +35,10 @@ struct ModelCase {
 std::vector<ModelCase> model_cases() {
 	std::vector<ModelCase> cases;
 	for (const double matching : { 0.0, 0.2, 0.4 }) {
-		const std::string suffix = matching == 0 ? "" : matching < 0.3 ? " + shape matching 0.2 k" : " + shape matching 0.4 k";
+		std::string suffix;
+		if (matching > 0) {
+			suffix = matching < 0.3 ? " + shape matching 0.2 k" : " + shape matching 0.4 k";
+		}
 		cases.push_back({ "centre springs" + suffix, true, 0, matching });
 		cases.push_back({ "hull + pressure 2 k" + suffix, false, 2, matching });
 		cases.push_back({ "centre springs + pressure 2 k" + suffix, true, 2, matching });

@@ -149,7 +149,8 @@ public:
 		softbody::BodySettings settings;
 		settings.integrator = integrator;
 		settings.substeps = tick;
-		world_.add_soft_body(take(softbody::SoftBodyData::create(take(softbody::SoftBodyShape::create(description)), settings)));
+		const Shape shape = take(softbody::SoftBodyShape::create(description));
+		world_.add_soft_body(take(softbody::SoftBodyData::create(shape, settings)));
 	}
 	Oscillator(const Oscillator &) = delete;
 

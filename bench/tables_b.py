@@ -105,11 +105,6 @@ def drift(run):
     return math.inf if run["blown_up"] else run["series"][-1][1]
 
 
-def half_life(run):
-    """When the energy was first below half; nothing if it never was."""
-    return next((time for time, ratio in run["series"] if ratio < 0.5), None)
-
-
 def summarize_energy(result):
     runs = result["runs"]
     undamped = [run for run in runs if not run["damped"]]
@@ -117,7 +112,9 @@ def summarize_energy(result):
         name: {
             "runs": len(of_name),
             "blown_up": sum(run["blown_up"] for run in of_name),
-            "largest_drift": rounded(max((abs(drift(run) - 1) for run in of_name if not run["blown_up"]), default=None)),
+            "largest_drift": rounded(
+                max((abs(drift(run) - 1) for run in of_name if not run["blown_up"]), default=None)
+            ),
         }
         for name in dict.fromkeys(run["integrator"] for run in undamped)
         if (of_name := [run for run in undamped if run["integrator"] == name])
@@ -145,7 +142,7 @@ def print_energy(summary):
                         r for r in runs
                         if (r["integrator"], r["damped"], r["k"], round(1 / r["dt"])) == (name, damped, stiffness, rate)
                     )
-                    blown = f"up at {run['series'][-1][0]:.1f} s"
+                    blown = f"up {run['series'][-1][0]:.1f} s"
                     texts.append(blown if run["blown_up"] else number(drift(run), ".3g"))
                 print(f"  {name:<20}" + "".join(f"{text:>12}" for text in texts))
             print()
@@ -218,7 +215,7 @@ def print_statistics(name, values):
 
 def print_auto(summary):
     print(f"{summary['bodies']} random bodies, crumpled, {summary['seconds']:g} s at 60 steps a second")
-    print(f"  {summary['non_finite']} became non-finite, {summary['energy_above_2x']} rose above twice their energy")
+    print(f"  {summary['energy_above_2x']} rose above twice their energy, {summary['non_finite']} of them became non-finite")
     for model, counts in summary["by_model"].items():
         print(f"    {model:<16} {counts['failed']} of {counts['bodies']}")
     print(f"  {'':<44} {'bodies':>6} {'mean':>7} {'median':>7} {'p95':>7}")
@@ -228,7 +225,7 @@ def print_auto(summary):
     print_statistics("over-modelling of bodies that went to XPBD", summary["xpbd_over_modelling_ratio"])
     for failure in summary["failures"][:10]:
         print(
-            f"  body {failure['body']}: {failure['model']}, {failure['hull_points']} hull points, {failure['integrator']},"
-            f" {failure['substeps']} substeps, energy × {number(failure['highest'])}"
+            f"  body {failure['body']}: {failure['model']}, {failure['hull_points']} hull points,"
+            f" {failure['integrator']}, {failure['substeps']} substeps, energy × {number(failure['highest'])}"
         )
     print_targets(summary)

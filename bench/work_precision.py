@@ -282,7 +282,10 @@ def print_costs(section, precision):
 
 def print_automatic(section):
     print("\nThe automatic rule at 60 steps a second")
-    print(f"  {'body':<16} {'k':>6} {'precision':<9} {'method':<20} {'steps':>6} {'µs':>7} {'error/R':>9} {'explicit Euler µs':>18}")
+    print(
+        f"  {'body':<16} {'k':>6} {'precision':<9} {'method':<20} {'steps':>6}"
+        f" {'µs':>7} {'error/R':>9} {'explicit Euler µs':>18}"
+    )
     for row in section["automatic"]:
         print(
             f"  {row['body']:<16} {row['k']:>6.0e} {row['precision']:<9} {row['method']:<20} {row['steps']:>6}"
