@@ -60,7 +60,8 @@ def summarize_stability(result):
         "targets": {
             "undamped_limits_within_1_percent": all(map(agrees, held)),
             "unstable_methods_found_unstable": all(agrees(limit) for limit in limits if not limit["k_theory"]),
-            "xpbd_bounded_for_every_k": all(entry["unbounded"] for entry in xpbd),
+            # A single spring. That a whole body stays bounded is for `auto` to show: its springs are swept in turn.
+            "xpbd_bounded_for_every_k_of_one_spring": all(entry["unbounded"] for entry in xpbd),
         },
         "largest_deviation": rounded(max(deviation(limit) for limit in held)),
         "cells_against_theory": len(wrong_cells(result)),
@@ -215,7 +216,10 @@ def print_statistics(name, values):
 
 def print_auto(summary):
     print(f"{summary['bodies']} random bodies, crumpled, {summary['seconds']:g} s at 60 steps a second")
-    print(f"  {summary['energy_above_2x']} rose above twice their energy, {summary['non_finite']} of them became non-finite")
+    print(
+        f"  {summary['energy_above_2x']} rose above twice their energy,"
+        f" {summary['non_finite']} of them became non-finite"
+    )
     for model, counts in summary["by_model"].items():
         print(f"    {model:<16} {counts['failed']} of {counts['bodies']}")
     print(f"  {'':<44} {'bodies':>6} {'mean':>7} {'median':>7} {'p95':>7}")
