@@ -8,12 +8,16 @@ const PROPERTIES := {
 	"mass": [TYPE_FLOAT, "suffix:kg"],
 	"stiffness": [TYPE_FLOAT, "suffix:N/m"],
 	"damping": [TYPE_FLOAT, "suffix:N·s/m"],
+	"center_point": [TYPE_BOOL, ""],
+	"pressure": [TYPE_FLOAT, "suffix:N/m"],
+	"inflation": [TYPE_FLOAT, ""],
 	"friction": [TYPE_FLOAT, ""],
 	"bounce": [TYPE_FLOAT, ""],
 	"rolling_resistance": [TYPE_FLOAT, ""],
 	"shape_matching": [TYPE_FLOAT, ""],
 	"shape_damping": [TYPE_FLOAT, ""],
 	"gravity_scale": [TYPE_FLOAT, ""],
+	"integrator": [TYPE_INT, "Automatic,Explicit Euler,Semi-Implicit Euler"],
 	"substeps": [TYPE_INT, ""],
 	"collision_layer": [TYPE_INT, ""],
 	"collision_mask": [TYPE_INT, ""],
@@ -23,6 +27,7 @@ const PROPERTIES := {
 const DEFAULTS := {
 	"mass": 1.0, "stiffness": 100.0, "damping": 0.12, "friction": 0.4, "bounce": 0.0,
 	"rolling_resistance": 0.03, "shape_matching": 0.4, "shape_damping": 0.25, "gravity_scale": 1.0,
+	"center_point": true, "pressure": 0.0, "inflation": 1.0, "integrator": 0,
 	"substeps": 0, "collision_layer": 1, "collision_mask": 1, "color": Color.WHITE, "texture": null,
 }
 const METHODS: Array[String] = [

@@ -30,25 +30,27 @@ TEST_CASE("a soft body takes one substep alone and the contact minimum beside su
 	CHECK(plan_for(1, {}, true).reason == PlanReason::CONTACTS);
 }
 
-TEST_CASE("the automatic choice is semi-implicit Euler up to its cap, then XPBD") {
-	bool was_explicit = false;
-	bool was_xpbd = false;
-	for (double k = 10; k < 1e8; k *= 1.5) {
-		const SubstepPlan plan = plan_for(Real(k));
-		CHECK(plan.safe);
-		if (plan.integrator == Integrator::XPBD) {
-			was_xpbd = true;
-			CHECK(plan.reason == PlanReason::TOO_STIFF);
-			CHECK(plan.substeps == XPBD_SUBSTEPS);
-		} else {
-			CHECK_FALSE(was_xpbd); // once too stiff, a stiffer body is not softer
-			was_explicit = true;
-			CHECK(plan.integrator == Integrator::SEMI_IMPLICIT_EULER);
-			CHECK(plan.substeps <= EXPLICIT_SUBSTEP_CAP);
+TEST_CASE("the automatic choice is Verlet alone and semi-implicit Euler beside surroundings, then XPBD") {
+	for (const bool has_contacts : { false, true }) {
+		bool was_explicit = false;
+		bool was_xpbd = false;
+		for (double k = 10; k < 1e8; k *= 1.5) {
+			const SubstepPlan plan = plan_for(Real(k), {}, has_contacts);
+			CHECK(plan.safe);
+			if (plan.integrator == Integrator::XPBD) {
+				was_xpbd = true;
+				CHECK(plan.reason == PlanReason::TOO_STIFF);
+				CHECK(plan.substeps == XPBD_SUBSTEPS);
+			} else {
+				CHECK_FALSE(was_xpbd); // once too stiff, a stiffer body is not softer
+				was_explicit = true;
+				CHECK(plan.integrator == (has_contacts ? Integrator::SEMI_IMPLICIT_EULER : Integrator::VELOCITY_VERLET));
+				CHECK(plan.substeps <= EXPLICIT_SUBSTEP_CAP);
+			}
 		}
+		CHECK(was_explicit);
+		CHECK(was_xpbd);
 	}
-	CHECK(was_explicit);
-	CHECK(was_xpbd);
 }
 
 TEST_CASE("a fixed count is kept and judged") {

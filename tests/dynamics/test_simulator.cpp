@@ -21,6 +21,7 @@ namespace {
 BodySettings fixed_substeps(int substeps) {
 	BodySettings settings;
 	settings.substeps = substeps;
+	settings.integrator = Integrator::SEMI_IMPLICIT_EULER; // whose discrete sums these claims write down
 	return settings;
 }
 

@@ -45,15 +45,16 @@ FrequencyBounds frequency_bounds(const SoftBodyShape &shape, const BodySettings 
 
 /// Largest step [s] with which `integrator` stays within `budget` of its linear limit (2 is the limit
 /// itself, less is a margin); 0 when no step is stable, infinite when every one is.
-/// - Semi-implicit Euler and Verlet: h²Ω² + 2hΓ <= budget², which is hω < 2(sqrt(1+ζ²) - ζ) at budget 2.
+/// - Semi-implicit Euler: h²Ω² + 2hΓ <= budget², which is hω < 2(sqrt(1+ζ²) - ζ) at budget 2.
+/// - Verlet: h²Ω² + 4hΓ <= budget², as the damping of its second kick is predicted with old forces.
 /// - Runge-Kutta 4: h max(Ω, Γ) <= budget/2 · 2.6, inside its region on both axes (2.78 real, 2.83 imaginary).
 /// - Explicit Euler: damping must outweigh its gain, h <= budget/2 · Γ/Ω², and h Γ <= budget.
 /// - Midpoint and Heun: their gain (hω)³ω/8 must stay below the decay, (hΩ)³ <= budget/2 · 4 Γ/Ω, and h Γ <= budget.
 double largest_stable_step(Integrator integrator, const FrequencyBounds &bounds, double budget);
 
-/// Chooses. AUTOMATIC is semi-implicit Euler with the smallest n for which h = dt/n is within
-/// STABILITY_BUDGET, at least MIN_CONTACT_SUBSTEPS if `has_contacts`; past EXPLICIT_SUBSTEP_CAP it is
-/// XPBD with XPBD_SUBSTEPS. A named integrator keeps its name, with its own smallest n up to
+/// Chooses. AUTOMATIC is velocity Verlet where there is nothing to touch, semi-implicit Euler where there
+/// is (`has_contacts`), with the smallest n for which h = dt/n is within STABILITY_BUDGET, at least
+/// MIN_CONTACT_SUBSTEPS if `has_contacts`; past EXPLICIT_SUBSTEP_CAP it is XPBD with XPBD_SUBSTEPS. A named integrator keeps its name, with its own smallest n up to
 /// MAX_SUBSTEPS. A fixed count of the settings is kept, safe or not. `dt` [s] > 0. O(1).
 SubstepPlan plan_substeps(const SoftBodyShape &shape, const BodySettings &settings, Real dt, bool has_contacts);
 

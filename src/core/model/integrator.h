@@ -9,7 +9,7 @@ namespace softbody {
 /// How a body's points advance. Orders and limits are those of the undamped oscillator of angular
 /// frequency ω stepped by h; docs/accuracy.md charts all of them.
 enum class Integrator : std::uint8_t {
-	AUTOMATIC, ///< semi-implicit Euler while its safe number of substeps is affordable, else XPBD
+	AUTOMATIC, ///< Verlet alone, semi-implicit Euler beside surroundings, XPBD where both cost too much
 	EXPLICIT_EULER, ///< order 1, 1 evaluation; gains energy at every h without damping (thesis 3.3.1)
 	SEMI_IMPLICIT_EULER, ///< order 1, 1 evaluation, symplectic; stable for hω < 2
 	MIDPOINT, ///< order 2, 2 evaluations; gains energy slowly at every h without damping (thesis 3.3.2, corrected)

@@ -85,7 +85,7 @@ void solve_shape(SoftBodyData &body, std::span<const Vec2> before, Real h, std::
 // the new shape alone exceeds them (a constraint overshot along its curved path), the deformation of this
 // substep is halved until it does not. Momentum stays, and spin to first order in h.
 void balance_energy(SoftBodyData &body, double allowed, const SubstepInput &input, std::span<const Vec2> before) {
-	constexpr int HALVINGS = 12;
+	constexpr int HALVINGS = 24;
 	const std::span<Vec2> x = body.mutable_positions();
 	const std::span<Vec2> v = body.mutable_velocities();
 	for (int attempt = 0;; ++attempt) {
