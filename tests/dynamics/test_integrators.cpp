@@ -76,8 +76,8 @@ TEST_CASE("halving the step divides an integrator's error by 2 to its order") {
 }
 
 TEST_CASE("XPBD converges to the same motion, at order 1") {
-	// Its velocity is a difference of positions over h, so rounding grows as 1/h: in float the error turns
-	// upward again near 2000 steps a second, before the order shows.
+	// Every correction is a difference of positions over h, so rounding grows as 1/h: in float it stands above
+	// the truncation of steps small enough to show the order.
 	const bool is_double = sizeof(Real) == 8;
 	const double exact = exact_stretch(50, 0.3, 0.1, 1);
 	const double coarse = std::abs(stretch_after(Integrator::XPBD, 50, 0.3, 0.1, 1, is_double ? 4000 : 250) - exact);
