@@ -57,6 +57,7 @@ String SoftBody2D::describe() const {
 void SoftBody2D::rebuild_body() {
 	if (space_ == nullptr) {
 		stored_body_.reset();
+		update_topology();
 		return;
 	}
 	const Transform2D transform = get_global_transform();
@@ -69,11 +70,7 @@ void SoftBody2D::rebuild_body() {
 		return;
 	}
 	built_scale_ = softbody::scale_and_skew(transform);
-	std::vector<softbody::Vec2> scaled;
-	for (const Vector2 &point : hull_) {
-		scaled.push_back(to_core(built_scale_.xform(point)));
-	}
-	hull_reversed_ = softbody::signed_area(scaled) < 0;
+	hull_reversed_ = (softbody::signed_area(to_core(hull_)) < 0) != (built_scale_.determinant() < 0);
 	space_->world().remove_soft_body(body_id_);
 	body_id_ = space_->world().add_soft_body(std::move(fresh.value()));
 	known_transform_ = transform;
@@ -81,7 +78,6 @@ void SoftBody2D::rebuild_body() {
 	previous_ = current_;
 	update_topology();
 }
-
 
 void SoftBody2D::enter_space() {
 	if (Engine::get_singleton()->is_editor_hint()) {

@@ -133,6 +133,7 @@ private:
 	};
 
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
+	bool accept_shape(const StringName &p_property);
 	bool change(const StringName &p_property, double &r_member, double p_value, const softbody::Status &p_range);
 	softbody::BodySettings make_settings() const;
 	/// The structure at the scale of `p_transform`, or what is wrong with it.

@@ -40,26 +40,32 @@ bool SoftBody2D::change(const StringName &p_property, double &r_member, double p
 	}
 	const double old = r_member;
 	r_member = p_value;
-	softbody::Status status = softbody::check_settings(make_settings());
-	if (!status && (&r_member == &mass_ || &r_member == &stiffness_ || &r_member == &damping_)) {
-		const auto shape = make_shape(built_scale_); // these three are part of the structure
-		status = shape ? softbody::Status() : softbody::Status(shape.error());
-	}
-	if (!accept(p_property, status)) {
+	const softbody::Status status = softbody::check_settings(make_settings());
+	const bool is_structure = &r_member == &mass_ || &r_member == &stiffness_ || &r_member == &damping_;
+	if (!accept(p_property, status) || (is_structure && !accept_shape(p_property))) {
 		r_member = old;
 		return false;
 	}
 	return true;
 }
 
+// Whether a body can be built from the present values; if not, `p_property` is to blame.
+bool SoftBody2D::accept_shape(const StringName &p_property) {
+	const auto shape = make_shape(built_scale_);
+	return accept(p_property, shape ? softbody::Status() : softbody::Status(shape.error()));
+}
+
 void SoftBody2D::set_hull(const PackedVector2Array &p_hull) {
 	if (!accept("hull", softbody::check_hull(to_core(p_hull)))) {
 		return;
 	}
+	const PackedVector2Array old = hull_;
 	hull_ = p_hull;
-	update_topology();
+	if (!accept_shape("hull")) {
+		hull_ = old;
+		return;
+	}
 	rebuild_body();
-	queue_redraw();
 	update_configuration_warnings();
 }
 
@@ -82,12 +88,16 @@ void SoftBody2D::set_damping(double p_damping) {
 }
 
 void SoftBody2D::set_center_point(bool p_center_point) {
-	if (center_point_ != p_center_point) {
-		center_point_ = p_center_point;
-		update_topology();
-		rebuild_body();
-		update_configuration_warnings();
+	if (center_point_ == p_center_point) {
+		return;
 	}
+	center_point_ = p_center_point;
+	if (!accept_shape("center_point")) {
+		center_point_ = !p_center_point;
+		return;
+	}
+	rebuild_body();
+	update_configuration_warnings();
 }
 
 void SoftBody2D::set_pressure(double p_pressure) {
