@@ -31,13 +31,13 @@ TEST_CASE("vector arithmetic works by component") {
 }
 
 TEST_CASE("the products agree with their geometry") {
-	CHECK(dot({ 3, 4 }, { 5, 6 }) == 39);
-	CHECK(cross({ 1, 0 }, { 0, 1 }) == 1); // positive from x towards y
-	CHECK(cross({ 3, 4 }, { 5, 6 }) == -2);
-	CHECK(perpendicular({ 1, 0 }) == Vec2{ 0, 1 });
-	CHECK(perpendicular({ 0, 1 }) == Vec2{ -1, 0 });
-	CHECK(length_squared({ 3, 4 }) == 25);
-	CHECK(length({ 3, -4 }) == 5);
+	CHECK(dot(Vec2{ 3, 4 }, { 5, 6 }) == 39);
+	CHECK(cross(Vec2{ 1, 0 }, { 0, 1 }) == 1); // positive from x towards y
+	CHECK(cross(Vec2{ 3, 4 }, { 5, 6 }) == -2);
+	CHECK(perpendicular(Vec2{ 1, 0 }) == Vec2{ 0, 1 });
+	CHECK(perpendicular(Vec2{ 0, 1 }) == Vec2{ -1, 0 });
+	CHECK(length_squared(Vec2{ 3, 4 }) == 25);
+	CHECK(length(Vec2{ 3, -4 }) == 5);
 }
 
 TEST_CASE("a vector with one bad component is not finite") {

@@ -244,7 +244,7 @@ TEST_CASE("rolling resistance takes at most r R J / I off the spin, keeps linear
 			const Momentum before = measure_momentum(body, measure_frame(body).centre);
 			const auto positions = copy_of(body.positions());
 			const double most = double(resistance) * double(body.shape().radius()) * double(impulse) / inertia_now(body);
-			resist_rolling(body, load_of(impulse));
+			resist_rolling<Real>(lanes_of(body), load_of(impulse));
 			const Momentum after = measure_momentum(body, measure_frame(body).centre);
 			const double rounding = 100 * EPSILON * 4;
 			CHECK(std::abs(after.linear_x - before.linear_x) <= rounding);
@@ -265,20 +265,20 @@ TEST_CASE("on a turning surface the spin tends to that of the surface, weighted 
 	slower.angular_velocity = 2;
 	load.add(100, { 0, 1 }, {}, slower, 0);
 	CHECK(load.normal_impulse == 400);
-	resist_rolling(body, load);
+	resist_rolling<Real>(lanes_of(body), load);
 	CHECK(std::abs(double(measure_frame(body).angular_velocity) - 5) <= 100 * EPSILON * 5);
 }
 
 TEST_CASE("without resistance or load nothing changes, and pinned points stay still") {
 	SoftBodyData free = spinning(0, 4);
 	const auto before = copy_of(free.velocities());
-	resist_rolling(free, load_of(10));
+	resist_rolling<Real>(lanes_of(free), load_of(10));
 	CHECK(identical(free.velocities(), before));
 	SoftBodyData flying = spinning(1, 4);
-	resist_rolling(flying, {});
+	resist_rolling<Real>(lanes_of(flying), {});
 	CHECK(identical(flying.velocities(), before));
 	flying.set_pinned(3, true);
-	resist_rolling(flying, load_of(10));
+	resist_rolling<Real>(lanes_of(flying), load_of(10));
 	CHECK(flying.velocities()[3] == Vec2{});
 	CHECK_FALSE(flying.velocities()[2] == before[2]);
 }

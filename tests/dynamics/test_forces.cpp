@@ -17,19 +17,19 @@ namespace {
 std::vector<Vec2> forces_on(const SoftBodyData &body, Vec2 gravity = {}) {
 	std::vector<Vec2> forces(body.point_count(), { 1e9, 1e9 }); // to be overwritten
 	const std::vector<Vec2> none(body.point_count());
-	evaluate_forces(body, gravity, none, body.positions(), body.velocities(), forces);
+	evaluate_forces<Real>(model_of(body), gravity, none, body.positions(), body.velocities(), forces);
 	return forces;
 }
 
 std::vector<Vec2> spring_forces_on(const SoftBodyData &body) {
 	std::vector<Vec2> forces(body.point_count());
-	add_spring_forces(body.shape(), body.positions(), body.velocities(), forces);
+	add_spring_forces<Real>(body.shape(), body.positions(), body.velocities(), forces);
 	return forces;
 }
 
 std::vector<Vec2> shape_forces_on(const SoftBodyData &body) {
 	std::vector<Vec2> forces(body.point_count());
-	add_shape_forces(body, body.positions(), body.velocities(), forces);
+	add_shape_forces<Real>(model_of(body), body.positions(), body.velocities(), forces);
 	return forces;
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("springs damp the rate at which they change length, with power -c rate
 		const auto moving = spring_forces_on(body);
 		std::vector<Vec2> still(body.point_count());
 		const std::vector<Vec2> rest(body.point_count());
-		add_spring_forces(body.shape(), body.positions(), rest, still);
+		add_spring_forces<Real>(body.shape(), body.positions(), rest, still);
 		double power = 0;
 		for (std::size_t i = 0; i < body.point_count(); ++i) {
 			power += scalar_product(to_complex(moving[i]) - to_complex(still[i]), to_complex(body.velocities()[i]));
@@ -212,7 +212,7 @@ TEST_CASE("gravity pulls every mass with the same acceleration, scaled by the bo
 	std::vector<Vec2> external(4);
 	external[2] = { 100, 200 };
 	std::vector<Vec2> forces(4, { 7, 7 });
-	evaluate_forces(body, { 2, -10 }, external, body.positions(), body.velocities(), forces);
+	evaluate_forces<Real>(model_of(body), { 2, -10 }, external, body.positions(), body.velocities(), forces);
 	CHECK(forces[0] == Vec2{ 3, -15 });
 	CHECK(forces[2] == Vec2{ 103, 185 });
 }

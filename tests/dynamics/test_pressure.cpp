@@ -28,7 +28,7 @@ BodySettings with_pressure(Real stiffness, Real inflation = 1) {
 
 std::vector<Vec2> forces_on(const SoftBodyData &body) {
 	std::vector<Vec2> forces(body.point_count());
-	add_pressure_forces(body, body.positions(), forces);
+	add_pressure_forces<Real>(body.shape(), body.settings(), body.positions(), forces);
 	return forces;
 }
 

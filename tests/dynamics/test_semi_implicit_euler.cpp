@@ -22,7 +22,7 @@ void step(SoftBodyData &body, double h) {
 	IntegratorWorkspace workspace;
 	workspace.begin_body(body.point_count());
 	const std::vector<Vec2> none(body.point_count());
-	step_semi_implicit_euler(body, { {}, none, Real(h) }, workspace);
+	step_semi_implicit_euler<Real>(lanes_of(body), { {}, none, Real(h) }, workspace);
 }
 
 // Mean period of the stretch, from the times at which it crosses zero downwards.
@@ -73,7 +73,7 @@ TEST_CASE("one step is v += h F(x, v) / m, then x += h v with the new v") {
 		expected[1] += to_complex(external[1]);
 		IntegratorWorkspace workspace;
 		workspace.begin_body(body.point_count());
-		step_semi_implicit_euler(body, { gravity, external, Real(h) }, workspace);
+		step_semi_implicit_euler<Real>(lanes_of(body), { gravity, external, Real(h) }, workspace);
 		for (std::size_t i = 0; i < body.point_count(); ++i) {
 			if (i != 4) {
 				state.w[i] += h / double(body.shape().masses()[i]) * expected[i];

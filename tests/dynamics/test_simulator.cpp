@@ -296,6 +296,6 @@ TEST_CASE("what a body remembers is a rotation even after a step to an absurd, f
 		}
 		Simulator(world).simulate(Real(0.01));
 		const Rotation memory = body.rotation_memory();
-		CHECK(std::abs(double(length({ memory.c, memory.s })) - 1) <= 8 * EPSILON);
+		CHECK(std::abs(double(length(Vec2{ memory.c, memory.s })) - 1) <= 8 * EPSILON);
 	}
 }

@@ -77,7 +77,7 @@ TEST_CASE("no other rotation brings the rest shape closer to a deformed body") {
 			// The misfit is flat at its minimum, so the rounding of the angle is far below this.
 			CHECK(least <= misfit(step * 0.017453292519943295) + 100 * EPSILON);
 		}
-		CHECK(std::abs(double(length({ frame.rotation.c, frame.rotation.s })) - 1) <= 4 * EPSILON);
+		CHECK(std::abs(double(length(Vec2{ frame.rotation.c, frame.rotation.s })) - 1) <= 4 * EPSILON);
 	}
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("a mirrored body gives a finite unit rotation, the last one where all 
 		body.set_point(i, { -q.x, q.y }, {});
 	}
 	const BodyFrame frame = measure_frame(body);
-	CHECK(std::abs(double(length({ frame.rotation.c, frame.rotation.s })) - 1) <= 8 * EPSILON);
+	CHECK(std::abs(double(length(Vec2{ frame.rotation.c, frame.rotation.s })) - 1) <= 8 * EPSILON);
 	if (!frame.rotation_defined) { // rounding may decide for some rotation instead
 		CHECK(frame.rotation.c == body.rotation_memory().c);
 	}

@@ -2,77 +2,88 @@
 // A plain two-dimensional vector and the few products the simulation needs.
 #pragma once
 
+#include "core/base/pack.h"
 #include "core/base/real.h"
 
 #include <cmath>
 
 namespace softbody {
 
-/// Two-dimensional vector: a position [length], velocity [length/s] or force [mass·length/s²].
-/// Aggregate without invariants; arrays of it are contiguous pairs of `Real`.
-struct Vec2 {
-	Real x = 0;
-	Real y = 0;
+/// Two-dimensional vector of the scalar type T: `Real`, or `RealPack` for several vectors side by side.
+/// Aggregate without invariants.
+template <class T>
+struct BasicVec2 {
+	T x = T(0);
+	T y = T(0);
 
-	constexpr Vec2 &operator+=(Vec2 other) {
+	constexpr BasicVec2 &operator+=(BasicVec2 other) {
 		x += other.x;
 		y += other.y;
 		return *this;
 	}
-	constexpr Vec2 &operator-=(Vec2 other) {
+	constexpr BasicVec2 &operator-=(BasicVec2 other) {
 		x -= other.x;
 		y -= other.y;
 		return *this;
 	}
-	constexpr Vec2 &operator*=(Real factor) {
+	constexpr BasicVec2 &operator*=(T factor) {
 		x *= factor;
 		y *= factor;
 		return *this;
 	}
-	friend constexpr Vec2 operator+(Vec2 a, Vec2 b) { return { a.x + b.x, a.y + b.y }; }
-	friend constexpr Vec2 operator-(Vec2 a, Vec2 b) { return { a.x - b.x, a.y - b.y }; }
-	friend constexpr Vec2 operator-(Vec2 a) { return { -a.x, -a.y }; }
-	friend constexpr Vec2 operator*(Vec2 a, Real factor) { return { a.x * factor, a.y * factor }; }
-	friend constexpr Vec2 operator*(Real factor, Vec2 a) { return { a.x * factor, a.y * factor }; }
-	friend constexpr bool operator==(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
+	friend constexpr BasicVec2 operator+(BasicVec2 a, BasicVec2 b) { return { a.x + b.x, a.y + b.y }; }
+	friend constexpr BasicVec2 operator-(BasicVec2 a, BasicVec2 b) { return { a.x - b.x, a.y - b.y }; }
+	friend constexpr BasicVec2 operator-(BasicVec2 a) { return { -a.x, -a.y }; }
+	friend constexpr BasicVec2 operator*(BasicVec2 a, T factor) { return { a.x * factor, a.y * factor }; }
+	friend constexpr BasicVec2 operator*(T factor, BasicVec2 a) { return { a.x * factor, a.y * factor }; }
+	friend constexpr bool operator==(BasicVec2 a, BasicVec2 b) { return a.x == b.x && a.y == b.y; }
+
+	friend constexpr T dot(BasicVec2 a, BasicVec2 b) { return a.x * b.x + a.y * b.y; }
+	/// z component of the three-dimensional cross product: twice the signed area of the triangle 0, a, b.
+	friend constexpr T cross(BasicVec2 a, BasicVec2 b) { return a.x * b.y - a.y * b.x; }
+	/// `a` turned by +90 degrees (from x towards y); the velocity field of a unit spin is this of the arm.
+	friend constexpr BasicVec2 perpendicular(BasicVec2 a) { return { -a.y, a.x }; }
+	friend constexpr T length_squared(BasicVec2 a) { return dot(a, a); }
+	friend T length(BasicVec2 a) { return sqrt(length_squared(a)); }
+	template <class Mask>
+	friend BasicVec2 select(Mask mask, BasicVec2 yes, BasicVec2 no) {
+		return { select(mask, yes.x, no.x), select(mask, yes.y, no.y) };
+	}
 };
 
-constexpr Real dot(Vec2 a, Vec2 b) {
-	return a.x * b.x + a.y * b.y;
-}
-
-/// z component of the three-dimensional cross product: twice the signed area of the triangle 0, a, b.
-constexpr Real cross(Vec2 a, Vec2 b) {
-	return a.x * b.y - a.y * b.x;
-}
-
-/// `a` turned by +90 degrees (from x towards y); the velocity field of a unit spin is this of the arm.
-constexpr Vec2 perpendicular(Vec2 a) {
-	return { -a.y, a.x };
-}
-
-constexpr Real length_squared(Vec2 a) {
-	return dot(a, a);
-}
-
-inline Real length(Vec2 a) {
-	return std::sqrt(length_squared(a));
-}
+/// A position [length], velocity [length/s] or force [mass·length/s²]. Arrays of it are contiguous pairs.
+using Vec2 = BasicVec2<Real>;
 
 inline bool is_finite(Vec2 a) {
 	return std::isfinite(a.x) && std::isfinite(a.y);
 }
 
 /// A rotation kept as cosine and sine: no trigonometry in the step, and no wrap-around.
-struct Rotation {
-	Real c = 1;
-	Real s = 0;
+template <class T>
+struct BasicRotation {
+	T c = T(1);
+	T s = T(0);
 
-	static Rotation from_angle(Real radians) { return { std::cos(radians), std::sin(radians) }; }
+	static BasicRotation from_angle(Real radians) { return { std::cos(radians), std::sin(radians) }; }
 	/// Angle in (-pi, pi], positive from x towards y.
 	Real angle() const { return std::atan2(s, c); }
-	constexpr Vec2 apply(Vec2 a) const { return { c * a.x - s * a.y, s * a.x + c * a.y }; }
-	constexpr Vec2 apply_inverse(Vec2 a) const { return { c * a.x + s * a.y, c * a.y - s * a.x }; }
+	constexpr BasicVec2<T> apply(BasicVec2<T> a) const { return { c * a.x - s * a.y, s * a.x + c * a.y }; }
+	constexpr BasicVec2<T> apply_inverse(BasicVec2<T> a) const { return { c * a.x + s * a.y, c * a.y - s * a.x }; }
 };
+using Rotation = BasicRotation<Real>;
+
+/// Lane `lane` of several vectors side by side, and the reverse: a vector put into one lane.
+inline Vec2 lane_of(const BasicVec2<RealPack> &pack, std::size_t lane) {
+	return { pack.x[lane], pack.y[lane] };
+}
+inline void set_lane(BasicVec2<RealPack> &pack, std::size_t lane, Vec2 value) {
+	pack.x.set(lane, value.x);
+	pack.y.set(lane, value.y);
+}
+/// The same vector in every lane.
+template <class T>
+BasicVec2<T> in_all_lanes(Vec2 value) {
+	return { T(value.x), T(value.y) };
+}
 
 } // namespace softbody

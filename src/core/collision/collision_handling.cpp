@@ -15,8 +15,8 @@ namespace softbody {
 
 namespace {
 
-bool notices(const SoftBodyData &body, const Surface &surface) {
-	return (body.settings().collision_mask & surface.layer) != 0;
+bool notices(const BodySettings &settings, const Surface &surface) {
+	return (settings.collision_mask & surface.layer) != 0;
 }
 
 // A collider's corner or round end against the hull: how far the hull must retreat from it.
@@ -60,28 +60,50 @@ std::optional<SurfaceContact> find_edge_contact(std::span<const Vec2> hull, Vec2
 
 } // namespace
 
-void CollisionHandling::begin_step() {
+void SurroundingsIndex::update(const WorldData &world) {
+	world_ = &world;
 	bounds_.clear();
-	for (const ConvexCollider &collider : world_.colliders()) {
+	for (const ConvexCollider &collider : world.colliders()) {
 		bounds_.push_back(collider.bounds());
 	}
 }
 
-void CollisionHandling::begin_body(const SoftBodyData &body, Real dt) {
+bool SurroundingsIndex::has_collider_in(const Aabb &box) const {
+	return std::ranges::any_of(bounds_, [&](const Aabb &bounds) { return bounds.overlaps(box); });
+}
+
+namespace {
+
+// The box may be outgrown within the step, as springs accelerate points.
+Real sweep_margin(const SoftBodyData &body, Real dt) {
 	Real fastest = 0;
 	for (const Vec2 v : body.velocities()) {
 		fastest = std::max(fastest, length_squared(v));
 	}
-	// The box may be outgrown within the step (springs accelerate points); then it is gathered again.
-	margin_ = std::sqrt(fastest) * dt + body.shape().radius() / 4;
-	gather(body, margin_);
+	return std::sqrt(fastest) * dt + body.shape().radius() / 4;
+}
+
+} // namespace
+
+Aabb sweep_box(const SoftBodyData &body, Real dt) {
+	return bounding_box(body.hull()).grown(sweep_margin(body, dt));
+}
+
+void CollisionHandling::begin_body(const SurroundingsIndex &surroundings, const SoftBodyData &body, Real dt) {
+	surroundings_ = &surroundings;
+	nearby_.clear();
+	if (!surroundings.bounds().empty()) {
+		margin_ = sweep_margin(body, dt);
+		gather(body, margin_);
+	}
 }
 
 void CollisionHandling::gather(const SoftBodyData &body, Real margin) {
 	nearby_.clear();
 	reach_ = bounding_box(body.hull()).grown(margin);
-	for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
-		if (notices(body, world_.colliders()[i].surface) && reach_.overlaps(bounds_[i])) {
+	const std::span<const Aabb> bounds = surroundings_->bounds();
+	for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+		if (notices(body.settings(), surroundings_->world().colliders()[i].surface) && reach_.overlaps(bounds[i])) {
 			nearby_.push_back(i);
 		}
 	}
@@ -90,15 +112,14 @@ void CollisionHandling::gather(const SoftBodyData &body, Real margin) {
 std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h) {
 	bounce_threshold_ = RESTITUTION_SUBSTEPS * length(gravity) * h;
 	h_ = h;
-	contacts_ = 0;
 	load_ = {};
 	handle_borders(body);
-	if (!bounds_.empty()) {
+	if (!surroundings_->bounds().empty()) {
 		handle_colliders(body, before);
 	}
-	resist_rolling(body, load_);
+	resist_rolling<Real>(lanes_of(body), load_);
 	give_back_bounce(body, load_, bounce_threshold_, h);
-	return contacts_;
+	return std::size_t(load_.contacts);
 }
 
 void CollisionHandling::handle_colliders(SoftBodyData &body, std::span<const Vec2> before) {
@@ -111,10 +132,12 @@ void CollisionHandling::handle_colliders(SoftBodyData &body, std::span<const Vec
 		const Vec2 way = swept.max - swept.min;
 		gather(body, margin_ + std::max(way.x, way.y));
 	}
+	const WorldData &world = surroundings_->world();
 	for (const std::uint32_t i : nearby_) {
-		if (swept.overlaps(bounds_[i].grown(LINEAR_SLOP * world_.length_unit()))) {
-			handle_points(body, world_.colliders()[i], bounds_[i], before);
-			handle_edges(body, world_.colliders()[i]);
+		const Aabb &bounds = surroundings_->bounds()[i];
+		if (swept.overlaps(bounds.grown(LINEAR_SLOP * world.length_unit()))) {
+			handle_points(body, world.colliders()[i], bounds, before);
+			handle_edges(body, world.colliders()[i]);
 		}
 	}
 }
@@ -123,26 +146,31 @@ void CollisionHandling::answer(SoftBodyData &body, const SurfaceContact &contact
 	const Real impulse = answer_contact(body, contact, surface, bounce_threshold_, h_);
 	const Vec2 place = body.positions()[contact.place.a];
 	load_.add(impulse, contact.normal, place, surface, combined_restitution(body.settings(), surface));
-	contacts_++;
+	load_.contacts += 1;
 }
 
 void CollisionHandling::handle_borders(SoftBodyData &body) {
-	for (const Border &border : world_.borders()) {
-		if (!notices(body, border.surface)) {
-			continue;
-		}
-		for (std::size_t i = 0; i < body.shape().hull_count(); ++i) {
-			const Real distance = signed_distance(border.plane, body.positions()[i]);
-			if (distance < 0) {
-				answer(body, { { i, i, 0 }, border.plane.normal, -distance }, border.surface);
-			}
+	for (const Border &border : surroundings_->world().borders()) {
+		if (notices(body.settings(), border.surface)) {
+			answer_border<Real>(lanes_of(body), border, bounce_threshold_, h_, load_);
 		}
 	}
 }
 
+RealPack handle_borders_side_by_side(const BodyLanes<RealPack> &bodies, std::span<const Border> borders, Real h) {
+	BasicContactLoad<RealPack> load;
+	for (const Border &border : borders) {
+		if (notices(bodies.model.settings, border.surface)) {
+			answer_border<RealPack>(bodies, border, std::numeric_limits<Real>::infinity(), h, load);
+		}
+	}
+	resist_rolling<RealPack>(bodies, load);
+	return load.contacts;
+}
+
 void CollisionHandling::handle_points(SoftBodyData &body, const ConvexCollider &collider, const Aabb &bounds,
 		std::span<const Vec2> before) {
-	const Real slop = LINEAR_SLOP * world_.length_unit();
+	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
 	const Aabb thick = bounds.grown(slop);
 	for (std::size_t i = 0; i < body.shape().hull_count(); ++i) {
 		Aabb path;
@@ -173,14 +201,14 @@ Real measure_penetration(const WorldData &world, const SoftBodyData &body) {
 	Real deepest = 0;
 	for (const Border &border : world.borders()) {
 		for (const Vec2 p : body.hull()) {
-			if (notices(body, border.surface)) {
+			if (notices(body.settings(), border.surface)) {
 				deepest = std::max(deepest, -signed_distance(border.plane, p));
 			}
 		}
 	}
 	const Aabb box = bounding_box(body.hull());
 	for (const ConvexCollider &collider : world.colliders()) {
-		if (!notices(body, collider.surface) || !box.overlaps(collider.bounds())) {
+		if (!notices(body.settings(), collider.surface) || !box.overlaps(collider.bounds())) {
 			continue;
 		}
 		for (const Vec2 p : body.hull()) {

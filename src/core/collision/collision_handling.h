@@ -13,19 +13,29 @@
 
 namespace softbody {
 
-/// Contacts of soft bodies (thesis 4.4.2, "CollisionHandling"). Broad phase once a step: colliders
-/// whose box meets the box a body may sweep. Narrow phase in every substep: each hull point against
+/// What every body asks of the surroundings, gathered once a step.
+class SurroundingsIndex {
+public:
+	/// Reads the surroundings anew. `world` must outlive this object. O(colliders).
+	void update(const WorldData &world);
+	const WorldData &world() const { return *world_; }
+	std::span<const Aabb> bounds() const { return bounds_; }
+	/// Whether any collider overlaps the box.
+	bool has_collider_in(const Aabb &box) const;
+
+private:
+	const WorldData *world_ = nullptr;
+	std::vector<Aabb> bounds_; ///< of every collider
+};
+
+/// Contacts of soft bodies with borders and colliders (thesis 4.4.2, "CollisionHandling"). Broad phase once a
+/// step: colliders whose box meets the box a body may sweep. Narrow phase in every substep: each hull point against
 /// each border and collider, and each corner (or round end) of a collider against the hull edges,
-/// so that neither can enter the other.
+/// so that neither can enter the other. One object serves one thread.
 class CollisionHandling {
 public:
-	/// `world` must outlive this object.
-	explicit CollisionHandling(const WorldData &world) : world_(world) {}
-
-	/// Reads the surroundings anew. Call once a step, before `begin_body`. O(colliders).
-	void begin_step();
 	/// Broad phase for one body and the coming `dt` [s]. O(colliders).
-	void begin_body(const SoftBodyData &body, Real dt);
+	void begin_body(const SurroundingsIndex &surroundings, const SoftBodyData &body, Real dt);
 	/// Answers every contact of the body after a substep of `h` [s] that started at `before` (one
 	/// position a point), under the acceleration `gravity`, and resists rolling. Returns how many it
 	/// answered.
@@ -41,17 +51,22 @@ private:
 			std::span<const Vec2> before);
 	void handle_edges(SoftBodyData &body, const ConvexCollider &collider);
 
-	const WorldData &world_;
-	std::vector<Aabb> bounds_; ///< of every collider
+	const SurroundingsIndex *surroundings_ = nullptr;
 	std::vector<std::uint32_t> nearby_; ///< colliders the current body may meet
 	Aabb reach_; ///< box for which `nearby_` is complete
 	Real margin_ = 0;
 	// Of the current body and substep.
 	Real bounce_threshold_ = 0;
 	Real h_ = 0;
-	std::size_t contacts_ = 0;
 	ContactLoad load_;
 };
+
+/// The box in which a body that moves as fast as now stays for `dt` [s], and some more.
+Aabb sweep_box(const SoftBodyData &body, Real dt);
+
+/// Contacts of bodies side by side with borders alone: the same as `CollisionHandling::handle` where nothing
+/// bounces and no collider is near. Returns how many it answered in each lane.
+RealPack handle_borders_side_by_side(const BodyLanes<RealPack> &bodies, std::span<const Border> borders, Real h);
 
 /// How deep a body is inside its surroundings [length]: the largest depth of a hull point in a border
 /// or collider that it notices, or of a collider's corner or round end in the hull. 0 when apart.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/vec2.h"
+#include "core/model/body_lanes.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/surroundings.h"
 
@@ -36,27 +37,42 @@ Real answer_contact(SoftBodyData &body, const SurfaceContact &contact, const Sur
 		Real h);
 
 /// What a body's contacts did to it during one substep, for what acts on the body as a whole.
-struct ContactLoad {
-	Real normal_impulse = 0; ///< sum of |J_n| [mass·length/s]
-	Vec2 impulse; ///< sum of J_n n [mass·length/s]
+template <class T>
+struct BasicContactLoad {
+	T contacts = T(0); ///< how many were answered
+	T normal_impulse = T(0); ///< sum of |J_n| [mass·length/s]
+	BasicVec2<T> impulse; ///< sum of J_n n [mass·length/s]
 	// Sums of |J_n| times a value of the surface; divided by `normal_impulse` they are weighted means.
-	Real surface_spin = 0;
-	Real restitution = 0;
-	Vec2 surface_velocity;
+	T surface_spin = T(0);
+	T restitution = T(0);
+	BasicVec2<T> surface_velocity;
 
-	void add(Real size, Vec2 normal, Vec2 place, const Surface &surface, Real combined_restitution) {
+	void add(T size, BasicVec2<T> normal, BasicVec2<T> place, const Surface &surface, Real combined_restitution) {
 		normal_impulse += size;
 		impulse += normal * size;
-		surface_spin += size * surface.angular_velocity;
-		restitution += size * combined_restitution;
-		surface_velocity += surface.velocity_at(place) * size;
+		surface_spin += size * T(surface.angular_velocity);
+		restitution += size * T(combined_restitution);
+		surface_velocity += surface_velocity_at(surface, place) * size;
+	}
+
+	static BasicVec2<T> surface_velocity_at(const Surface &surface, BasicVec2<T> p) {
+		const BasicVec2<T> arm = p - in_all_lanes<T>(surface.velocity_origin);
+		return in_all_lanes<T>(surface.linear_velocity) + perpendicular(arm) * T(surface.angular_velocity);
 	}
 };
+using ContactLoad = BasicContactLoad<Real>;
+
+/// Answers the contacts of all hull points with a border, in the order of the hull, each as `answer_contact` does,
+/// and adds them to `load`. O(hull points).
+template <class T>
+void answer_border(const BodyLanes<T> &body, const Border &border, Real bounce_threshold, Real h,
+		BasicContactLoad<T> &load);
 
 /// Brakes the body's spin relative to the surfaces it pressed on: |Δω| <= r R J / I with r the rolling
 /// resistance, R the body's radius, J the summed normal impulse, I the current inertia. Changes no
 /// linear momentum and never reverses the spin. O(points).
-void resist_rolling(SoftBodyData &body, const ContactLoad &load);
+template <class T>
+void resist_rolling(const BodyLanes<T> &body, const BasicContactLoad<T> &load);
 
 /// Restitution of the body as a whole. Returning a share of each point's speed alone would feed the wobble,
 /// not the flight: a point is a small part of the mass. So the body remembers how fast its centre of mass

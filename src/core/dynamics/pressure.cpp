@@ -7,38 +7,48 @@ namespace softbody {
 namespace {
 
 // From A = sum of x_i × x_{i+1} / 2: the way from the next to the last neighbour, turned by +90 degrees, halved.
-Vec2 area_derivative(std::span<const Vec2> hull, std::size_t i) {
+template <class T>
+BasicVec2<T> area_derivative(std::span<const BasicVec2<T>> hull, std::size_t i) {
 	const std::size_t count = hull.size();
-	return perpendicular(hull[i == 0 ? count - 1 : i - 1] - hull[i + 1 == count ? 0 : i + 1]) * Real(0.5);
+	return perpendicular(hull[i == 0 ? count - 1 : i - 1] - hull[i + 1 == count ? 0 : i + 1]) * T(Real(0.5));
 }
 
-Real hull_area(std::span<const Vec2> hull) {
-	Real twice = 0;
+template <class T>
+T hull_area(std::span<const BasicVec2<T>> hull) {
+	T twice = T(0);
 	for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
 		twice += cross(hull[i] - hull[0], hull[i + 1] - hull[0]);
 	}
-	return twice / 2;
+	return twice * T(Real(0.5));
 }
 
 } // namespace
 
 Real area_and_gradient(std::span<const Vec2> hull, std::span<Vec2> gradient) {
 	for (std::size_t i = 0; i < hull.size(); ++i) {
-		gradient[i] = area_derivative(hull, i);
+		gradient[i] = area_derivative<Real>(hull, i);
 	}
-	return hull_area(hull);
+	return hull_area<Real>(hull);
 }
 
 Real pressure_at(const SoftBodyData &body, Real area) {
 	return body.settings().pressure_stiffness * (body.settings().inflation - area / body.shape().rest_area());
 }
 
-void add_pressure_forces(const SoftBodyData &body, std::span<const Vec2> positions, std::span<Vec2> forces) {
-	const std::span<const Vec2> hull = positions.first(body.shape().hull_count());
-	const Real pressure = pressure_at(body, hull_area(hull));
+template <class T>
+void add_pressure_forces(const SoftBodyShape &shape, const BodySettings &settings,
+		std::span<const BasicVec2<T>> positions, std::span<BasicVec2<T>> forces) {
+	const std::span<const BasicVec2<T>> hull = positions.first(shape.hull_count());
+	const T fill = hull_area<T>(hull) / T(shape.rest_area());
+	const T pressure = T(settings.pressure_stiffness) * (T(settings.inflation) - fill);
 	for (std::size_t i = 0; i < hull.size(); ++i) {
-		forces[i] += area_derivative(hull, i) * pressure;
+		forces[i] += area_derivative<T>(hull, i) * pressure;
 	}
 }
+
+template void add_pressure_forces<Real>(const SoftBodyShape &, const BodySettings &, std::span<const Vec2>,
+		std::span<Vec2>);
+template void add_pressure_forces<RealPack>(const SoftBodyShape &, const BodySettings &,
+		std::span<const BasicVec2<RealPack>>, std::span<BasicVec2<RealPack>>);
 
 } // namespace softbody

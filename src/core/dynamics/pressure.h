@@ -3,7 +3,9 @@
 #pragma once
 
 #include "core/base/vec2.h"
+#include "core/model/body_settings.h"
 #include "core/model/soft_body_data.h"
+#include "core/model/soft_body_shape.h"
 
 #include <span>
 
@@ -21,6 +23,8 @@ Real pressure_at(const SoftBodyData &body, Real area);
 
 /// Adds the pressure's force p ∂A/∂x_i on every hull point. The work it does is p dA, and the forces
 /// sum to zero force and zero torque because area does not change under rigid motion.
-void add_pressure_forces(const SoftBodyData &body, std::span<const Vec2> positions, std::span<Vec2> forces);
+template <class T>
+void add_pressure_forces(const SoftBodyShape &shape, const BodySettings &settings,
+		std::span<const BasicVec2<T>> positions, std::span<BasicVec2<T>> forces);
 
 } // namespace softbody

@@ -2,28 +2,51 @@
 // Advances a whole world by one fixed time step.
 #include "core/dynamics/simulator.h"
 
-#include "core/model/body_frame.h"
-
 #include <algorithm>
+#include <utility>
 
 namespace softbody {
 
 namespace {
 
-bool has_finite_state(const SoftBodyData &body) {
-	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		if (!is_finite(body.positions()[i]) || !is_finite(body.velocities()[i])) {
-			return false;
-		}
-	}
-	return true;
-}
+// Into how many tasks the crews are divided: enough to keep the threads of a large machine busy to the end, few
+// enough that a task outweighs its dispatch. Independent of the number of threads, so that results are too.
+constexpr std::size_t TASKS = 32;
+constexpr std::size_t CREWS_A_TASK = 16;
 
 } // namespace
+
+Simulator::Simulator(WorldData &world, ParallelFor parallel_for) :
+		world_(world), parallel_for_(std::move(parallel_for)), steppers_(TASKS) {}
 
 SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
 	const bool has_contacts = !world_.borders().empty() || !world_.colliders().empty();
 	return plan_substeps(body.shape(), body.settings(), dt, has_contacts);
+}
+
+void Simulator::update_plans(Real dt) {
+	const bool has_contacts = !world_.borders().empty() || !world_.colliders().empty();
+	if (planned_roster_ == roster_.version() && planned_dt_ == dt && planned_with_contacts_ == has_contacts) {
+		return;
+	}
+	planned_roster_ = roster_.version();
+	planned_dt_ = dt;
+	planned_with_contacts_ = has_contacts;
+	plans_.clear();
+	for (const Crew &crew : roster_.crews()) {
+		plans_.push_back(plan(world_.soft_bodies()[crew.bodies[0]], dt));
+	}
+}
+
+template <class Work>
+void Simulator::for_all_crews(const Work &work) {
+	const std::size_t crews = roster_.crews().size();
+	const std::size_t tasks = std::clamp<std::size_t>(crews / CREWS_A_TASK, 1, TASKS);
+	run_tasks(parallel_for_, tasks, [&](std::size_t task) {
+		for (std::size_t i = crews * task / tasks; i < crews * (task + 1) / tasks; ++i) {
+			work(steppers_[task], i);
+		}
+	});
 }
 
 StepReport Simulator::simulate(Real dt) {
@@ -32,56 +55,38 @@ StepReport Simulator::simulate(Real dt) {
 	if (report.refused) {
 		return report;
 	}
-	collision_.begin_step();
-	for (std::size_t i = 0; i < world_.soft_bodies().size(); ++i) {
-		SoftBodyData &body = world_.soft_bodies()[i];
-		if (body.is_active()) {
-			simulate_body(body, world_.id_at(i), dt, report);
-		} else {
+	roster_.update(world_);
+	surroundings_.update(world_);
+	update_plans(dt);
+	for (BodyStepper &stepper : steppers_) {
+		stepper.begin_step(world_, surroundings_);
+	}
+	for_all_crews([&](BodyStepper &stepper, std::size_t i) {
+		const Crew &crew = roster_.crews()[i];
+		stepper.begin(crew);
+		stepper.advance(crew, plans_[i], dt, plans_[i].substeps);
+		stepper.end(crew);
+	});
+	for (SoftBodyData &body : world_.soft_bodies()) {
+		if (!body.is_active()) {
 			std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
 		}
 	}
+	collect(report);
 	return report;
 }
 
-void Simulator::simulate_body(SoftBodyData &body, BodyId id, Real dt, StepReport &report) {
-	const std::size_t count = body.point_count();
-	workspace_.begin_body(count);
-	before_.resize(std::max(before_.size(), count));
-	external_.assign(count, Vec2{});
-	for (const ExternalForce &external : body.external_forces()) {
-		external_[external.point] += external.force;
+void Simulator::collect(StepReport &report) {
+	std::vector<std::uint32_t> non_finite;
+	for (BodyStepper &stepper : steppers_) {
+		const StepCounts &counts = stepper.counts();
+		report.substeps += counts.substeps;
+		report.contacts += counts.contacts;
+		non_finite.insert(non_finite.end(), counts.non_finite.begin(), counts.non_finite.end());
 	}
-	body.clear_external_forces();
-	std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
-
-	const SubstepPlan chosen = plan(body, dt);
-	const IntegratorStep step = integrator_traits(chosen.integrator).step;
-	const Real h = dt / Real(chosen.substeps);
-	const SubstepInput input{ world_.gravity(), external_, h };
-	const std::span<Vec2> before(before_.data(), count);
-	const Vec2 gravity = world_.gravity() * body.settings().gravity_scale;
-	collision_.begin_body(body, dt);
-	for (int i = 0; i < chosen.substeps; ++i) {
-		std::ranges::copy(body.positions(), before.begin());
-		step(body, input, workspace_);
-		const std::size_t contacts = collision_.handle(body, before, gravity, h);
-		report.contacts += contacts;
-		if (contacts > 0) {
-			workspace_.forces_are_current = false;
-		}
-		report.substeps++;
-	}
-
-	if (!has_finite_state(body)) {
-		std::ranges::copy(body.previous_positions(), body.mutable_positions().begin());
-		std::ranges::fill(body.mutable_velocities(), Vec2{});
-		body.touch_memory() = {};
-		report.reset_bodies.push_back(id);
-	}
-	const BodyFrame frame = measure_frame(body);
-	if (frame.rotation_defined) {
-		body.set_rotation_memory(frame.rotation);
+	std::ranges::sort(non_finite);
+	for (const std::uint32_t place : non_finite) {
+		report.reset_bodies.push_back(world_.id_at(place));
 	}
 }
 

@@ -3,9 +3,10 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/base/vec2.h"
+#include "core/base/parallel_for.h"
 #include "core/collision/collision_handling.h"
-#include "core/dynamics/integrators/integrator_step.h"
+#include "core/dynamics/body_stepper.h"
+#include "core/dynamics/roster.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/model/world_data.h"
 
@@ -24,13 +25,14 @@ struct StepReport {
 	std::vector<BodyId> reset_bodies;
 };
 
-/// Steps a world (thesis 4.4.2, "Simulator"): per body and substep it evaluates forces, integrates,
-/// and answers contacts with the surroundings. Owns nothing but scratch memory, which grows to the
-/// largest body and then stays: a step allocates nothing once warm.
+/// Steps a world (thesis 4.4.2, "Simulator"): per substep it evaluates forces, integrates, and answers contacts
+/// with the surroundings. Owns nothing but scratch memory, which grows to the largest body and then stays: a step
+/// allocates nothing once warm.
 class Simulator {
 public:
-	/// `world` must outlive the simulator.
-	explicit Simulator(WorldData &world) : world_(world), collision_(world) {}
+	/// `world` must outlive the simulator. With `parallel_for` the work of a step is divided; its results are the
+	/// same bits for any number of threads.
+	explicit Simulator(WorldData &world, ParallelFor parallel_for = {});
 
 	/// Advances every body by `dt` [s], > 0 and finite. External forces act during the whole step and
 	/// are then forgotten.
@@ -40,13 +42,21 @@ public:
 	SubstepPlan plan(const SoftBodyData &body, Real dt) const;
 
 private:
-	void simulate_body(SoftBodyData &body, BodyId id, Real dt, StepReport &report);
+	void update_plans(Real dt);
+	/// Calls `work(stepper, crew index)` for every crew, divided over the steppers.
+	template <class Work>
+	void for_all_crews(const Work &work);
+	void collect(StepReport &report);
 
 	WorldData &world_;
-	CollisionHandling collision_;
-	IntegratorWorkspace workspace_;
-	std::vector<Vec2> external_;
-	std::vector<Vec2> before_; ///< positions at the start of the substep
+	ParallelFor parallel_for_;
+	Roster roster_;
+	SurroundingsIndex surroundings_;
+	std::vector<BodyStepper> steppers_; ///< one a task, so that no two threads share scratch memory
+	std::vector<SubstepPlan> plans_; ///< one a crew
+	std::uint64_t planned_roster_ = 0;
+	Real planned_dt_ = 0;
+	bool planned_with_contacts_ = false;
 };
 
 } // namespace softbody

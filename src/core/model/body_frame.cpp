@@ -4,42 +4,55 @@
 
 #include "core/base/constants.h"
 
-#include <cmath>
+#include <limits>
 
 namespace softbody {
 
-BodyFrame measure_frame(const SoftBodyData &body, std::span<const Vec2> positions,
-		std::span<const Vec2> velocities) {
-	const SoftBodyShape &shape = body.shape();
+template <class T>
+BasicBodyFrame<T> measure_frame(const SoftBodyShape &shape, const BasicRotation<T> &memory,
+		std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities) {
 	const std::span<const Real> masses = shape.masses();
 	const std::span<const Vec2> rest = shape.rest_positions();
-	const Vec2 base = positions[0]; // sums relative to a point of the body keep digits far from the origin
-	Vec2 centre;
-	Vec2 velocity;
+	const BasicVec2<T> base = positions[0]; // sums relative to a point of the body keep digits far from the origin
+	BasicVec2<T> centre;
+	BasicVec2<T> velocity;
 	for (std::size_t i = 0; i < positions.size(); ++i) {
 		centre += (positions[i] - base) * masses[i];
 		velocity += velocities[i] * masses[i];
 	}
-	BodyFrame frame;
+	BasicBodyFrame<T> frame;
 	frame.centre = base + centre * (1 / shape.total_mass());
 	frame.velocity = velocity * (1 / shape.total_mass());
 
-	Real along = 0; // sum m q·r, proportional to the cosine
-	Real across = 0; // sum m q×r, proportional to the sine
-	Real spin = 0;
-	Real inertia = 0;
+	T along = T(0); // sum m q·r, proportional to the cosine
+	T across = T(0); // sum m q×r, proportional to the sine
+	T spin = T(0);
+	T inertia = T(0);
 	for (std::size_t i = 0; i < positions.size(); ++i) {
-		const Vec2 arm = positions[i] - frame.centre;
-		along += masses[i] * dot(rest[i], arm);
-		across += masses[i] * cross(rest[i], arm);
-		spin += masses[i] * cross(arm, velocities[i] - frame.velocity);
-		inertia += masses[i] * length_squared(arm);
+		const BasicVec2<T> arm = positions[i] - frame.centre;
+		const BasicVec2<T> q = in_all_lanes<T>(rest[i] * masses[i]);
+		along += dot(q, arm);
+		across += cross(q, arm);
+		spin += T(masses[i]) * cross(arm, velocities[i] - frame.velocity);
+		inertia += T(masses[i]) * length_squared(arm);
 	}
-	const Real size = std::hypot(along, across);
-	frame.rotation_defined = std::isfinite(size) && size > DEGENERATE_LENGTH * shape.rest_inertia();
-	frame.rotation = frame.rotation_defined ? Rotation{ along / size, across / size } : body.rotation_memory();
-	frame.angular_velocity = inertia > DEGENERATE_LENGTH * shape.rest_inertia() ? spin / inertia : Real(0);
+	const T size = sqrt(along * along + across * across);
+	const T least(DEGENERATE_LENGTH * shape.rest_inertia());
+	frame.rotation_defined = both(size > least, size < T(std::numeric_limits<Real>::max()));
+	frame.rotation.c = select(frame.rotation_defined, along / size, memory.c);
+	frame.rotation.s = select(frame.rotation_defined, across / size, memory.s);
+	frame.angular_velocity = select(inertia > least, spin / inertia, T(0));
 	return frame;
+}
+
+template BodyFrame measure_frame<Real>(const SoftBodyShape &, const Rotation &, std::span<const Vec2>,
+		std::span<const Vec2>);
+template BasicBodyFrame<RealPack> measure_frame<RealPack>(const SoftBodyShape &, const BasicRotation<RealPack> &,
+		std::span<const BasicVec2<RealPack>>, std::span<const BasicVec2<RealPack>>);
+
+BodyFrame measure_frame(const SoftBodyData &body, std::span<const Vec2> positions,
+		std::span<const Vec2> velocities) {
+	return measure_frame<Real>(body.shape(), body.rotation_memory(), positions, velocities);
 }
 
 BodyFrame measure_frame(const SoftBodyData &body) {

@@ -40,8 +40,12 @@ struct BodySettings {
 	Integrator integrator = Integrator::AUTOMATIC;
 	/// Substeps a step, 1..MAX_SUBSTEPS, or 0 for the automatic rule (see `plan_substeps`).
 	int substeps = 0;
-	/// Which surroundings the body notices: those whose layer shares a bit with this mask.
+	/// The layers that the body is on. Two bodies touch when one's mask shares a bit with the other's layer.
+	std::uint32_t collision_layer = 1;
+	/// Which surroundings and bodies the body notices: those whose layer shares a bit with this mask.
 	std::uint32_t collision_mask = 0xffffffffu;
+
+	friend bool operator==(const BodySettings &, const BodySettings &) = default;
 };
 
 /// Refuses the first value outside its range, by name.

@@ -46,11 +46,25 @@ Result<SoftBodyData> SoftBodyData::create(std::shared_ptr<const SoftBodyShape> s
 	return body;
 }
 
+void SoftBodyData::note_change() {
+	if (changes_) {
+		++*changes_;
+	}
+}
+
+void SoftBodyData::set_active(bool active) {
+	if (active != active_) {
+		active_ = active;
+		note_change();
+	}
+}
+
 Status SoftBodyData::set_settings(const BodySettings &settings) {
 	if (Status status = check_settings(settings)) {
 		return status;
 	}
 	settings_ = settings;
+	note_change();
 	return {};
 }
 
@@ -67,6 +81,7 @@ Status SoftBodyData::set_shape(std::shared_ptr<const SoftBodyShape> shape) {
 		}
 	}
 	shape_ = std::move(shape);
+	note_change();
 	return {};
 }
 
@@ -124,6 +139,8 @@ Status SoftBodyData::set_pinned(std::uint32_t point, bool pinned) {
 	if (Status status = check_point(point, "position", {})) {
 		return status;
 	}
+	pin_count_ += std::uint32_t(pinned) - std::uint32_t(inverse_masses_[point] == 0);
+	note_change();
 	inverse_masses_[point] = pinned ? Real(0) : 1 / shape_->masses()[point];
 	if (pinned) {
 		velocities_[point] = {};

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace softbody {
@@ -80,9 +81,15 @@ public:
 	/// An inactive body is left out of the step: it keeps its state and queued forces, and nothing it
 	/// would collide with notices it. Default true.
 	bool is_active() const { return active_; }
-	void set_active(bool active) { active_ = active; }
+	void set_active(bool active);
 
 	const std::vector<ExternalForce> &external_forces() const { return external_forces_; }
+
+	/// Whether any point is pinned.
+	bool has_pins() const { return pin_count_ > 0; }
+	/// The counter goes up with every change of shape, settings, pins or activity: of what the order of
+	/// stepping depends on. `WorldData` gives its bodies a common one.
+	void set_change_counter(std::shared_ptr<std::uint64_t> counter) { changes_ = std::move(counter); }
 
 	// State access of the step (dynamics and collision); not for users of the core.
 	std::span<Vec2> mutable_positions() { return positions_; }
@@ -97,6 +104,7 @@ public:
 private:
 	SoftBodyData() = default;
 	Status check_point(std::uint32_t point, const char *what, Vec2 value) const;
+	void note_change();
 
 	std::shared_ptr<const SoftBodyShape> shape_;
 	BodySettings settings_;
@@ -107,6 +115,8 @@ private:
 	std::vector<ExternalForce> external_forces_;
 	Rotation rotation_memory_;
 	TouchMemory touch_memory_;
+	std::shared_ptr<std::uint64_t> changes_;
+	std::uint32_t pin_count_ = 0;
 	bool active_ = true;
 };
 

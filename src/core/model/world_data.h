@@ -8,6 +8,7 @@
 #include "core/model/surroundings.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,9 @@ public:
 	/// Id of the body stored at `index` of `soft_bodies()`.
 	BodyId id_at(std::size_t index) const { return ids_[index]; }
 
+	/// Goes up whenever bodies come, go, or change what the order of stepping depends on.
+	std::uint64_t change_count() const { return *changes_; }
+
 	const std::vector<Border> &borders() const { return borders_; }
 	const std::vector<ConvexCollider> &colliders() const { return colliders_; }
 	Status add_border(const Border &border);
@@ -56,6 +60,7 @@ private:
 		std::uint32_t generation = 0;
 	};
 
+	std::shared_ptr<std::uint64_t> changes_ = std::make_shared<std::uint64_t>(0);
 	Vec2 gravity_{ 0, 0 };
 	Real length_unit_ = 1;
 	std::vector<SoftBodyData> bodies_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/vec2.h"
+#include "core/model/body_lanes.h"
 #include "core/model/integrator.h"
 #include "core/model/soft_body_data.h"
 
@@ -12,38 +13,59 @@
 namespace softbody {
 
 /// What acts on a body during one substep.
-struct SubstepInput {
+template <class T>
+struct BasicSubstepInput {
 	Vec2 gravity; ///< [length/s²]
-	std::span<const Vec2> external; ///< one constant force a point [mass·length/s²]
+	std::span<const BasicVec2<T>> external; ///< one constant force a point [mass·length/s²], or none at all
 	Real h = 0; ///< [s], > 0
 };
+using SubstepInput = BasicSubstepInput<Real>;
 
 /// Scratch memory of the integrators. It grows to the largest body and then stays.
-struct IntegratorWorkspace {
-	std::vector<Vec2> forces;
-	std::vector<Vec2> stage_positions;
-	std::vector<Vec2> stage_velocities;
-	std::vector<Vec2> position_slopes;
-	std::vector<Vec2> velocity_slopes;
+template <class T>
+struct BasicWorkspace {
+	std::vector<BasicVec2<T>> forces;
+	std::vector<BasicVec2<T>> stage_positions;
+	std::vector<BasicVec2<T>> stage_velocities;
+	std::vector<BasicVec2<T>> position_slopes;
+	std::vector<BasicVec2<T>> velocity_slopes;
 	/// Whether `forces` still belongs to the body's present state, so that velocity Verlet need not
-	/// evaluate it again. Whoever changes the state in between (a contact) sets it to false.
-	bool forces_are_current = false;
+	/// evaluate it again. Whoever changes the state in between (a contact) sets it to false, lane by lane.
+	MaskOf<T> forces_are_current = T(0) < T(0);
 
 	/// Makes room for `count` points and forgets the last body.
-	void begin_body(std::size_t count);
+	void begin_body(std::size_t count) {
+		if (forces.size() < count) {
+			for (auto *array : { &forces, &stage_positions, &stage_velocities, &position_slopes, &velocity_slopes }) {
+				array->resize(count);
+			}
+		}
+		forces_are_current = T(0) < T(0);
+	}
 };
+using IntegratorWorkspace = BasicWorkspace<Real>;
 
-/// Advances positions and velocities of one body by one substep, without contacts. Stages evaluate
-/// the same contact-free forces; contacts are answered once, after the substep, by whoever calls.
+/// Advances positions and velocities by one substep, without contacts. Stages evaluate the same
+/// contact-free forces; contacts are answered once, after the substep, by whoever calls.
 /// A pinned point (inverse mass 0) keeps its velocity, which is 0.
-using IntegratorStep = void (*)(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
+template <class T>
+using LaneStep = void (*)(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
 
-void step_explicit_euler(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
-void step_semi_implicit_euler(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
-void step_midpoint(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
-void step_heun(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
-void step_runge_kutta_4(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
-void step_velocity_verlet(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
+template <class T>
+void step_explicit_euler(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
+template <class T>
+void step_semi_implicit_euler(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
+template <class T>
+void step_midpoint(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
+template <class T>
+void step_heun(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
+template <class T>
+void step_runge_kutta_4(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
+template <class T>
+void step_velocity_verlet(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
+
+/// Advances one body; XPBD, whose passes end at different times for different bodies, exists only so.
+using IntegratorStep = void (*)(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
 void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
 
 /// What is known of an integrator before it runs.
@@ -54,6 +76,7 @@ struct IntegratorTraits {
 	/// Largest stable hω of the undamped oscillator; 0 when every step gains energy, infinite for XPBD.
 	double undamped_limit;
 	IntegratorStep step;
+	LaneStep<RealPack> step_side_by_side; ///< the same for several bodies at once, with the same result; null for XPBD
 };
 
 /// Precondition: `integrator` is not AUTOMATIC, which is a choice and no method.

@@ -8,16 +8,20 @@ namespace softbody {
 
 // v += h F(x, v)/m, then x += h v: thesis eq. 3.17 to 3.25 with the updated velocity in 3.25, which
 // makes the method symplectic for undamped springs.
-void step_semi_implicit_euler(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace) {
-	const std::span<Vec2> x = body.mutable_positions();
-	const std::span<Vec2> v = body.mutable_velocities();
-	const std::span<const Real> w = body.inverse_masses();
-	const std::span<Vec2> forces(workspace.forces.data(), x.size());
-	evaluate_forces(body, input.gravity, input.external, x, v, forces);
+template <class T>
+void step_semi_implicit_euler(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace) {
+	const std::span<BasicVec2<T>> x = body.positions;
+	const std::span<BasicVec2<T>> v = body.velocities;
+	const std::span<const Real> w = body.inverse_masses;
+	const std::span<BasicVec2<T>> forces(workspace.forces.data(), x.size());
+	evaluate_forces<T>(body.model, input.gravity, input.external, x, v, forces);
 	for (std::size_t i = 0; i < x.size(); ++i) {
 		v[i] += forces[i] * (w[i] * input.h);
 		x[i] += v[i] * input.h;
 	}
 }
+
+template void step_semi_implicit_euler(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_semi_implicit_euler(const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
 
 } // namespace softbody

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Advances bodies through one step, alone or side by side: forces, integration, surroundings.
+#pragma once
+
+#include "core/base/pack.h"
+#include "core/collision/collision_handling.h"
+#include "core/dynamics/integrators/integrator_step.h"
+#include "core/dynamics/roster.h"
+#include "core/dynamics/substep_plan.h"
+#include "core/model/world_data.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// What a stepper did since it was last asked.
+struct StepCounts {
+	std::uint64_t substeps = 0; ///< body-substeps
+	std::uint64_t contacts = 0; ///< contacts with the surroundings answered
+	std::vector<std::uint32_t> non_finite; ///< places of bodies that had to be reset
+};
+
+/// Steps the bodies of a crew. One object serves one thread; it owns nothing but scratch memory, which grows to
+/// the largest body and then stays.
+class BodyStepper {
+public:
+	/// `world` and `surroundings` must outlive the stepper's use.
+	void begin_step(WorldData &world, const SurroundingsIndex &surroundings);
+
+	/// Keeps the positions from which the step starts.
+	void begin(const Crew &crew);
+	/// Advances by `duration` [s] in `substeps` substeps of the plan's method, each ended by the contacts with the
+	/// surroundings.
+	void advance(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
+	/// Forgets external forces, remembers the rotation, and resets what is no longer finite.
+	void end(const Crew &crew);
+
+	StepCounts &counts() { return counts_; }
+
+private:
+	void advance_alone(SoftBodyData &body, const SubstepPlan &plan, Real duration, int substeps);
+	void advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
+	bool can_go_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration) const;
+	SoftBodyData &body(std::uint32_t place) const { return world_->soft_bodies()[place]; }
+
+	WorldData *world_ = nullptr;
+	const SurroundingsIndex *surroundings_ = nullptr;
+	CollisionHandling collision_;
+	StepCounts counts_;
+	IntegratorWorkspace workspace_;
+	std::vector<Vec2> external_;
+	std::vector<Vec2> before_; ///< positions at the start of the substep
+	BasicWorkspace<RealPack> pack_workspace_;
+	std::vector<BasicVec2<RealPack>> pack_positions_;
+	std::vector<BasicVec2<RealPack>> pack_velocities_;
+};
+
+} // namespace softbody

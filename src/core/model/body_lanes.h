@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What forces and integrators see of a body, or of several bodies of one shape side by side.
+#pragma once
+
+#include "core/base/pack.h"
+#include "core/base/vec2.h"
+#include "core/model/body_settings.h"
+#include "core/model/soft_body_data.h"
+#include "core/model/soft_body_shape.h"
+
+#include <span>
+
+namespace softbody {
+
+/// What the forces on a body depend on besides the state of its points. Of one body (T = `Real`), or of
+/// PACK_WIDTH bodies of one shape and equal settings side by side (T = `RealPack`). A view: what it refers to
+/// must outlive it.
+template <class T>
+struct BodyModel {
+	const SoftBodyShape &shape;
+	const BodySettings &settings;
+	BasicRotation<T> rotation_memory; ///< last well-defined orientation, see `measure_frame`
+};
+
+/// The same with the state of its points, for what advances it. Positions, velocities and inverse masses have
+/// one entry a point; the inverse masses are those of every lane.
+template <class T>
+struct BodyLanes {
+	BodyModel<T> model;
+	std::span<const Real> inverse_masses; ///< [1/mass], 0 = pinned
+	std::span<BasicVec2<T>> positions;
+	std::span<BasicVec2<T>> velocities;
+};
+
+inline BodyModel<Real> model_of(const SoftBodyData &body) {
+	return { body.shape(), body.settings(), body.rotation_memory() };
+}
+inline BodyLanes<Real> lanes_of(SoftBodyData &body) {
+	return { model_of(body), body.inverse_masses(), body.mutable_positions(), body.mutable_velocities() };
+}
+
+} // namespace softbody

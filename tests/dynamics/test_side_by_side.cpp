@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Bodies stepped side by side, on any number of threads, move as each would alone: to the last bit.
+#include "core/base/constants.h"
+#include "core/dynamics/roster.h"
+#include "core/dynamics/simulator.h"
+#include "scenes/deformations.h"
+#include "scenes/thesis_body.h"
+#include "support/random.h"
+#include "support/threads.h"
+
+#include <doctest/doctest.h>
+#include <vector>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+// Bodies that cannot touch one another, deformed and moving, partly through the ground at y = 0.
+std::vector<SoftBodyData> loners(int count, const BodySettings &settings, Random &random) {
+	BodySettings apart = settings;
+	apart.collision_layer = 2;
+	apart.collision_mask = 1;
+	const auto shape = thesis_shape_with_ratio(300, Real(0.05));
+	std::vector<SoftBodyData> bodies;
+	for (int i = 0; i < count; ++i) {
+		Pose pose{ { Real(2 * i), random.real(0.2, 1.5) }, Rotation::from_angle(random.real(-3, 3)) };
+		SoftBodyData body = thesis_body(shape, apart, pose);
+		for (std::uint32_t point = 0; point < body.point_count(); ++point) {
+			body.set_point(point, body.positions()[point] + random.vector(0.1), random.vector(3));
+		}
+		bodies.push_back(std::move(body));
+	}
+	return bodies;
+}
+
+void prepare(WorldData &world) {
+	world.set_gravity({ 0, Real(-9.81) });
+	Border ground;
+	ground.plane = { { 0, 0 }, { 0, 1 } };
+	ground.surface.angular_velocity = Real(0.1);
+	ground.surface.linear_velocity = { Real(0.5), 0 };
+	world.add_border(ground);
+}
+
+bool same_state(const SoftBodyData &a, const SoftBodyData &b) {
+	return std::ranges::equal(a.positions(), b.positions()) && std::ranges::equal(a.velocities(), b.velocities()) &&
+			a.rotation_memory().c == b.rotation_memory().c && a.rotation_memory().s == b.rotation_memory().s;
+}
+
+} // namespace
+
+TEST_CASE("bodies side by side end in the same bits as each of them alone, with every integrator and term") {
+	BodySettings springs;
+	BodySettings everything;
+	everything.shape_stiffness = 120;
+	everything.shape_damping = Real(0.5);
+	everything.pressure_stiffness = 200;
+	everything.inflation = Real(1.1);
+	everything.rolling_resistance = Real(0.03);
+	everything.gravity_scale = Real(0.7);
+	for (const BodySettings &model : { springs, everything }) {
+		for (int method = 0; method < INTEGRATOR_COUNT; ++method) {
+			BodySettings settings = model;
+			settings.integrator = Integrator(method);
+			settings.substeps = method == 0 ? 0 : 12;
+			CAPTURE(method);
+			Random random(method);
+			const std::vector<SoftBodyData> bodies = loners(6, settings, random); // a crew and two that are left over
+			WorldData together;
+			prepare(together);
+			for (const SoftBodyData &body : bodies) {
+				together.add_soft_body(body);
+			}
+			Simulator simulator(together);
+			for (int i = 0; i < 60; ++i) {
+				CHECK(simulator.simulate(Real(1) / 60).reset_bodies.empty());
+			}
+			for (std::size_t i = 0; i < bodies.size(); ++i) {
+				WorldData alone;
+				prepare(alone);
+				alone.add_soft_body(bodies[i]);
+				Simulator single(alone);
+				for (int step = 0; step < 60; ++step) {
+					single.simulate(Real(1) / 60);
+				}
+				CHECK(same_state(alone.soft_bodies()[0], together.soft_bodies()[i]));
+			}
+		}
+	}
+}
+
+TEST_CASE("what bodies feel apart from their crew reaches only them: a force, an impulse, a pin, a collider") {
+	const auto run = [](bool all_together) {
+		Random random(4);
+		std::vector<SoftBodyData> bodies = loners(4, {}, random);
+		std::vector<SoftBodyData> result;
+		for (std::size_t first = 0; first < bodies.size(); first += all_together ? 4 : 1) {
+			WorldData world;
+			prepare(world);
+			ConvexCollider ball{ { { 2, 0 } }, Real(0.3), {} };
+			world.add_collider(ball);
+			for (std::size_t i = first; i < first + (all_together ? 4 : 1); ++i) {
+				world.add_soft_body(bodies[i]);
+			}
+			Simulator simulator(world);
+			for (int step = 0; step < 40; ++step) {
+				for (std::size_t i = 0; i < world.soft_bodies().size(); ++i) {
+					SoftBodyData &body = world.soft_bodies()[i];
+					const std::size_t which = first + i;
+					if (which == 0 && step < 20) {
+						body.add_external_force(3, { 5, 9 });
+					} else if (which == 2 && step == 10) {
+						body.set_pinned(1, true);
+					} else if (which == 3 && step == 15) {
+						body.apply_impulse(2, { 0, 1 });
+					}
+				}
+				simulator.simulate(Real(1) / 60);
+			}
+			for (const SoftBodyData &body : world.soft_bodies()) {
+				result.push_back(body);
+			}
+		}
+		return result;
+	};
+	const auto together = run(true);
+	const auto apart = run(false);
+	REQUIRE(together.size() == apart.size());
+	for (std::size_t i = 0; i < apart.size(); ++i) {
+		CHECK(same_state(together[i], apart[i]));
+	}
+	Random random(4);
+	CHECK_FALSE(same_state(together[0], loners(4, {}, random)[0]));
+}
+
+TEST_CASE("any number of threads gives the same bits") {
+	const auto run = [](ParallelFor parallel_for) {
+		Random random(8);
+		WorldData world;
+		prepare(world);
+		for (const SoftBodyData &body : loners(150, {}, random)) {
+			world.add_soft_body(body);
+		}
+		Simulator simulator(world, parallel_for);
+		std::uint64_t contacts = 0;
+		for (int i = 0; i < 30; ++i) {
+			contacts += simulator.simulate(Real(1) / 60).contacts;
+		}
+		CHECK(contacts > 500);
+		return world;
+	};
+	const WorldData reference = run({});
+	for (const std::size_t threads : { 1, 2, 3, 8 }) {
+		const WorldData world = run(on_threads(threads));
+		for (std::size_t i = 0; i < world.soft_bodies().size(); ++i) {
+			CHECK(same_state(world.soft_bodies()[i], reference.soft_bodies()[i]));
+		}
+	}
+}
+
+TEST_CASE("a crew is full, of one shape and equal settings, and pinned or inactive bodies are in none") {
+	Random random(3);
+	WorldData world;
+	std::vector<BodyId> ids;
+	for (const SoftBodyData &body : loners(11, {}, random)) {
+		ids.push_back(world.add_soft_body(body));
+	}
+	BodySettings other = world.soft_bodies()[0].settings();
+	other.friction = Real(0.9);
+	for (int i = 0; i < 4; ++i) {
+		world.find(ids[i])->set_settings(other);
+	}
+	world.find(ids[4])->set_pinned(0, true);
+	world.find(ids[5])->set_active(false);
+	Roster roster;
+	roster.update(world);
+	int full = 0;
+	int single = 0;
+	for (const Crew &crew : roster.crews()) {
+		if (crew.count == PACK_WIDTH) {
+			++full;
+			for (const std::uint32_t place : crew.bodies) {
+				CHECK(world.soft_bodies()[place].settings() == world.soft_bodies()[crew.bodies[0]].settings());
+				CHECK_FALSE(world.soft_bodies()[place].has_pins());
+				CHECK(world.soft_bodies()[place].is_active());
+			}
+		} else {
+			++single;
+		}
+	}
+	CHECK(full == 2); // the four that were changed, and four of the five others
+	CHECK(single == 2); // the fifth, and the pinned one
+	CHECK(roster.active_bodies().size() == 10);
+
+	const std::uint64_t version = roster.version();
+	roster.update(world);
+	CHECK(roster.version() == version);
+	world.find(ids[4])->set_pinned(0, false);
+	roster.update(world);
+	CHECK(roster.version() == version + 1);
+	CHECK(roster.crews().size() == 4);
+	world.remove_soft_body(ids[0]);
+	roster.update(world);
+	CHECK(roster.active_bodies().size() == 9);
+}
