@@ -64,6 +64,8 @@ public:
 
 	Real operator[](std::size_t lane) const { return lanes_[lane]; }
 	void set(std::size_t lane, Real value) { lanes_[lane] = value; }
+	const detail::PackReals &lanes() const { return lanes_; }
+	static RealPack of_lanes(detail::PackReals lanes) { return RealPack(lanes); }
 
 #ifdef SOFTBODY_VECTOR_EXTENSION
 	friend RealPack operator+(RealPack a, RealPack b) { return RealPack(a.lanes_ + b.lanes_); }
@@ -103,8 +105,8 @@ public:
 	RealPack &operator*=(RealPack other) { return *this = *this * other; }
 
 private:
-#ifdef SOFTBODY_VECTOR_EXTENSION
 	explicit RealPack(detail::PackReals lanes) : lanes_(lanes) {}
+#ifdef SOFTBODY_VECTOR_EXTENSION
 	void set_all(Real value) { lanes_ = value - detail::PackReals{}; } // minus, as -0 + 0 would lose the sign
 #else
 	void set_all(Real value) { lanes_.fill(value); }

@@ -5,7 +5,10 @@
 #include "core/base/pack.h"
 #include "core/base/real.h"
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace softbody {
 
@@ -80,6 +83,50 @@ inline void set_lane(BasicVec2<RealPack> &pack, std::size_t lane, Vec2 value) {
 	pack.x.set(lane, value.x);
 	pack.y.set(lane, value.y);
 }
+#if defined(SOFTBODY_VECTOR_EXTENSION) && !defined(SOFTBODY_DOUBLE) && __has_builtin(__builtin_shufflevector)
+#define SOFTBODY_SHUFFLES
+namespace detail {
+// Two vectors of floats in a register: whole vectors are moved, where single numbers would take twice the loads.
+typedef std::uint64_t VectorPair __attribute__((vector_size(16)));
+static_assert(PACK_WIDTH == 4 && sizeof(Vec2) == 8);
+inline std::uint64_t bits_of(const Vec2 &vector) {
+	return std::bit_cast<std::uint64_t>(vector);
+}
+} // namespace detail
+#endif
+
+/// Vector i of every lane: lane l is `lanes[l][i]`. The reverse is `scatter`.
+inline BasicVec2<RealPack> gather(const std::array<Vec2 *, PACK_WIDTH> &lanes, std::size_t i) {
+	BasicVec2<RealPack> pack;
+#ifdef SOFTBODY_SHUFFLES
+	const detail::VectorPair low_bits = { detail::bits_of(lanes[0][i]), detail::bits_of(lanes[1][i]) };
+	const detail::VectorPair high_bits = { detail::bits_of(lanes[2][i]), detail::bits_of(lanes[3][i]) };
+	const auto low = std::bit_cast<detail::PackReals>(low_bits);
+	const auto high = std::bit_cast<detail::PackReals>(high_bits);
+	pack.x = RealPack::of_lanes(__builtin_shufflevector(low, high, 0, 2, 4, 6));
+	pack.y = RealPack::of_lanes(__builtin_shufflevector(low, high, 1, 3, 5, 7));
+#else
+	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+		set_lane(pack, lane, lanes[lane][i]);
+	}
+#endif
+	return pack;
+}
+inline void scatter(const BasicVec2<RealPack> &pack, const std::array<Vec2 *, PACK_WIDTH> &lanes, std::size_t i) {
+#ifdef SOFTBODY_SHUFFLES
+	const auto low = std::bit_cast<detail::VectorPair>(__builtin_shufflevector(pack.x.lanes(), pack.y.lanes(), 0, 4, 1, 5));
+	const auto high = std::bit_cast<detail::VectorPair>(__builtin_shufflevector(pack.x.lanes(), pack.y.lanes(), 2, 6, 3, 7));
+	lanes[0][i] = std::bit_cast<Vec2>(low[0]);
+	lanes[1][i] = std::bit_cast<Vec2>(low[1]);
+	lanes[2][i] = std::bit_cast<Vec2>(high[0]);
+	lanes[3][i] = std::bit_cast<Vec2>(high[1]);
+#else
+	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+		lanes[lane][i] = lane_of(pack, lane);
+	}
+#endif
+}
+
 /// The same vector in every lane.
 template <class T>
 BasicVec2<T> in_all_lanes(Vec2 value) {

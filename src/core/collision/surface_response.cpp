@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace softbody {
 
@@ -119,6 +120,8 @@ void answer_border(const BodyLanes<T> &body, const Border &border, Real bounce_t
 	const Surface &surface = border.surface;
 	const T friction(combined_friction(body.model.settings, surface));
 	const Real restitution = combined_restitution(body.model.settings, surface);
+	// Bodies side by side have no bounce to remember.
+	const bool load_matters = std::is_same_v<T, Real> || body.model.settings.rolling_resistance > 0;
 	const BasicVec2<T> normal = in_all_lanes<T>(border.plane.normal);
 	const BasicVec2<T> position = in_all_lanes<T>(border.plane.position);
 	for (std::size_t i = 0; i < body.model.shape.hull_count(); ++i) {
@@ -140,8 +143,10 @@ void answer_border(const BodyLanes<T> &body, const Border &border, Real bounce_t
 		x += select(is_inside, normal * -distance, BasicVec2<T>{}) + select(is_pressing, brake * T(h), BasicVec2<T>{});
 		v += select(is_pressing, normal * normal_change + brake, BasicVec2<T>{});
 		load.contacts += select(is_inside, T(1), T(0));
-		const T impulse = select(is_pressing, normal_change * T(1 / body.inverse_masses[i]), T(0));
-		load.add(impulse, normal, x, surface, restitution);
+		if (load_matters) {
+			const T impulse = select(is_pressing, normal_change * T(1 / body.inverse_masses[i]), T(0));
+			load.add(impulse, normal, x, surface, restitution);
+		}
 	}
 }
 

@@ -11,42 +11,32 @@ namespace softbody {
 
 namespace {
 
-bool has_finite_state(const SoftBodyData &body) {
-	// A sum is finite only if all its terms are; one test instead of four a point.
-	Vec2 sum;
-	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		sum += (body.positions()[i] + body.velocities()[i]) * Real(0);
+// A sum of zeros is zero unless one of them came from what is not finite: one test instead of four a point.
+template <class T>
+MaskOf<T> is_finite_state(std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities) {
+	T sum = T(0);
+	for (std::size_t i = 0; i < positions.size(); ++i) {
+		sum += ((positions[i].x + velocities[i].x) + (positions[i].y + velocities[i].y)) * T(0);
 	}
-	return sum == Vec2{};
-}
-
-void load(std::array<const Vec2 *, PACK_WIDTH> lanes, std::span<BasicVec2<RealPack>> packs) {
-	for (std::size_t i = 0; i < packs.size(); ++i) {
-		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-			set_lane(packs[i], lane, lanes[lane][i]);
-		}
-	}
-}
-
-void store(std::span<const BasicVec2<RealPack>> packs, std::array<Vec2 *, PACK_WIDTH> lanes) {
-	for (std::size_t i = 0; i < packs.size(); ++i) {
-		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-			lanes[lane][i] = lane_of(packs[i], lane);
-		}
-	}
+	return sum < T(1);
 }
 
 } // namespace
 
-void BodyStepper::begin_step(WorldData &world, const SurroundingsIndex &surroundings) {
+void BodyStepper::begin_step(WorldData &world, const SurroundingsIndex &surroundings, bool has_forces) {
 	world_ = &world;
 	surroundings_ = &surroundings;
+	has_forces_ = has_forces;
+	borders_bounce_ = std::ranges::any_of(world.borders(), [](const Border &b) { return b.surface.restitution != 0; });
 	counts_.substeps = 0;
 	counts_.contacts = 0;
 	counts_.non_finite.clear();
 }
 
 void BodyStepper::begin(const Crew &crew) {
+	if (!world_->is_interpolated()) {
+		return;
+	}
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		SoftBodyData &data = body(crew.bodies[lane]);
 		std::ranges::copy(data.positions(), data.mutable_previous_positions().begin());
@@ -58,53 +48,49 @@ void BodyStepper::advance(const Crew &crew, const SubstepPlan &plan, Real durati
 		advance_side_by_side(crew, plan, duration, substeps);
 	} else {
 		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-			advance_alone(body(crew.bodies[lane]), plan, duration, substeps);
+			advance_alone(crew.bodies[lane], plan, duration, substeps);
 		}
 	}
 	counts_.substeps += std::uint64_t(substeps) * crew.count;
 }
 
 bool BodyStepper::can_go_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration) const {
-	if (crew.count < PACK_WIDTH || !integrator_traits(plan.integrator).step_side_by_side) {
-		return false;
+	if (crew.count < PACK_WIDTH || borders_bounce_ || !integrator_traits(plan.integrator).step_side_by_side) {
+		return false; // each body remembers its own bounce
 	}
-	for (const Border &border : world_->borders()) {
-		if (border.surface.restitution != 0) {
-			return false; // each body remembers its own bounce
-		}
-	}
-	for (const std::uint32_t place : crew.bodies) {
-		SoftBodyData &data = body(place);
-		if (!data.external_forces().empty() || data.touch_memory().touching) {
-			return false;
-		}
-		if (!surroundings_->bounds().empty() && surroundings_->has_collider_in(sweep_box(data, duration))) {
-			return false;
+	// Thousands of bodies are many megabytes: what need not be read is left where it is.
+	if (has_forces_ || !surroundings_->bounds().empty()) {
+		for (const std::uint32_t place : crew.bodies) {
+			const SoftBodyData &data = body(place);
+			if (!data.external_forces().empty() || surroundings_->has_collider_in(sweep_box(data, duration))) {
+				return false;
+			}
 		}
 	}
 	return true;
 }
 
 void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps) {
-	SoftBodyData &first = body(crew.bodies[0]);
-	const std::size_t count = first.point_count();
+	const SoftBodyShape &shape = *crew.shape;
+	const std::size_t count = shape.point_count();
 	if (pack_positions_.size() < count) {
 		pack_positions_.resize(count);
 		pack_velocities_.resize(count);
 	}
-	BodyLanes<RealPack> lanes{ { first.shape(), first.settings(), {} }, first.inverse_masses(),
-		{ pack_positions_.data(), count }, { pack_velocities_.data(), count } };
-	std::array<Vec2 *, PACK_WIDTH> positions;
-	std::array<Vec2 *, PACK_WIDTH> velocities;
-	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-		SoftBodyData &data = body(crew.bodies[lane]);
-		positions[lane] = data.mutable_positions().data();
-		velocities[lane] = data.mutable_velocities().data();
-		lanes.model.rotation_memory.c.set(lane, data.rotation_memory().c);
-		lanes.model.rotation_memory.s.set(lane, data.rotation_memory().s);
+	BodyLanes<RealPack> lanes{ { shape, *crew.settings, {} }, shape.inverse_masses(), { pack_positions_.data(), count },
+		{ pack_velocities_.data(), count } };
+	const bool matches_shape = crew.settings->shape_stiffness > 0 || crew.settings->shape_damping > 0;
+	if (matches_shape) {
+		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+			const Rotation memory = body(crew.bodies[lane]).rotation_memory();
+			lanes.model.rotation_memory.c.set(lane, memory.c);
+			lanes.model.rotation_memory.s.set(lane, memory.s);
+		}
 	}
-	load({ positions[0], positions[1], positions[2], positions[3] }, lanes.positions);
-	load({ velocities[0], velocities[1], velocities[2], velocities[3] }, lanes.velocities);
+	for (std::size_t i = 0; i < count; ++i) {
+		lanes.positions[i] = gather(crew.positions, i);
+		lanes.velocities[i] = gather(crew.velocities, i);
+	}
 
 	pack_workspace_.begin_body(count);
 	const LaneStep<RealPack> step = integrator_traits(plan.integrator).step_side_by_side;
@@ -120,15 +106,24 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 			}
 		}
 	}
-	store(lanes.positions, positions);
-	store(lanes.velocities, velocities);
-	const auto frame = measure_frame<RealPack>(first.shape(), lanes.model.rotation_memory, lanes.positions, lanes.velocities);
-	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-		body(crew.bodies[lane]).set_rotation_memory({ frame.rotation.c[lane], frame.rotation.s[lane] });
+	for (std::size_t i = 0; i < count; ++i) {
+		scatter(lanes.positions[i], crew.positions, i);
+		scatter(lanes.velocities[i], crew.velocities, i);
+	}
+	const PackMask finite = is_finite_state<RealPack>(lanes.positions, lanes.velocities);
+	if (any(!finite)) {
+		check(crew);
+	}
+	if (matches_shape && !any(!finite)) {
+		const auto frame = measure_frame<RealPack>(shape, lanes.model.rotation_memory, lanes.positions, lanes.velocities);
+		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+			body(crew.bodies[lane]).set_rotation_memory({ frame.rotation.c[lane], frame.rotation.s[lane] });
+		}
 	}
 }
 
-void BodyStepper::advance_alone(SoftBodyData &data, const SubstepPlan &plan, Real duration, int substeps) {
+void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Real duration, int substeps) {
+	SoftBodyData &data = body(place);
 	const std::size_t count = data.point_count();
 	workspace_.begin_body(count);
 	before_.resize(std::max(before_.size(), count));
@@ -151,20 +146,35 @@ void BodyStepper::advance_alone(SoftBodyData &data, const SubstepPlan &plan, Rea
 			workspace_.forces_are_current = false;
 		}
 	}
-	data.set_rotation_memory(measure_frame(data).rotation); // the memory itself where it is not defined
+	if (!is_finite_state<Real>(data.positions(), data.velocities())) {
+		reset(place);
+	}
+	if (data.settings().shape_stiffness > 0 || data.settings().shape_damping > 0) {
+		data.set_rotation_memory(measure_frame(data).rotation); // the memory itself where it is not defined
+	}
 }
 
 void BodyStepper::end(const Crew &crew) {
+	for (std::uint32_t lane = 0; has_forces_ && lane < crew.count; ++lane) {
+		body(crew.bodies[lane]).clear_external_forces();
+	}
+}
+
+void BodyStepper::check(const Crew &crew) {
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-		SoftBodyData &data = body(crew.bodies[lane]);
-		data.clear_external_forces();
-		if (!has_finite_state(data)) {
-			std::ranges::copy(data.previous_positions(), data.mutable_positions().begin());
-			std::ranges::fill(data.mutable_velocities(), Vec2{});
-			data.touch_memory() = {};
-			counts_.non_finite.push_back(crew.bodies[lane]);
+		const std::size_t count = crew.shape->point_count();
+		if (!is_finite_state<Real>({ crew.positions[lane], count }, { crew.velocities[lane], count })) {
+			reset(crew.bodies[lane]);
 		}
 	}
+}
+
+void BodyStepper::reset(std::uint32_t place) {
+	SoftBodyData &data = body(place);
+	std::ranges::copy(data.previous_positions(), data.mutable_positions().begin());
+	std::ranges::fill(data.mutable_velocities(), Vec2{});
+	data.touch_memory() = {};
+	counts_.non_finite.push_back(place);
 }
 
 } // namespace softbody

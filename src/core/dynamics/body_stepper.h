@@ -26,27 +26,32 @@ struct StepCounts {
 /// the largest body and then stays.
 class BodyStepper {
 public:
-	/// `world` and `surroundings` must outlive the stepper's use.
-	void begin_step(WorldData &world, const SurroundingsIndex &surroundings);
+	/// `world` and `surroundings` must outlive the stepper's use. `has_forces`: whether any body has queued forces.
+	void begin_step(WorldData &world, const SurroundingsIndex &surroundings, bool has_forces);
 
 	/// Keeps the positions from which the step starts.
 	void begin(const Crew &crew);
 	/// Advances by `duration` [s] in `substeps` substeps of the plan's method, each ended by the contacts with the
-	/// surroundings.
+	/// surroundings. Resets what is no longer finite.
 	void advance(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
-	/// Forgets external forces, remembers the rotation, and resets what is no longer finite.
+	/// Forgets external forces.
 	void end(const Crew &crew);
+	/// Resets the bodies that are no longer finite, after something else than `advance` has moved them.
+	void check(const Crew &crew);
 
 	StepCounts &counts() { return counts_; }
 
 private:
-	void advance_alone(SoftBodyData &body, const SubstepPlan &plan, Real duration, int substeps);
+	void advance_alone(std::uint32_t place, const SubstepPlan &plan, Real duration, int substeps);
 	void advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
 	bool can_go_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration) const;
+	void reset(std::uint32_t place);
 	SoftBodyData &body(std::uint32_t place) const { return world_->soft_bodies()[place]; }
 
 	WorldData *world_ = nullptr;
 	const SurroundingsIndex *surroundings_ = nullptr;
+	bool has_forces_ = false;
+	bool borders_bounce_ = false;
 	CollisionHandling collision_;
 	StepCounts counts_;
 	IntegratorWorkspace workspace_;

@@ -10,62 +10,100 @@ namespace {
 
 // Lanes share inverse masses, XPBD bodies differ in how long their passes take, and a bounce is remembered by
 // each body for itself.
-bool can_share_a_crew(const SoftBodyData &body) {
-	return !body.has_pins() && body.settings().integrator != Integrator::XPBD && body.settings().restitution == 0;
+bool can_share_a_crew(SoftBodyData &body) {
+	return !body.has_pins() && !body.touch_memory().touching && body.settings().integrator != Integrator::XPBD &&
+			body.settings().restitution == 0;
 }
+
+void join(Crew &crew, std::uint32_t place, SoftBodyData &body) {
+	if (crew.count == 0) {
+		crew.shape = &body.shape();
+		crew.settings = &body.settings();
+	}
+	crew.bodies[crew.count] = place;
+	crew.positions[crew.count] = body.mutable_positions().data();
+	crew.velocities[crew.count] = body.mutable_velocities().data();
+	crew.count++;
+}
+
+Crew alone(std::uint32_t place, SoftBodyData &body) {
+	Crew crew;
+	join(crew, place, body);
+	return crew;
+}
+
+/// The crews that are being filled: of each shape as many as there are different settings.
+class Openings {
+public:
+	Crew &find(SoftBodyData &body) {
+		const auto [entry, is_new] = of_shape_.try_emplace(&body.shape(), crews_.size());
+		std::size_t *link = &entry->second;
+		while (!is_new && *link != NONE) {
+			Entry &candidate = crews_[*link];
+			if (*candidate.settings == body.settings()) {
+				return candidate.crew;
+			}
+			link = &candidate.next;
+		}
+		*link = crews_.size();
+		return crews_.emplace_back(Entry{ {}, &body.settings(), NONE }).crew;
+	}
+
+	/// In the order in which they were opened; that of the map would differ from run to run.
+	template <class Work>
+	void for_each(const Work &work) const {
+		for (const Entry &entry : crews_) {
+			work(entry.crew);
+		}
+	}
+
+private:
+	static constexpr std::size_t NONE = SIZE_MAX;
+	struct Entry {
+		Crew crew;
+		const BodySettings *settings;
+		std::size_t next; ///< another of the same shape
+	};
+	std::unordered_map<const SoftBodyShape *, std::size_t> of_shape_;
+	std::vector<Entry> crews_;
+};
 
 } // namespace
 
-void Roster::update(const WorldData &world) {
-	if (version_ > 0 && seen_change_count_ == world.change_count()) {
+void Roster::update(WorldData &world) {
+	if (version_ > 0 && seen_arrangement_ == world.change_counts().arrangement) {
 		return;
 	}
-	seen_change_count_ = world.change_count();
+	seen_arrangement_ = world.change_counts().arrangement;
 	++version_;
 	crews_.clear();
 	active_.clear();
-	// The crew being filled for each shape, and the next one for the same shape with other settings.
-	struct Opening {
-		Crew crew;
-		const BodySettings *settings;
-	};
-	std::unordered_map<const SoftBodyShape *, std::vector<Opening>> openings;
-	std::vector<const SoftBodyShape *> shapes; // in order of appearance: the map's own order is no order
-	const std::span<const SoftBodyData> bodies = world.soft_bodies();
+	inactive_.clear();
+	Openings openings;
+	const std::span<SoftBodyData> bodies = world.soft_bodies();
 	for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-		const SoftBodyData &body = bodies[i];
+		SoftBodyData &body = bodies[i];
 		if (!body.is_active()) {
+			inactive_.push_back(i);
 			continue;
 		}
 		active_.push_back(i);
 		if (!can_share_a_crew(body)) {
-			crews_.push_back({ { i }, 1 });
+			crews_.push_back(alone(i, body));
 			continue;
 		}
-		std::vector<Opening> &of_shape = openings[&body.shape()];
-		if (of_shape.empty()) {
-			shapes.push_back(&body.shape());
-		}
-		Opening *opening = nullptr;
-		for (Opening &candidate : of_shape) {
-			opening = *candidate.settings == body.settings() ? &candidate : opening;
-		}
-		if (!opening) {
-			opening = &of_shape.emplace_back(Opening{ { {}, 0 }, &body.settings() });
-		}
-		opening->crew.bodies[opening->crew.count++] = i;
-		if (opening->crew.count == PACK_WIDTH) {
-			crews_.push_back(opening->crew);
-			opening->crew.count = 0;
+		Crew &crew = openings.find(body);
+		join(crew, i, body);
+		if (crew.count == PACK_WIDTH) {
+			crews_.push_back(crew);
+			crew.count = 0;
 		}
 	}
-	for (const SoftBodyShape *shape : shapes) {
-		for (const Opening &opening : openings[shape]) {
-			for (std::uint32_t lane = 0; lane < opening.crew.count; ++lane) {
-				crews_.push_back({ { opening.crew.bodies[lane] }, 1 });
-			}
+	openings.for_each([&](const Crew &crew) {
+		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+			crews_.push_back(alone(crew.bodies[lane], bodies[crew.bodies[lane]]));
 		}
-	}
+	});
 }
 
 } // namespace softbody

@@ -15,26 +15,33 @@ namespace softbody {
 /// Bodies that are stepped together: PACK_WIDTH of one shape and equal settings, or a single one.
 struct Crew {
 	std::array<std::uint32_t, PACK_WIDTH> bodies{}; ///< places in `WorldData::soft_bodies()`
-	std::uint32_t count = 1; ///< PACK_WIDTH or 1
+	std::uint32_t count = 0; ///< PACK_WIDTH or 1
+	// Of the bodies, as long as nothing is rearranged: the step then need not read the bodies themselves.
+	const SoftBodyShape *shape = nullptr;
+	const BodySettings *settings = nullptr; ///< of the first body
+	std::array<Vec2 *, PACK_WIDTH> positions{};
+	std::array<Vec2 *, PACK_WIDTH> velocities{};
 };
 
 /// Divides the active bodies of a world into crews. Thousands of like bodies are the common scene, and side by
 /// side they take a third of the time; what does not fit (another shape, pins) is stepped alone, with the same
-/// result. Made anew only when `WorldData::change_count()` has moved.
+/// result. Made anew only when an arrangement of `WorldData::change_counts()` is counted.
 class Roster {
 public:
 	/// Does nothing while the world has not changed. O(bodies).
-	void update(const WorldData &world);
+	void update(WorldData &world);
 	std::span<const Crew> crews() const { return crews_; }
 	/// Active bodies, in the order of the world's storage.
 	std::span<const std::uint32_t> active_bodies() const { return active_; }
+	std::span<const std::uint32_t> inactive_bodies() const { return inactive_; }
 	/// Moves with every division made.
 	std::uint64_t version() const { return version_; }
 
 private:
 	std::vector<Crew> crews_;
 	std::vector<std::uint32_t> active_;
-	std::uint64_t seen_change_count_ = 0;
+	std::vector<std::uint32_t> inactive_;
+	std::uint64_t seen_arrangement_ = 0;
 	std::uint64_t version_ = 0;
 };
 

@@ -54,6 +54,7 @@ private:
 	SurroundingsIndex surroundings_;
 	std::vector<BodyStepper> steppers_; ///< one a task, so that no two threads share scratch memory
 	std::vector<SubstepPlan> plans_; ///< one a crew
+	std::uint64_t seen_forces_ = 0;
 	std::uint64_t planned_roster_ = 0;
 	Real planned_dt_ = 0;
 	bool planned_with_contacts_ = false;

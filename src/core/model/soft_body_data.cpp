@@ -2,6 +2,7 @@
 // Creation and checked changes of a soft body's state.
 #include "core/model/soft_body_data.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -33,14 +34,12 @@ Result<SoftBodyData> SoftBodyData::create(std::shared_ptr<const SoftBodyShape> s
 	SoftBodyData body;
 	body.settings_ = settings;
 	const std::size_t count = shape->point_count();
-	body.positions_.reserve(count);
-	body.inverse_masses_.reserve(count);
-	for (std::size_t i = 0; i < count; ++i) {
-		body.positions_.push_back(pose.apply(shape->rest_positions()[i] + shape->origin_offset()));
-		body.inverse_masses_.push_back(1 / shape->masses()[i]);
+	body.previous_positions_.reserve(count);
+	for (const Vec2 rest : shape->rest_positions()) {
+		body.previous_positions_.push_back(pose.apply(rest + shape->origin_offset()));
 	}
-	body.previous_positions_ = body.positions_;
-	body.velocities_.assign(count, Vec2{});
+	body.state_.assign(2 * count, Vec2{});
+	std::ranges::copy(body.previous_positions_, body.state_.begin());
 	body.rotation_memory_ = pose.rotation;
 	body.shape_ = std::move(shape);
 	return body;
@@ -48,7 +47,7 @@ Result<SoftBodyData> SoftBodyData::create(std::shared_ptr<const SoftBodyShape> s
 
 void SoftBodyData::note_change() {
 	if (changes_) {
-		++*changes_;
+		++changes_->arrangement;
 	}
 }
 
@@ -75,9 +74,9 @@ Status SoftBodyData::set_shape(std::shared_ptr<const SoftBodyShape> shape) {
 					std::to_string(shape_->hull_count()) + " hull points",
 			"remove the body and create another" };
 	}
-	for (std::size_t i = 0; i < inverse_masses_.size(); ++i) {
-		if (inverse_masses_[i] != 0) {
-			inverse_masses_[i] = 1 / shape->masses()[i];
+	for (std::size_t i = 0; i < pinned_inverse_masses_.size(); ++i) {
+		if (pinned_inverse_masses_[i] != 0) {
+			pinned_inverse_masses_[i] = shape->inverse_masses()[i];
 		}
 	}
 	shape_ = std::move(shape);
@@ -86,7 +85,7 @@ Status SoftBodyData::set_shape(std::shared_ptr<const SoftBodyShape> shape) {
 }
 
 Point2D SoftBodyData::point(std::size_t index) const {
-	Point2D point{ positions_[index], velocities_[index], {}, shape_->masses()[index], inverse_masses_[index] };
+	Point2D point{ positions()[index], velocities()[index], {}, shape_->masses()[index], inverse_masses()[index] };
 	for (const ExternalForce &external : external_forces_) {
 		if (external.point == index) {
 			point.force += external.force;
@@ -112,6 +111,9 @@ Status SoftBodyData::add_external_force(std::uint32_t point, Vec2 force) {
 		return status;
 	}
 	external_forces_.push_back({ point, force });
+	if (changes_) {
+		++changes_->forces;
+	}
 	return {};
 }
 
@@ -119,7 +121,7 @@ Status SoftBodyData::apply_impulse(std::uint32_t point, Vec2 impulse) {
 	if (Status status = check_point(point, "impulse", impulse)) {
 		return status;
 	}
-	velocities_[point] += impulse * inverse_masses_[point];
+	mutable_velocities()[point] += impulse * inverse_masses()[point];
 	return {};
 }
 
@@ -130,8 +132,8 @@ Status SoftBodyData::set_point(std::uint32_t point, Vec2 position, Vec2 velocity
 	if (Status status = check_point(point, "velocity", velocity)) {
 		return status;
 	}
-	positions_[point] = position;
-	velocities_[point] = velocity;
+	mutable_positions()[point] = position;
+	mutable_velocities()[point] = velocity;
 	return {};
 }
 
@@ -139,12 +141,19 @@ Status SoftBodyData::set_pinned(std::uint32_t point, bool pinned) {
 	if (Status status = check_point(point, "position", {})) {
 		return status;
 	}
-	pin_count_ += std::uint32_t(pinned) - std::uint32_t(inverse_masses_[point] == 0);
-	note_change();
-	inverse_masses_[point] = pinned ? Real(0) : 1 / shape_->masses()[point];
-	if (pinned) {
-		velocities_[point] = {};
+	if (pinned && !has_pins()) {
+		pinned_inverse_masses_.assign(shape_->inverse_masses().begin(), shape_->inverse_masses().end());
 	}
+	if (pinned) {
+		pinned_inverse_masses_[point] = 0;
+		mutable_velocities()[point] = {};
+	} else if (has_pins()) {
+		pinned_inverse_masses_[point] = shape_->inverse_masses()[point];
+		if (std::ranges::find(pinned_inverse_masses_, Real(0)) == pinned_inverse_masses_.end()) {
+			pinned_inverse_masses_.clear();
+		}
+	}
+	note_change();
 	return {};
 }
 
@@ -154,8 +163,8 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 			return status;
 		}
 	}
-	for (std::vector<Vec2> *points : { &positions_, &previous_positions_ }) {
-		for (Vec2 &p : *points) {
+	for (const std::span<Vec2> points : { mutable_positions(), mutable_previous_positions() }) {
+		for (Vec2 &p : points) {
 			p = pose.apply(reference.apply_inverse(p));
 		}
 	}

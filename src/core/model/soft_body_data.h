@@ -39,6 +39,12 @@ struct TouchMemory {
 	Vec2 surface_velocity; ///< [length/s]
 };
 
+/// How often bodies were changed from outside, so that a step need not ask each of them.
+struct ChangeCounts {
+	std::uint64_t arrangement = 0; ///< shape, settings, pins, activity: what the order of stepping depends on
+	std::uint64_t forces = 0; ///< external forces queued
+};
+
 /// One soft body of the world: a shared shape, its settings, and the state that a step advances.
 /// Spans stay valid until the body's shape is replaced or the body is removed.
 class SoftBodyData {
@@ -55,12 +61,14 @@ public:
 	/// Replaces springs and masses; the state stays. Refuses another number of points or hull points.
 	Status set_shape(std::shared_ptr<const SoftBodyShape> shape);
 
-	std::size_t point_count() const { return positions_.size(); }
-	std::span<const Vec2> positions() const { return positions_; }
-	std::span<const Vec2> velocities() const { return velocities_; }
-	std::span<const Vec2> hull() const { return { positions_.data(), shape_->hull_count() }; }
-	std::span<const Real> inverse_masses() const { return inverse_masses_; }
-	/// Positions at the start of the last step, for interpolated drawing.
+	std::size_t point_count() const { return previous_positions_.size(); }
+	std::span<const Vec2> positions() const { return { state_.data(), point_count() }; }
+	std::span<const Vec2> velocities() const { return { state_.data() + point_count(), point_count() }; }
+	std::span<const Vec2> hull() const { return { state_.data(), shape_->hull_count() }; }
+	std::span<const Real> inverse_masses() const {
+		return pinned_inverse_masses_.empty() ? shape_->inverse_masses() : pinned_inverse_masses_;
+	}
+	/// Positions at the start of the last step, for interpolated drawing (see `WorldData::set_interpolated`).
 	std::span<const Vec2> previous_positions() const { return previous_positions_; }
 	/// Everything about one point. Precondition: index < point_count().
 	Point2D point(std::size_t index) const;
@@ -86,17 +94,17 @@ public:
 	const std::vector<ExternalForce> &external_forces() const { return external_forces_; }
 
 	/// Whether any point is pinned.
-	bool has_pins() const { return pin_count_ > 0; }
-	/// The counter goes up with every change of shape, settings, pins or activity: of what the order of
-	/// stepping depends on. `WorldData` gives its bodies a common one.
-	void set_change_counter(std::shared_ptr<std::uint64_t> counter) { changes_ = std::move(counter); }
+	bool has_pins() const { return !pinned_inverse_masses_.empty(); }
+	/// `WorldData` gives its bodies a common count of changes.
+	void set_change_counts(std::shared_ptr<ChangeCounts> counts) { changes_ = std::move(counts); }
 
 	// State access of the step (dynamics and collision); not for users of the core.
-	std::span<Vec2> mutable_positions() { return positions_; }
-	std::span<Vec2> mutable_velocities() { return velocities_; }
+	std::span<Vec2> mutable_positions() { return { state_.data(), point_count() }; }
+	std::span<Vec2> mutable_velocities() { return { state_.data() + point_count(), point_count() }; }
 	std::span<Vec2> mutable_previous_positions() { return previous_positions_; }
 	void clear_external_forces() { external_forces_.clear(); }
-	/// Last well-defined orientation; see `measure_frame`.
+	/// Last well-defined orientation; see `measure_frame`. The step keeps it for bodies with shape matching, whose
+	/// motion depends on it; for others, whoever measures the frame may.
 	Rotation rotation_memory() const { return rotation_memory_; }
 	void set_rotation_memory(Rotation rotation) { rotation_memory_ = rotation; }
 	TouchMemory &touch_memory() { return touch_memory_; }
@@ -108,15 +116,13 @@ private:
 
 	std::shared_ptr<const SoftBodyShape> shape_;
 	BodySettings settings_;
-	std::vector<Vec2> positions_;
-	std::vector<Vec2> velocities_;
+	std::vector<Vec2> state_; ///< positions, then velocities: a step reads and writes both, and nothing else
 	std::vector<Vec2> previous_positions_;
-	std::vector<Real> inverse_masses_;
+	std::vector<Real> pinned_inverse_masses_; ///< empty while nothing is pinned: then those of the shape hold
 	std::vector<ExternalForce> external_forces_;
 	Rotation rotation_memory_;
 	TouchMemory touch_memory_;
-	std::shared_ptr<std::uint64_t> changes_;
-	std::uint32_t pin_count_ = 0;
+	std::shared_ptr<ChangeCounts> changes_;
 	bool active_ = true;
 };
 

@@ -112,6 +112,10 @@ void SoftBodyShape::derive() {
 		x += double(masses_[i]) * rest_positions_[i].x;
 		y += double(masses_[i]) * rest_positions_[i].y;
 	}
+	inverse_masses_.clear();
+	for (const Real each : masses_) {
+		inverse_masses_.push_back(1 / each);
+	}
 	const Vec2 centre{ Real(x / mass), Real(y / mass) };
 	origin_offset_ += centre;
 	total_mass_ = Real(mass);

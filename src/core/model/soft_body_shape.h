@@ -36,6 +36,7 @@ public:
 	std::span<const Vec2> rest_positions() const { return rest_positions_; }
 	std::span<const Vec2> rest_hull() const { return { rest_positions_.data(), hull_count_ }; }
 	std::span<const Real> masses() const { return masses_; }
+	std::span<const Real> inverse_masses() const { return inverse_masses_; } ///< [1/mass]
 	std::span<const Spring2D> springs() const { return springs_; }
 	std::size_t point_count() const { return rest_positions_.size(); }
 	std::size_t hull_count() const { return hull_count_; }
@@ -72,6 +73,7 @@ private:
 
 	std::vector<Vec2> rest_positions_;
 	std::vector<Real> masses_;
+	std::vector<Real> inverse_masses_;
 	std::vector<Spring2D> springs_;
 	std::size_t hull_count_ = 0;
 	Vec2 origin_offset_;

@@ -32,10 +32,10 @@ BodyId WorldData::add_soft_body(SoftBodyData body) {
 	free_slots_.pop_back();
 	slots_[slot].dense = std::uint32_t(bodies_.size());
 	const BodyId id{ slot, slots_[slot].generation };
-	body.set_change_counter(changes_);
+	body.set_change_counts(changes_);
 	bodies_.push_back(std::move(body));
 	ids_.push_back(id);
-	++*changes_;
+	++changes_->arrangement;
 	return id;
 }
 
@@ -54,7 +54,7 @@ bool WorldData::remove_soft_body(BodyId id) {
 	slots_[id.index].dense = UINT32_MAX;
 	slots_[id.index].generation++;
 	free_slots_.push_back(id.index);
-	++*changes_;
+	++changes_->arrangement;
 	return true;
 }
 

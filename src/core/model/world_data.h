@@ -44,8 +44,11 @@ public:
 	/// Id of the body stored at `index` of `soft_bodies()`.
 	BodyId id_at(std::size_t index) const { return ids_[index]; }
 
-	/// Goes up whenever bodies come, go, or change what the order of stepping depends on.
-	std::uint64_t change_count() const { return *changes_; }
+	/// How often bodies came, went, or were changed.
+	const ChangeCounts &change_counts() const { return *changes_; }
+	/// Whether the step keeps the positions that it starts from, for interpolated drawing. Default true.
+	bool is_interpolated() const { return interpolated_; }
+	void set_interpolated(bool interpolated) { interpolated_ = interpolated; }
 
 	const std::vector<Border> &borders() const { return borders_; }
 	const std::vector<ConvexCollider> &colliders() const { return colliders_; }
@@ -60,9 +63,10 @@ private:
 		std::uint32_t generation = 0;
 	};
 
-	std::shared_ptr<std::uint64_t> changes_ = std::make_shared<std::uint64_t>(0);
+	std::shared_ptr<ChangeCounts> changes_ = std::make_shared<ChangeCounts>();
 	Vec2 gravity_{ 0, 0 };
 	Real length_unit_ = 1;
+	bool interpolated_ = true;
 	std::vector<SoftBodyData> bodies_;
 	std::vector<BodyId> ids_;
 	std::vector<Slot> slots_;
