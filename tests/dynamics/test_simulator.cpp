@@ -189,8 +189,8 @@ TEST_CASE("a body's step does not depend on the bodies before it") {
 TEST_CASE("the report counts substeps of active bodies, and the plan says how many") {
 	WorldData world;
 	const BodyId first = world.add_soft_body(thesis_body(thesis_shape(), fixed_substeps(3)));
-	world.add_soft_body(thesis_body(thesis_shape(), fixed_substeps(5)));
-	const BodyId third = world.add_soft_body(thesis_body(thesis_shape()));
+	world.add_soft_body(thesis_body(thesis_shape(), fixed_substeps(5), { { 5, 0 }, {} }));
+	const BodyId third = world.add_soft_body(thesis_body(thesis_shape(), {}, { { 10, 0 }, {} }));
 	Simulator simulator(world);
 	const int planned = simulator.plan(*world.find(third), Real(0.01)).substeps;
 	CHECK(simulator.simulate(Real(0.01)).substeps == std::uint64_t(3 + 5 + planned));

@@ -21,6 +21,10 @@ inline constexpr int MAX_SUBSTEPS = 64;
 /// found once a substep, and below four a resting body visibly sinks and creeps.
 inline constexpr int MIN_CONTACT_SUBSTEPS = 4;
 
+/// Most substeps in which bodies that touch one another look for contacts because one of them needs as many force
+/// substeps [1]. Stiffer bodies take several force substeps in each.
+inline constexpr int MAX_CONTACT_SUBSTEPS = 16;
+
 /// Stability budget S of the substep rule h²Ω² + 2hΓ <= S² [1]. 2 is the limit of the linear
 /// theory and fails for crumpled bodies. Of 2500 random crumpled bodies (`bench.sh auto`) none becomes
 /// non-finite or doubles its energy at 1.3, with 1.9 times the fewest substeps that a search finds safe.

@@ -148,6 +148,19 @@ inline bool any(PackMask mask) {
 	return found;
 }
 
+/// Bit l is the answer of lane l.
+inline std::uint32_t bits(PackMask mask) {
+#if defined(SOFTBODY_VECTOR_EXTENSION) && defined(__SSE__) && !defined(SOFTBODY_DOUBLE)
+	return std::uint32_t(__builtin_ia32_movmskps(std::bit_cast<detail::PackReals>(mask.lanes)));
+#else
+	std::uint32_t result = 0;
+	for (std::size_t i = 0; i < PACK_WIDTH; ++i) {
+		result |= std::uint32_t(mask[i] != 0) << i;
+	}
+	return result;
+#endif
+}
+
 // The same for a single scalar, so that code for any T compiles for `Real`.
 inline Real select(bool mask, Real yes, Real no) {
 	return mask ? yes : no;

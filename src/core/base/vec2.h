@@ -96,7 +96,8 @@ inline std::uint64_t bits_of(const Vec2 &vector) {
 #endif
 
 /// Vector i of every lane: lane l is `lanes[l][i]`. The reverse is `scatter`.
-inline BasicVec2<RealPack> gather(const std::array<Vec2 *, PACK_WIDTH> &lanes, std::size_t i) {
+template <class V> // `Vec2` or `const Vec2`
+BasicVec2<RealPack> gather(const std::array<V *, PACK_WIDTH> &lanes, std::size_t i) {
 	BasicVec2<RealPack> pack;
 #ifdef SOFTBODY_SHUFFLES
 	const detail::VectorPair low_bits = { detail::bits_of(lanes[0][i]), detail::bits_of(lanes[1][i]) };
@@ -125,6 +126,11 @@ inline void scatter(const BasicVec2<RealPack> &pack, const std::array<Vec2 *, PA
 		lanes[lane][i] = lane_of(pack, lane);
 	}
 #endif
+}
+
+/// The PACK_WIDTH vectors that begin at `first`.
+inline BasicVec2<RealPack> consecutive(const Vec2 *first) {
+	return gather<const Vec2>({ first, first + 1, first + 2, first + 3 }, 0);
 }
 
 /// The same vector in every lane.

@@ -74,26 +74,30 @@ bool SurroundingsIndex::has_collider_in(const Aabb &box) const {
 
 namespace {
 
-// The box may be outgrown within the step, as springs accelerate points.
-Real sweep_margin(const SoftBodyData &body, Real dt) {
-	Real fastest = 0;
-	for (const Vec2 v : body.velocities()) {
-		fastest = std::max(fastest, length_squared(v));
+Real fastest(std::span<const Vec2> velocities) {
+	Real most = 0;
+	for (const Vec2 v : velocities) {
+		most = std::max(most, length_squared(v));
 	}
-	return std::sqrt(fastest) * dt + body.shape().radius() / 4;
+	return std::sqrt(most);
 }
 
 } // namespace
 
-Aabb sweep_box(const SoftBodyData &body, Real dt) {
-	return bounding_box(body.hull()).grown(sweep_margin(body, dt));
+// The box may be outgrown within the step, as springs accelerate points.
+Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt) {
+	Aabb box = bounding_box(hull);
+	const Vec2 size = box.max - box.min;
+	const Real way = fastest(velocities) * dt;
+	// A body that is about to be reset must not be near everything.
+	return std::isfinite(way) ? box.grown(way + std::max(size.x, size.y) / 16) : box;
 }
 
 void CollisionHandling::begin_body(const SurroundingsIndex &surroundings, const SoftBodyData &body, Real dt) {
 	surroundings_ = &surroundings;
 	nearby_.clear();
 	if (!surroundings.bounds().empty()) {
-		margin_ = sweep_margin(body, dt);
+		margin_ = fastest(body.velocities()) * dt + body.shape().radius() / 4;
 		gather(body, margin_);
 	}
 }

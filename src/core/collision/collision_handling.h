@@ -62,7 +62,7 @@ private:
 };
 
 /// The box in which a body that moves as fast as now stays for `dt` [s], and some more.
-Aabb sweep_box(const SoftBodyData &body, Real dt);
+Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt);
 
 /// Contacts of bodies side by side with borders alone: the same as `CollisionHandling::handle` where nothing
 /// bounces and no collider is near. Returns how many it answered in each lane.

@@ -62,7 +62,7 @@ bool BodyStepper::can_go_side_by_side(const Crew &crew, const SubstepPlan &plan,
 	if (has_forces_ || !surroundings_->bounds().empty()) {
 		for (const std::uint32_t place : crew.bodies) {
 			const SoftBodyData &data = body(place);
-			if (!data.external_forces().empty() || surroundings_->has_collider_in(sweep_box(data, duration))) {
+			if (!data.external_forces().empty() || surroundings_->has_collider_in(sweep_box(data.hull(), data.velocities(), duration))) {
 				return false;
 			}
 		}

@@ -4,13 +4,17 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel_for.h"
+#include "core/collision/broad_phase.h"
 #include "core/collision/collision_handling.h"
+#include "core/collision/pair_handling.h"
 #include "core/dynamics/body_stepper.h"
 #include "core/dynamics/roster.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/model/world_data.h"
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace softbody {
@@ -19,15 +23,17 @@ namespace softbody {
 struct StepReport {
 	Status refused; ///< set when `dt` was refused; then nothing moved
 	std::uint64_t substeps = 0; ///< body-substeps, summed over bodies
-	std::uint64_t contacts = 0; ///< contacts answered, summed over substeps
+	std::uint64_t contacts = 0; ///< contacts with the surroundings answered, summed over substeps
+	std::uint64_t pair_contacts = 0; ///< contacts between bodies answered, summed over substeps
 	/// Bodies whose state became non-finite in this step. Each was put back to where it was before the
 	/// step, at rest; the others are untouched.
 	std::vector<BodyId> reset_bodies;
 };
 
-/// Steps a world (thesis 4.4.2, "Simulator"): per substep it evaluates forces, integrates, and answers contacts
-/// with the surroundings. Owns nothing but scratch memory, which grows to the largest body and then stays: a step
-/// allocates nothing once warm.
+/// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
+/// other. Bodies that may touch one another take the world's contact substeps together: in each of them every
+/// body advances, in as many force substeps as it needs, and then contacts between bodies are answered. Owns nothing but
+/// scratch memory, which grows with the world and then stays: a step allocates nothing once warm.
 class Simulator {
 public:
 	/// `world` must outlive the simulator. With `parallel_for` the work of a step is divided; its results are the
@@ -38,26 +44,49 @@ public:
 	/// are then forgotten.
 	StepReport simulate(Real dt);
 
-	/// What `simulate(dt)` would choose for a body.
+	/// What `simulate(dt)` would choose for a body. One that may touch another takes at least the contact substeps.
 	SubstepPlan plan(const SoftBodyData &body, Real dt) const;
 
 private:
-	void update_plans(Real dt);
-	/// Calls `work(stepper, crew index)` for every crew, divided over the steppers.
+	/// Where a crew's bodies stand in the lists below, and whether they take their substeps together with others.
+	struct CrewState {
+		SubstepPlan plan;
+		std::array<std::uint32_t, PACK_WIDTH> rows{}; ///< of `touching_`
+		bool is_coupled = false;
+	};
+
+	void arrange(Real dt);
+	void find_pairs(Real dt);
+	void step_coupled(Real dt);
+	void answer_pairs();
+	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
-	void for_all_crews(const Work &work);
+	void for_crews(std::span<const std::uint32_t> crews, const Work &work);
 	void collect(StepReport &report);
 
 	WorldData &world_;
 	ParallelFor parallel_for_;
 	Roster roster_;
 	SurroundingsIndex surroundings_;
-	std::vector<BodyStepper> steppers_; ///< one a task, so that no two threads share scratch memory
-	std::vector<SubstepPlan> plans_; ///< one a crew
+	BroadPhase broad_phase_;
+	// One a task, so that no two threads share scratch memory.
+	std::vector<BodyStepper> steppers_;
+	std::vector<PairHandling> pair_handlings_;
+	std::vector<std::uint64_t> pair_contacts_;
+
+	std::vector<CrewState> crews_; ///< one a crew of the roster
+	std::vector<std::uint32_t> free_crews_;
+	std::vector<std::uint32_t> coupled_crews_;
+	// One an active body.
+	std::vector<TouchingBody> touching_;
+	std::vector<BroadPhaseBody> broad_;
+	std::vector<char> has_pair_;
+
 	std::uint64_t seen_forces_ = 0;
-	std::uint64_t planned_roster_ = 0;
-	Real planned_dt_ = 0;
-	bool planned_with_contacts_ = false;
+	std::uint64_t arranged_roster_ = 0;
+	Real arranged_dt_ = 0;
+	bool arranged_with_contacts_ = false;
+	bool bodies_notice_bodies_ = false;
 };
 
 } // namespace softbody

@@ -2,6 +2,7 @@
 // Storage of bodies under stable ids, and of their surroundings.
 #include "core/model/world_data.h"
 
+#include <string>
 #include <utility>
 
 namespace softbody {
@@ -20,6 +21,15 @@ Status WorldData::set_length_unit(Real length_unit) {
 		return status;
 	}
 	length_unit_ = length_unit;
+	return {};
+}
+
+Status WorldData::set_contact_substeps(int contact_substeps) {
+	if (contact_substeps < 1 || contact_substeps > MAX_SUBSTEPS) {
+		return Error{ "contact_substeps", std::to_string(contact_substeps),
+			"must be from 1 to " + std::to_string(MAX_SUBSTEPS), "4 to 8 hold an ordinary pile" };
+	}
+	contact_substeps_ = contact_substeps;
 	return {};
 }
 

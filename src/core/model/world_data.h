@@ -2,6 +2,7 @@
 // Everything a simulation contains: gravity, bodies, and the surroundings they rest on.
 #pragma once
 
+#include "core/base/constants.h"
 #include "core/base/error.h"
 #include "core/base/vec2.h"
 #include "core/model/soft_body_data.h"
@@ -32,6 +33,11 @@ public:
 	/// How many world units make a metre [length/m], > 0: tolerances scale with it. Default 1.
 	Real length_unit() const { return length_unit_; }
 	Status set_length_unit(Real length_unit);
+
+	/// Substeps a step in which bodies that may touch one another advance together, 1..MAX_SUBSTEPS. More: less
+	/// penetration and stiffer piles, at a cost that grows as fast. Default MIN_CONTACT_SUBSTEPS.
+	int contact_substeps() const { return contact_substeps_; }
+	Status set_contact_substeps(int contact_substeps);
 
 	BodyId add_soft_body(SoftBodyData body);
 	/// False when the id refers to nothing.
@@ -66,6 +72,7 @@ private:
 	std::shared_ptr<ChangeCounts> changes_ = std::make_shared<ChangeCounts>();
 	Vec2 gravity_{ 0, 0 };
 	Real length_unit_ = 1;
+	int contact_substeps_ = MIN_CONTACT_SUBSTEPS;
 	bool interpolated_ = true;
 	std::vector<SoftBodyData> bodies_;
 	std::vector<BodyId> ids_;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Which bodies may touch: all pairs whose boxes overlap, found in time that grows with the number of bodies.
+#pragma once
+
+#include "core/geometry/polygon.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// What the broad phase knows of a body.
+struct BroadPhaseBody {
+	Aabb box; ///< in which the body stays during the coming step
+	std::uint32_t layer = 1;
+	std::uint32_t mask = 0xffffffffu;
+};
+
+/// Two bodies that may touch, as places in the list given to the broad phase; a < b.
+struct BodyPair {
+	std::uint32_t a = 0;
+	std::uint32_t b = 0;
+	friend bool operator==(BodyPair, BodyPair) = default;
+};
+
+/// Finds pairs with a hashed grid of several cell sizes: each body lies in one cell of the level whose cells are as
+/// large as its box, and asks the neighbouring cells of its own and all coarser levels. Boxes are kept with a margin;
+/// as long as every body stays within its own, the pairs of the last time hold and only that is checked.
+///
+/// The pairs come in groups that several threads may work on at once: no two groups of one colour share a body.
+/// Groups and their order depend only on the boxes.
+class BroadPhase {
+public:
+	/// How many colours there are; the groups of the last one may share bodies and must be worked on in order.
+	static constexpr std::size_t COLOURS = 5;
+
+	/// `version` tells whether the list still means the same bodies. O(bodies) expected.
+	void update(std::span<const BroadPhaseBody> bodies, std::uint64_t version);
+
+	std::span<const BodyPair> pairs() const { return pairs_; }
+	/// The groups of a colour, each a run of `pairs()`.
+	struct Group {
+		std::uint32_t begin = 0;
+		std::uint32_t end = 0;
+	};
+	std::span<const Group> groups(std::size_t colour) const;
+	/// How often the pairs were sought anew.
+	std::uint64_t rebuild_count() const { return rebuild_count_; }
+
+private:
+	struct Entry {
+		std::int32_t x = 0; ///< cell
+		std::int32_t y = 0;
+		std::uint32_t level = 0;
+		std::uint32_t body = 0;
+	};
+
+	bool still_holds(std::span<const BroadPhaseBody> bodies, std::uint64_t version) const;
+	void choose_cell_size();
+	void fill_grid();
+	void find_pairs(std::span<const BroadPhaseBody> bodies);
+	void group_pairs();
+	Entry cell_of(const Aabb &box, std::uint32_t body) const;
+	std::size_t bucket_of(std::int32_t x, std::int32_t y, std::uint32_t level) const;
+
+	std::vector<Aabb> boxes_; ///< with margin
+	std::vector<BodyPair> pairs_;
+	std::vector<Group> groups_;
+	std::array<std::size_t, COLOURS + 1> first_group_{}; ///< of each colour, and the end
+	std::uint64_t version_ = 0;
+	std::uint64_t rebuild_count_ = 0;
+
+	Real cell_size_ = 1; ///< of level 0; every further level doubles it
+	std::uint32_t used_levels_ = 0; ///< a bit each
+	std::vector<Entry> entries_; ///< by bucket
+	std::vector<std::uint32_t> bucket_starts_;
+	// Scratch.
+	std::vector<Entry> unsorted_;
+	std::vector<Real> extents_;
+	std::vector<BodyPair> found_;
+	std::vector<std::uint32_t> group_of_pair_;
+};
+
+} // namespace softbody

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Contacts of soft bodies with one another.
+#pragma once
+
+#include "core/collision/broad_phase.h"
+#include "core/collision/hull_contact.h"
+#include "core/collision/pair_response.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Finds and answers the contacts of pairs of bodies, each hull point against the other's hull edges. One object
+/// serves one thread; several may work at once on pairs that share no body.
+class PairHandling {
+public:
+	/// Of the coming substep: acceleration by gravity [length/s²] and length [s].
+	void begin_substep(Vec2 gravity, Real h);
+
+	/// Answers every contact between the two bodies. Returns how many.
+	/// O(points within the other's circle × hull points).
+	std::size_t handle(TouchingBody &a, TouchingBody &b);
+
+private:
+	std::size_t handle_points(TouchingBody &body, TouchingBody &other);
+	bool handle_point(TouchingBody &body, TouchingBody &other, std::uint32_t point);
+
+	HullEdges edges_; ///< of the other body, once a point has come near
+	bool has_edges_ = false;
+	Real bounce_threshold_ = 0;
+	Real h_ = 0;
+};
+
+} // namespace softbody

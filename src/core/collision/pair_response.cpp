@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What a contact of a hull point with another body's hull edge does to the three points.
+#include "core/collision/pair_response.h"
+
+#include "core/base/constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softbody {
+
+void TouchingBody::measure_extent() {
+	box = bounding_box(hull);
+	centre = (box.min + box.max) * Real(0.5);
+	Real farthest = 0;
+	for (const Vec2 p : hull) {
+		farthest = std::max(farthest, length_squared(p - centre));
+	}
+	radius = std::sqrt(farthest);
+}
+
+Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
+		Real longest_push, Real h) {
+	const auto [p, a, b, t, normal, depth] = contact;
+	const Real share_a = 1 - t;
+	const Real share_b = t;
+	const Real mobility_p = body.inverse_masses[p];
+	const Real mobility_a = other.inverse_masses[a] * share_a;
+	const Real mobility_b = other.inverse_masses[b] * share_b;
+	// An impulse J on the point and -J on the edge change their distance by J w, w = w_p + w_a (1-t)² + w_b t².
+	const Real mobility = mobility_p + mobility_a * share_a + mobility_b * share_b;
+	if (!(mobility > 0)) {
+		return 0; // both pinned
+	}
+	const Vec2 relative =
+			body.velocities[p] - (other.velocities[a] * share_a + other.velocities[b] * share_b);
+	Vec2 shift = normal * std::min(depth, longest_push);
+	Vec2 velocity_change;
+	Real normal_change = 0;
+	const Real approach = -dot(relative, normal);
+	if (approach > 0) {
+		const Real friction = std::min(body.friction, other.friction);
+		const Real restitution = std::min(body.restitution + other.restitution, Real(1));
+		// The point met the edge somewhere within the substep: what it came too far is what its approach must lose, as
+		// velocities that follow from the moved positions would. Taking all of the approach from every graze instead
+		// keeps a pile trembling for good (200 bodies, 8 substeps: 1e-3 J each after 16 s instead of 1e-5).
+		normal_change = std::min(approach, depth / h);
+		if (restitution > 0 && approach > bounce_threshold) {
+			normal_change = approach * (1 + restitution);
+		}
+		const Vec2 slide = relative + normal * approach;
+		const Real slide_speed = length(slide);
+		velocity_change = normal * normal_change;
+		if (slide_speed > 0) {
+			const Vec2 brake = slide * (-std::min(slide_speed, friction * normal_change) / slide_speed);
+			velocity_change += brake;
+			shift += brake * h;
+		}
+	}
+	shift *= 1 / mobility;
+	velocity_change *= 1 / mobility;
+	body.hull[p] += shift * mobility_p;
+	body.velocities[p] += velocity_change * mobility_p;
+	other.hull[a] -= shift * mobility_a;
+	other.velocities[a] -= velocity_change * mobility_a;
+	other.hull[b] -= shift * mobility_b;
+	other.velocities[b] -= velocity_change * mobility_b;
+	return normal_change / mobility;
+}
+
+} // namespace softbody

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// The broad phase finds every pair that a comparison of all boxes finds, and groups them for threads.
+#include "core/collision/broad_phase.h"
+#include "support/random.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <limits>
+#include <set>
+#include <vector>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+using Bodies = std::vector<BroadPhaseBody>;
+
+Bodies random_bodies(Random &random, int count, double spread, double smallest, double largest) {
+	Bodies bodies;
+	for (int i = 0; i < count; ++i) {
+		const Vec2 centre = random.vector(spread);
+		const double size = smallest * std::pow(largest / smallest, double(random.real(0, 1)));
+		const Vec2 half{ Real(size) * random.real(0.05, 0.5), Real(size) * random.real(0.05, 0.5) };
+		bodies.push_back({ { centre - half, centre + half }, 1u << random.integer(0, 2), std::uint32_t(random.integer(0, 7)) });
+	}
+	return bodies;
+}
+
+bool notice(const BroadPhaseBody &a, const BroadPhaseBody &b) {
+	return (a.mask & b.layer) != 0 || (b.mask & a.layer) != 0;
+}
+
+std::set<std::pair<std::uint32_t, std::uint32_t>> as_set(const BroadPhase &broad_phase) {
+	std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+	for (const BodyPair pair : broad_phase.pairs()) {
+		CHECK(pair.a < pair.b);
+		CHECK(pairs.insert({ pair.a, pair.b }).second); // none twice
+	}
+	return pairs;
+}
+
+// Everything that overlaps now must be among the pairs, and nothing whose layers do not meet.
+void check_complete(const BroadPhase &broad_phase, const Bodies &bodies) {
+	const auto pairs = as_set(broad_phase);
+	for (std::uint32_t a = 0; a < bodies.size(); ++a) {
+		for (std::uint32_t b = a + 1; b < bodies.size(); ++b) {
+			if (bodies[a].box.overlaps(bodies[b].box) && notice(bodies[a], bodies[b])) {
+				CHECK(pairs.contains({ a, b }));
+			}
+			if (!notice(bodies[a], bodies[b])) {
+				CHECK_FALSE(pairs.contains({ a, b }));
+			}
+		}
+	}
+}
+
+} // namespace
+
+TEST_CASE("every overlapping pair is found, at any mixture of sizes and far from the origin") {
+	Random random(11);
+	for (int round = 0; round < 60; ++round) {
+		const double ratio = round % 3 == 0 ? 1 : (round % 3 == 1 ? 30 : 1e5);
+		Bodies bodies = random_bodies(random, 120, 8, 1 / ratio, 4);
+		const Vec2 away = random.vector(round % 2 == 0 ? 0 : 1000);
+		for (BroadPhaseBody &body : bodies) {
+			body.box = { body.box.min + away, body.box.max + away };
+		}
+		BroadPhase broad_phase;
+		broad_phase.update(bodies, 1);
+		check_complete(broad_phase, bodies);
+	}
+}
+
+TEST_CASE("boxes that coincide, have no size, touch or are enormous are found like others") {
+	const Aabb unit{ { 0, 0 }, { 1, 1 } };
+	const Real huge = std::numeric_limits<Real>::max() / 4;
+	Bodies bodies;
+	for (const Aabb &box : { unit, unit, Aabb{ { 1, 1 }, { 2, 2 } }, Aabb{ { Real(0.5), Real(0.5) }, { Real(0.5), Real(0.5) } },
+				 Aabb{ { -huge, -huge }, { huge, huge } }, Aabb{ { huge / 2, 0 }, { huge, 1 } } }) {
+		bodies.push_back({ box, 1, 1 });
+	}
+	BroadPhase broad_phase;
+	broad_phase.update(bodies, 1);
+	check_complete(broad_phase, bodies);
+	CHECK(as_set(broad_phase).contains({ 0, 4 }));
+
+	Bodies points(50, { { { 3, 3 }, { 3, 3 } }, 1, 1 });
+	broad_phase.update(points, 2);
+	CHECK(broad_phase.pairs().size() == 50 * 49 / 2);
+	broad_phase.update({}, 3);
+	CHECK(broad_phase.pairs().empty());
+}
+
+TEST_CASE("pairs hold while bodies stay within their margins, and are complete when they do not") {
+	Random random(12);
+	Bodies bodies = random_bodies(random, 200, 10, 0.5, 2);
+	BroadPhase broad_phase;
+	broad_phase.update(bodies, 1);
+	const std::uint64_t first = broad_phase.rebuild_count();
+	broad_phase.update(bodies, 1);
+	CHECK(broad_phase.rebuild_count() == first);
+	int kept = 0;
+	for (int step = 0; step < 200; ++step) {
+		for (BroadPhaseBody &body : bodies) {
+			const Vec2 way = random.vector(step < 100 ? 0.0005 : 0.05);
+			body.box = { body.box.min + way, body.box.max + way };
+		}
+		const std::uint64_t before = broad_phase.rebuild_count();
+		broad_phase.update(bodies, 1);
+		kept += int(broad_phase.rebuild_count() == before);
+		check_complete(broad_phase, bodies);
+	}
+	CHECK(kept > 50);
+	CHECK(kept < 150);
+	broad_phase.update(bodies, 2); // other bodies, though their boxes are the same
+	bodies.pop_back();
+	broad_phase.update(bodies, 3);
+	check_complete(broad_phase, bodies);
+}
+
+TEST_CASE("no two groups of one colour share a body, and the groups hold each pair once") {
+	Random random(13);
+	for (const double largest : { 1.0, 3.0, 20.0 }) {
+		Bodies bodies = random_bodies(random, 1500, 25, 0.8, largest);
+		for (BroadPhaseBody &body : bodies) {
+			body.layer = body.mask = 1;
+		}
+		BroadPhase broad_phase;
+		broad_phase.update(bodies, 1);
+		std::vector<int> seen(broad_phase.pairs().size());
+		std::size_t parallel_pairs = 0;
+		for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
+			std::vector<int> group_of(bodies.size(), -1);
+			int number = 0;
+			for (const BroadPhase::Group group : broad_phase.groups(colour)) {
+				for (std::uint32_t i = group.begin; i < group.end; ++i) {
+					++seen[i];
+					for (const std::uint32_t body : { broad_phase.pairs()[i].a, broad_phase.pairs()[i].b }) {
+						if (colour + 1 < BroadPhase::COLOURS) {
+							CHECK((group_of[body] == -1 || group_of[body] == number));
+							group_of[body] = number;
+						}
+					}
+					parallel_pairs += colour + 1 < BroadPhase::COLOURS;
+				}
+				++number;
+			}
+		}
+		CHECK(std::ranges::count(seen, 1) == std::ptrdiff_t(seen.size()));
+		if (largest == 1) {
+			CHECK(parallel_pairs == seen.size()); // all of like size: nothing is left for one thread
+		}
+	}
+}

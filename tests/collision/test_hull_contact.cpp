@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The exact test of a point against a hull agrees with a plain one that takes an edge at a time.
+#include "core/collision/hull_contact.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/triangle.h"
+#include "support/compare.h"
+#include "support/random.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <limits>
+#include <vector>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+// A star-shaped hull of positive winding, in general concave.
+std::vector<Vec2> random_hull(Random &random, int count) {
+	std::vector<Vec2> hull;
+	for (int i = 0; i < count; ++i) {
+		const double angle = (i + double(random.real(0, 0.6))) * 6.283185307179586 / count;
+		const double reach = double(random.real(0.3, 1));
+		hull.push_back({ Real(reach * std::cos(angle)), Real(reach * std::sin(angle)) });
+	}
+	return hull;
+}
+
+struct Plain {
+	std::size_t edge = 0;
+	double distance = std::numeric_limits<double>::max();
+};
+
+Plain nearest_edge(const std::vector<Vec2> &hull, Vec2 p, Vec2 outward, bool facing_only) {
+	Plain nearest;
+	for (std::size_t i = 0; i < hull.size(); ++i) {
+		const Vec2 a = hull[i];
+		const Vec2 b = hull[(i + 1) % hull.size()];
+		const Vec2 normal{ b.y - a.y, a.x - b.x };
+		if (facing_only && (!(dot(normal, outward) < 0) || cross(b - a, p - a) < 0)) {
+			continue;
+		}
+		const double distance = double(length(p - (a + (b - a) * closest_parameter_on_segment(p, a, b))));
+		if (distance < nearest.distance) {
+			nearest = { i, distance };
+		}
+	}
+	return nearest;
+}
+
+} // namespace
+
+TEST_CASE("a point is inside exactly when the plain test says so, for every number of edges") {
+	Random random(21);
+	for (int round = 0; round < 400; ++round) {
+		const auto hull = random_hull(random, random.integer(3, 21));
+		HullEdges edges;
+		edges.assign(hull);
+		for (int i = 0; i < 40; ++i) {
+			const Vec2 p = random.vector(1);
+			if (nearest_edge(hull, p, {}, false).distance > 1e-5) { // nearer, rounding may tell either
+				CHECK(edges.contains(p) == point_in_polygon(p, hull));
+				CHECK(edges.find(p, {}).has_value() == point_in_polygon(p, hull));
+			}
+		}
+	}
+}
+
+TEST_CASE("the way out is the shortest among the edges that face the point") {
+	Random random(22);
+	int inside = 0;
+	for (int round = 0; round < 2000; ++round) {
+		const auto hull = random_hull(random, random.integer(3, 21));
+		HullEdges edges;
+		edges.assign(hull);
+		const Vec2 p = random.vector(1);
+		const Vec2 outward = round % 4 == 0 ? Vec2{} : random.vector(1);
+		const auto contact = edges.find(p, outward);
+		if (!contact) {
+			continue;
+		}
+		++inside;
+		Plain expected = nearest_edge(hull, p, outward, true);
+		if (expected.distance == std::numeric_limits<double>::max()) {
+			expected = nearest_edge(hull, p, outward, false);
+		}
+		const Vec2 a = hull[contact->edge];
+		const Vec2 b = hull[(contact->edge + 1) % hull.size()];
+		const Vec2 place = a + (b - a) * contact->t;
+		CHECK(std::abs(double(length(place - p)) - expected.distance) <= 1e-5);
+		CHECK(std::abs(double(contact->depth) - expected.distance) <= 1e-4);
+		CHECK(std::abs(double(length(contact->normal)) - 1) <= 1e-5);
+		CHECK(double(length(p + contact->normal * contact->depth - place)) <= 2e-3);
+		CHECK(contact->t >= 0);
+		CHECK(contact->t <= 1);
+	}
+	CHECK(inside > 300);
+}
+
+TEST_CASE("a point that was pushed through a thin body goes back the way it came") {
+	// A plank from y = 0 to 0.2; the body above it points down, and its point is nearer to the underside.
+	const std::vector<Vec2> plank = { { -1, 0 }, { 1, 0 }, { 1, Real(0.2) }, { -1, Real(0.2) } };
+	HullEdges edges;
+	edges.assign(plank);
+	const auto contact = edges.find({ Real(0.1), Real(0.05) }, { 0, -1 });
+	REQUIRE(contact);
+	CHECK(contact->edge == 2);
+	CHECK(contact->normal.y == doctest::Approx(1));
+	CHECK(contact->depth == doctest::Approx(0.15));
+	const auto without = edges.find({ Real(0.1), Real(0.05) }, {});
+	REQUIRE(without);
+	CHECK(without->edge == 0);
+}
+
+TEST_CASE("edges that were read again are those of the moved hull") {
+	Random random(23);
+	for (int round = 0; round < 200; ++round) {
+		auto hull = random_hull(random, random.integer(3, 13));
+		HullEdges edges;
+		edges.assign(hull);
+		const int index = random.integer(0, int(hull.size()) - 1);
+		hull[std::size_t(index)] *= Real(0.7);
+		edges.update(hull, std::uint32_t(index));
+		HullEdges fresh;
+		fresh.assign(hull);
+		for (int i = 0; i < 20; ++i) {
+			const Vec2 p = random.vector(0.8);
+			const auto found = edges.find(p, {});
+			const auto expected = fresh.find(p, {});
+			REQUIRE(found.has_value() == expected.has_value());
+			if (found) {
+				CHECK(found->edge == expected->edge);
+				CHECK(found->depth == expected->depth);
+			}
+		}
+	}
+}
+
+TEST_CASE("a hull without area or with coincident points contains nothing that is not near it, and gives finite answers") {
+	HullEdges edges;
+	const std::vector<Vec2> flat = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 1, 0 } };
+	edges.assign(flat);
+	CHECK_FALSE(edges.contains({ 1, Real(0.5) }));
+	const std::vector<Vec2> point(6, Vec2{ 1, 1 });
+	edges.assign(point);
+	CHECK_FALSE(edges.find({ 1, 1 }, { 1, 0 }).has_value());
+	const std::vector<Vec2> twice = { { 0, 0 }, { 1, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 1 } };
+	edges.assign(twice);
+	const auto contact = edges.find({ Real(0.9), Real(0.5) }, {});
+	REQUIRE(contact);
+	CHECK(contact->normal.x == doctest::Approx(1));
+	CHECK(contact->depth == doctest::Approx(0.1));
+}
+
+TEST_CASE("out of a body is away from it") {
+	const std::vector<Vec2> square = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }; // positive winding
+	CHECK(outward_at(square, 0) == Vec2{ -1, -1 });
+	CHECK(outward_at(square, 2) == Vec2{ 1, 1 });
+}

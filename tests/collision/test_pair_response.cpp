@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// A contact between two bodies keeps momentum and spin, and obeys restitution and Coulomb's law.
+#include "core/collision/pair_response.h"
+#include "core/base/constants.h"
+#include "support/compare.h"
+#include "support/random.h"
+
+#include <array>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <limits>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+constexpr Real H = Real(1) / 240;
+
+// A triangle whose point 0 is above the edge from point 0 to 1 of another.
+struct Meeting {
+	std::array<Vec2, 3> upper{ Vec2{ Real(0.3), Real(-0.01) }, Vec2{ 1, 1 }, Vec2{ -1, 1 } };
+	std::array<Vec2, 3> lower{ Vec2{ 1, 0 }, Vec2{ -1, 0 }, Vec2{ 0, -1 } };
+	std::array<Vec2, 3> upper_velocities{};
+	std::array<Vec2, 3> lower_velocities{};
+	std::array<Real, 3> upper_masses{ 2, 1, 1 };
+	std::array<Real, 3> lower_masses{ 1, 3, 1 };
+	std::array<Real, 3> upper_inverse{};
+	std::array<Real, 3> lower_inverse{};
+	Real friction = 0;
+	Real restitution = 0;
+	Real t = Real(0.35); // of the lower edge, under the upper point
+
+	Real answer(Real depth, Real longest_push = 1, Real bounce_threshold = 0) {
+		for (std::size_t i = 0; i < 3; ++i) {
+			upper_inverse[i] = upper_masses[i] > 0 ? 1 / upper_masses[i] : Real(0);
+			lower_inverse[i] = lower_masses[i] > 0 ? 1 / lower_masses[i] : Real(0);
+		}
+		TouchingBody a{ {}, {}, 0, upper, upper_velocities, upper_inverse, friction, restitution };
+		TouchingBody b{ {}, {}, 0, lower, lower_velocities, lower_inverse, friction, 0 };
+		return answer_pair_contact(a, b, { 0, 0, 1, t, { 0, 1 }, depth }, bounce_threshold, longest_push, H);
+	}
+	Vec2 place_velocity() const {
+		return lower_velocities[0] * (1 - t) + lower_velocities[1] * t;
+	}
+	Vec2 relative() const { return upper_velocities[0] - place_velocity(); }
+	double kinetic() const {
+		double sum = 0;
+		for (std::size_t i = 0; i < 3; ++i) {
+			sum += double(upper_masses[i]) * length_squared(upper_velocities[i]) / 2;
+			sum += double(lower_masses[i]) * length_squared(lower_velocities[i]) / 2;
+		}
+		return sum;
+	}
+	Vec2 momentum() const {
+		Vec2 sum;
+		for (std::size_t i = 0; i < 3; ++i) {
+			sum += upper_velocities[i] * upper_masses[i] + lower_velocities[i] * lower_masses[i];
+		}
+		return sum;
+	}
+	// About the origin, with the places where the points were when they met.
+	double spin(const Meeting &places) const {
+		double sum = 0;
+		for (std::size_t i = 0; i < 3; ++i) {
+			sum += double(upper_masses[i]) * cross(places.upper[i], upper_velocities[i]);
+			sum += double(lower_masses[i]) * cross(places.lower[i], lower_velocities[i]);
+		}
+		return sum;
+	}
+	Vec2 centre() const {
+		Vec2 sum;
+		for (std::size_t i = 0; i < 3; ++i) {
+			sum += upper[i] * upper_masses[i] + lower[i] * lower_masses[i];
+		}
+		return sum;
+	}
+};
+
+Meeting random_meeting(Random &random) {
+	Meeting meeting;
+	meeting.upper[0].x = random.real(-0.95, 0.95);
+	meeting.t = (1 - meeting.upper[0].x) / 2;
+	meeting.upper[0].y = 0; // on the edge: so that the arms of the impulses agree
+	meeting.friction = random.real(0, 1);
+	meeting.restitution = random.chance(0.5) ? 0 : random.real(0, 1);
+	for (std::size_t i = 0; i < 3; ++i) {
+		meeting.upper_velocities[i] = random.vector(5);
+		meeting.lower_velocities[i] = random.vector(5);
+		meeting.upper_masses[i] = random.real(0.1, 10);
+		meeting.lower_masses[i] = random.real(0.1, 10);
+	}
+	return meeting;
+}
+
+} // namespace
+
+TEST_CASE("a contact between bodies keeps linear and angular momentum and adds no energy") {
+	Random random(31);
+	for (int i = 0; i < 2000; ++i) {
+		const Meeting before = random_meeting(random);
+		Meeting after = before;
+		after.answer(random.real(0, 0.05));
+		CHECK(double(length(after.momentum() - before.momentum())) <= 1e-4);
+		CHECK(std::abs(after.spin(before) - before.spin(before)) <= 1e-4);
+		CHECK(after.kinetic() <= before.kinetic() * (1 + 1e-5));
+		CHECK(double(length(after.centre() - before.centre())) <= 1e-4);
+	}
+}
+
+TEST_CASE("point and edge part by the depth along the normal, and no further than the longest push") {
+	Meeting meeting;
+	const auto gap = [&] {
+		const Real t = (1 - Real(0.3)) / 2;
+		return double(meeting.upper[0].y - (meeting.lower[0].y * (1 - t) + meeting.lower[1].y * t));
+	};
+	CHECK(gap() == doctest::Approx(-0.01));
+	CHECK(meeting.answer(Real(0.01)) == 0); // at rest: moved, without an impulse
+	CHECK(gap() == doctest::Approx(0).epsilon(1e-6));
+	for (const Vec2 v : meeting.upper_velocities) {
+		CHECK(v == Vec2{});
+	}
+	Meeting deep;
+	deep.answer(Real(0.5), Real(0.1));
+	const Real t = (1 - Real(0.3)) / 2;
+	CHECK(double(deep.upper[0].y - (deep.lower[0].y * (1 - t) + deep.lower[1].y * t)) == doctest::Approx(0.09));
+}
+
+TEST_CASE("the approach is taken as far as it brought the point inside, and never turned without restitution") {
+	Meeting meeting;
+	meeting.upper_velocities[0] = { 0, -2 };
+	meeting.answer(Real(0.5) * H); // inside since a quarter of the substep
+	CHECK(double(meeting.relative().y) == doctest::Approx(-1.5));
+	meeting = {};
+	meeting.upper_velocities[0] = { 0, -2 };
+	meeting.answer(Real(0.3)); // far deeper than it came by itself
+	CHECK(double(meeting.relative().y) == doctest::Approx(0).epsilon(1e-6));
+	meeting = {};
+	meeting.upper_velocities[0] = { 0, 3 };
+	CHECK(meeting.answer(Real(0.3)) == 0);
+	CHECK(double(meeting.relative().y) == doctest::Approx(3)); // already leaving
+}
+
+TEST_CASE("restitution returns its share of the approach, unless that is slower than the threshold") {
+	for (const Real restitution : { Real(0.25), Real(1) }) {
+		Meeting meeting;
+		meeting.restitution = restitution;
+		meeting.upper_velocities[0] = { 0, -2 };
+		meeting.answer(Real(0.001));
+		CHECK(double(meeting.relative().y) == doctest::Approx(2 * double(restitution)));
+	}
+	Meeting slow;
+	slow.restitution = 1;
+	slow.upper_velocities[0] = { 0, -2 };
+	slow.answer(1, 1, 3);
+	CHECK(double(slow.relative().y) == doctest::Approx(0).epsilon(1e-6));
+}
+
+TEST_CASE("sliding loses at most the friction coefficient times the normal change, and then stops") {
+	Meeting slides;
+	slides.friction = Real(0.5);
+	slides.upper_velocities[0] = { 3, -2 };
+	slides.answer(1, 0);
+	CHECK(double(slides.relative().x) == doctest::Approx(2)); // 3 - 0.5 * 2
+	Meeting sticks;
+	sticks.friction = 2;
+	sticks.upper_velocities[0] = { 3, -2 };
+	const Real x = sticks.upper[0].x;
+	sticks.answer(1, 0);
+	CHECK(double(sticks.relative().x) == doctest::Approx(0).epsilon(1e-6));
+	CHECK(sticks.upper[0].x < x); // the way slid in the substep is taken back too
+}
+
+TEST_CASE("a pinned point or edge does not move, and two of them leave each other alone") {
+	Meeting meeting;
+	meeting.lower_masses = { 0, 0, 1 }; // 0 stands for infinite here
+	meeting.upper_velocities[0] = { 0, -2 };
+	meeting.answer(Real(0.01));
+	CHECK(meeting.lower[0] == Vec2{ 1, 0 });
+	CHECK(meeting.lower_velocities[1] == Vec2{});
+	CHECK(double(meeting.upper[0].y) == doctest::Approx(0).epsilon(1e-6));
+	Meeting stuck;
+	stuck.lower_masses = { 0, 0, 1 };
+	stuck.upper_masses[0] = 0;
+	stuck.upper_velocities[0] = { 0, -2 };
+	CHECK(stuck.answer(Real(0.01)) == 0);
+	CHECK(stuck.upper[0] == Vec2{ Real(0.3), Real(-0.01) });
+}
