@@ -159,6 +159,25 @@ TEST_CASE("a hull is accepted exactly when no point of it is there twice") {
 	CHECK(refused > 5000);
 }
 
+TEST_CASE("a polygon meets itself exactly when a point of its border is there twice, and then counts as folded") {
+	Random random(25);
+	int wrong = 0;
+	int simple = 0;
+	int turned_over = 0;
+	for (int i = 0; i < 60000; ++i) {
+		const auto polygon = random_grid_polygon(random, random.integer(3, 8), random.integer(2, 6));
+		const bool expected = !grid_is_simple(polygon);
+		simple += !expected;
+		turned_over += !expected && grid_double_area(polygon) < 0;
+		wrong += is_self_intersecting(to_real(polygon)) != expected;
+		wrong += is_folded(to_real(polygon)) != (expected || grid_double_area(polygon) <= 0);
+	}
+	CHECK(wrong == 0);
+	CHECK(simple > 5000);
+	CHECK(turned_over > 2000);
+	CHECK(is_folded(std::vector<Vec2>{ { 0, 0 }, { 1, 0 }, { 0, NOT_A_NUMBER } }));
+}
+
 TEST_CASE("concave and clockwise outlines can be hulls") {
 	CHECK_FALSE(check_hull(L_SHAPE));
 	auto clockwise = L_SHAPE;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Claims about triangles and segments, against exact twins on a small integer grid.
+// Claims about triangles, against exact twins on a small integer grid.
 #include "core/geometry/triangle.h"
 #include "geometry/integer_geometry.h"
 #include "support/compare.h"
@@ -59,60 +59,4 @@ TEST_CASE("a point beyond the edge opposite a corner is outside") {
 	CHECK_FALSE(point_in_triangle({ 5, 5 }, { 0, 0 }, { 1, 0 }, { 0, 1 }));
 	CHECK_FALSE(point_in_triangle({ -5, Real(0.5) }, { 0, 0 }, { 1, 0 }, { 0, 1 }));
 	CHECK(point_in_triangle({ Real(0.5), Real(0.5) }, { 0, 0 }, { 1, 0 }, { 0, 1 }));
-}
-
-TEST_CASE("segments meet where Cramer's rule says, touching and overlapping ones included") {
-	Random random(13);
-	int wrong_answer = 0;
-	int meeting = 0;
-	int parallel = 0;
-	double worst = 0;
-	for (int i = 0; i < 200000; ++i) {
-		const GridPoint a = random_grid_point(random, 4);
-		const GridPoint b = random_grid_point(random, 4);
-		const GridPoint c = random_grid_point(random, 4);
-		const GridPoint d = random_grid_point(random, 4);
-		const auto expected = grid_intersection(a, b, c, d);
-		const auto found = segment_intersection(a, b, c, d);
-		wrong_answer += expected.has_value() != found.has_value();
-		if (expected && found) {
-			worst = std::fmax(worst, std::abs(double(*found) - expected->value()));
-			meeting++;
-			parallel += grid_cross(b - a, d - c) == 0;
-		}
-	}
-	CHECK(wrong_answer == 0);
-	CHECK(worst <= EPSILON); // one division in double, one rounding to Real
-	CHECK(meeting > 20000);
-	CHECK(parallel > 1000);
-}
-
-TEST_CASE("the place of an intersection is a + t (b - a)") {
-	// Thesis Alg. 4.7 multiplies t by (b, -a) instead.
-	const Vec2 a{ 10, 20 };
-	const Vec2 b{ 30, 20 };
-	const auto t = segment_intersection(a, b, { 15, 0 }, { 15, 100 });
-	REQUIRE(t.has_value());
-	CHECK(distance(a + (b - a) * *t, { 15, 20 }) == 0);
-}
-
-TEST_CASE("no sample of a segment is closer than the closest parameter") {
-	Random random(14);
-	for (int i = 0; i < 300; ++i) {
-		const Vec2 a = random.vector(10);
-		const Vec2 b = i % 10 == 0 ? a : random.vector(10);
-		const Vec2 p = random.vector(20);
-		const Real t = closest_parameter_on_segment(p, a, b);
-		CHECK((t >= 0 && t <= 1));
-		double least = double(INFINITE);
-		for (int k = 0; k <= 200; ++k) {
-			least = std::fmin(least, distance(p, a + (b - a) * (Real(k) / 200)));
-		}
-		// Coordinates up to 30, a handful of roundings each.
-		CHECK(distance(p, a + (b - a) * t) <= least + 8 * EPSILON * 30);
-	}
-	CHECK(closest_parameter_on_segment({ 5, 1 }, { 2, 2 }, { 2, 2 }) == 0);
-	CHECK(closest_parameter_on_segment({ 3, 7 }, { 1, 0 }, { 5, 0 }) == Real(0.5));
-	CHECK(closest_parameter_on_segment({ 100, 1 }, { 1, 0 }, { 5, 0 }) == 1);
-	CHECK(closest_parameter_on_segment({ -100, 1 }, { 1, 0 }, { 5, 0 }) == 0);
 }

@@ -3,10 +3,12 @@
 #include "core/geometry/polygon.h"
 
 #include "core/base/constants.h"
+#include "core/geometry/segment.h"
 #include "core/geometry/triangle.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace softbody {
@@ -38,6 +40,40 @@ Moments moments(std::span<const Vec2> polygon) {
 
 Error hull_error(const std::string &value, const std::string &bound, const std::string &remedy) {
 	return { "hull", value, bound, remedy };
+}
+
+// The first place at which a polygon meets itself, by the points or edges involved.
+struct SelfContact {
+	enum class Kind { COINCIDENT_POINTS,
+		FOLDED_BACK,
+		MEETING_EDGES };
+	Kind kind;
+	std::size_t first;
+	std::size_t second;
+};
+
+std::optional<SelfContact> find_self_contact(std::span<const Vec2> polygon) {
+	const std::size_t count = polygon.size();
+	for (std::size_t i = 0; i < count; ++i) {
+		if (polygon[i] == polygon[(i + 1) % count]) {
+			return SelfContact{ SelfContact::Kind::COINCIDENT_POINTS, i, (i + 1) % count };
+		}
+	}
+	for (std::size_t i = 0; i < count; ++i) {
+		// The next edge shares a corner by construction; it may only not fold back onto this one.
+		const Vec2 a = polygon[i];
+		const Vec2 b = polygon[(i + 1) % count];
+		const Vec2 c = polygon[(i + 2) % count];
+		if (signed_double_area(a, b, c) == 0 && dot(b - a, c - b) < 0) {
+			return SelfContact{ SelfContact::Kind::FOLDED_BACK, i, (i + 1) % count };
+		}
+		for (std::size_t j = i + 2; j < count; ++j) {
+			if ((j + 1) % count != i && segment_intersection(a, b, polygon[j], polygon[(j + 1) % count])) {
+				return SelfContact{ SelfContact::Kind::MEETING_EDGES, i, j };
+			}
+		}
+	}
+	return {};
 }
 
 std::string edge_text(std::size_t i, std::size_t count) {
@@ -114,6 +150,14 @@ bool is_star_shaped_about(Vec2 centre, std::span<const Vec2> polygon) {
 	return true;
 }
 
+bool is_self_intersecting(std::span<const Vec2> polygon) {
+	return find_self_contact(polygon).has_value();
+}
+
+bool is_folded(std::span<const Vec2> hull) {
+	return !(signed_area(hull) > 0) || is_self_intersecting(hull);
+}
+
 Status check_hull(std::span<const Vec2> hull) {
 	const std::size_t count = hull.size();
 	if (count < std::size_t(MIN_HULL_POINTS) || count > std::size_t(MAX_HULL_POINTS)) {
@@ -130,29 +174,20 @@ Status check_hull(std::span<const Vec2> hull) {
 				"check the computation that produced this value" };
 		}
 	}
-	for (std::size_t i = 0; i < count; ++i) {
-		if (hull[i] == hull[(i + 1) % count]) {
-			return hull_error("points " + std::to_string(i) + " and " + std::to_string((i + 1) % count) + " coincide",
-					"must have distinct neighbouring points", "move or remove one of the two points");
-		}
-	}
-	for (std::size_t i = 0; i < count; ++i) {
-		// The next edge shares a corner by construction; it may only not fold back onto this one.
-		const Vec2 a = hull[i];
-		const Vec2 b = hull[(i + 1) % count];
-		const Vec2 c = hull[(i + 2) % count];
-		if (signed_double_area(a, b, c) == 0 && dot(b - a, c - b) < 0) {
-			return hull_error(edge_text((i + 1) % count, count) + " folds back onto " + edge_text(i, count),
-					"must not intersect itself", "move one of these points");
-		}
-		for (std::size_t j = i + 2; j < count; ++j) {
-			if ((j + 1) % count == i) {
-				continue;
-			}
-			if (segment_intersection(a, b, hull[j], hull[(j + 1) % count])) {
-				return hull_error(edge_text(i, count) + " meets " + edge_text(j, count), "must not intersect itself",
+	if (const auto contact = find_self_contact(hull)) {
+		const std::string first = edge_text(contact->first, count);
+		const std::string second = edge_text(contact->second, count);
+		switch (contact->kind) {
+			case SelfContact::Kind::COINCIDENT_POINTS:
+				return hull_error("points " + std::to_string(contact->first) + " and " + std::to_string(contact->second) +
+								" coincide",
+						"must have distinct neighbouring points", "move or remove one of the two points");
+			case SelfContact::Kind::FOLDED_BACK:
+				return hull_error(second + " folds back onto " + first, "must not intersect itself",
+						"move one of these points");
+			case SelfContact::Kind::MEETING_EDGES:
+				return hull_error(first + " meets " + second, "must not intersect itself",
 						"move one of these points so that the outline does not cross");
-			}
 		}
 	}
 	if (signed_area(hull) == 0) {

@@ -37,6 +37,14 @@ bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon);
 /// asks for convexity, but this is what its centre springs need. O(n).
 bool is_star_shaped_about(Vec2 centre, std::span<const Vec2> polygon);
 
+/// Whether the closed polygon meets itself: edges that cross or touch, an edge that folds back onto its
+/// neighbour, neighbouring points that coincide. O(n²).
+bool is_self_intersecting(std::span<const Vec2> polygon);
+
+/// Whether a hull of positive winding has been folded: it meets itself, or its signed area is no
+/// longer positive (turned over, or squeezed flat). O(n²).
+bool is_folded(std::span<const Vec2> hull);
+
 /// Refuses what cannot be a hull: fewer than 3 or more than 4096 points, a coordinate that is not
 /// finite, coincident neighbours, edges that touch or cross, zero area. Either winding is accepted.
 /// O(n²) once at creation.

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Tests on line segments.
+#include "core/geometry/segment.h"
+
+#include "core/geometry/triangle.h"
+#include "core/geometry/vec2d.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace softbody {
+
+namespace {
+
+// By how much a segment counts as longer at each end [of its length].
+constexpr double END_TOLERANCE = 1e-6;
+
+// How close a point counts as on the segment [of the largest distance in the query]. Far above the
+// rounding of a root in double, which near a grazing hit is about 1e-8 in time but not in distance.
+constexpr double GAP_TOLERANCE = 1e-9;
+
+double closest_parameter(Vec2d p, Vec2d along) {
+	const double size = dot(along, along);
+	return size > 0 ? std::clamp(dot(p, along) / size, 0.0, 1.0) : 0.0;
+}
+
+// Everything seen from the moving end a, so that two motions are left: of the point and of the end b.
+struct RelativeMotion {
+	Vec2d point;
+	Vec2d point_way;
+	Vec2d end;
+	Vec2d end_way;
+	double scale = 0; // the largest distance that occurs
+
+	Vec2d point_at(double t) const { return point + point_way * t; }
+	Vec2d end_at(double t) const { return end + end_way * t; }
+};
+
+RelativeMotion relative_motion(const Motion &p, const Motion &a, const Motion &b) {
+	RelativeMotion motion;
+	motion.point = difference(p.from, a.from);
+	motion.end = difference(b.from, a.from);
+	motion.point_way = difference(p.to, a.to) - motion.point;
+	motion.end_way = difference(b.to, a.to) - motion.end;
+	for (const Vec2d v : { motion.point, motion.end, motion.point_way, motion.end_way }) {
+		motion.scale = std::max({ motion.scale, std::abs(v.x), std::abs(v.y) });
+	}
+	return motion;
+}
+
+// The time at which |p + t way| is least; NaN without a way.
+double closest_time(Vec2d p, Vec2d way) {
+	return -dot(p, way) / dot(way, way);
+}
+
+// Times at which a hit may begin. Point, a and b are in line when
+//   f(t) = cross(end + t end_way, point + t point_way) = c0 + c1 t + c2 t² = 0,
+// and apart from its roots:
+// - its extremum, which is the double root of a grazing hit when rounding leaves no real one;
+// - when the point is nearest to a and to b: if f is 0 at all times, a hit begins at an end;
+// - the start, for a point that is on the segment already.
+// Each is checked by distance afterwards, so one too many does no harm.
+std::array<double, 6> candidate_times(const RelativeMotion &motion) {
+	const double c0 = cross(motion.end, motion.point);
+	const double c1 = cross(motion.end, motion.point_way) + cross(motion.end_way, motion.point);
+	const double c2 = cross(motion.end_way, motion.point_way);
+	// Of -c1 ± sqrt(c1² - 4 c0 c2) the sum that does not cancel, and the other root from their product c0 / c2.
+	// What is 0 / 0 is no time at all.
+	const double q = -(c1 + std::copysign(std::sqrt(c1 * c1 - 4 * c0 * c2), c1)) / 2;
+	return { 0, q / c2, c0 / q, -c1 / (2 * c2), closest_time(motion.point, motion.point_way),
+		closest_time(motion.point - motion.end, motion.point_way - motion.end_way) };
+}
+
+} // namespace
+
+std::optional<Real> segment_intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+	const double c_side = signed_double_area(a, b, c);
+	const double d_side = signed_double_area(a, b, d);
+	const double a_side = signed_double_area(c, d, a);
+	const double b_side = signed_double_area(c, d, b);
+	if ((c_side > 0 && d_side > 0) || (c_side < 0 && d_side < 0) || (a_side > 0 && b_side > 0) ||
+			(a_side < 0 && b_side < 0)) {
+		return {};
+	}
+	if (a_side != b_side) {
+		return Real(a_side / (a_side - b_side));
+	}
+	// Both sides are 0: the four points are in line, or a segment is a point on the line of the other. Compare
+	// along ab; if that is a point, ask whether cd contains it.
+	const Vec2d along = difference(b, a);
+	const double size = dot(along, along);
+	if (size == 0) {
+		const bool within = std::min(c.x, d.x) <= a.x && a.x <= std::max(c.x, d.x) && std::min(c.y, d.y) <= a.y &&
+				a.y <= std::max(c.y, d.y);
+		return within ? std::optional<Real>(Real(0)) : std::nullopt;
+	}
+	const double tc = dot(difference(c, a), along) / size;
+	const double td = dot(difference(d, a), along) / size;
+	const double first = std::max(0.0, std::min(tc, td));
+	const double last = std::min(1.0, std::max(tc, td));
+	return first <= last ? std::optional<Real>(Real(first)) : std::nullopt;
+}
+
+Real closest_parameter_on_segment(Vec2 p, Vec2 a, Vec2 b) {
+	const Vec2 along = b - a;
+	const Real size = length_squared(along);
+	if (!(size > 0)) {
+		return 0;
+	}
+	return std::clamp(dot(p - a, along) / size, Real(0), Real(1));
+}
+
+SegmentDistance closest_points_on_segments(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+	const Vec2d ab = difference(b, a);
+	const Vec2d cd = difference(d, c);
+	const Vec2d ac = difference(c, a);
+	const Vec2d ad = difference(d, a);
+	const Vec2d bc = difference(c, b);
+	if (const auto meet = segment_intersection(a, b, c, d)) {
+		return { 0, *meet, Real(closest_parameter(ab * double(*meet) - ac, cd)) };
+	}
+	// In the plane, segments that do not meet are closest at an end of one of them.
+	double best_s = 0;
+	double best_t = 0;
+	double least = 0;
+	bool first = true;
+	const auto offer = [&](double s, double t) {
+		const Vec2d gap = ac + cd * t - ab * s;
+		if (first || dot(gap, gap) < least) {
+			least = dot(gap, gap);
+			best_s = s;
+			best_t = t;
+			first = false;
+		}
+	};
+	offer(0, closest_parameter(ac * -1, cd));
+	offer(1, closest_parameter(bc * -1, cd));
+	offer(closest_parameter(ac, ab), 0);
+	offer(closest_parameter(ad, ab), 1);
+	return { Real(std::sqrt(least)), Real(best_s), Real(best_t) };
+}
+
+std::optional<SegmentImpact> point_segment_impact(const Motion &p, const Motion &a, const Motion &b) {
+	const RelativeMotion motion = relative_motion(p, a, b);
+	std::optional<SegmentImpact> first;
+	for (const double candidate : candidate_times(motion)) {
+		// A time outside of the range may belong to its end, by rounding; NaN stays NaN, and fails the last test.
+		const double t = std::clamp(candidate, 0.0, 1.0);
+		if (first && !(t < double(first->time))) {
+			continue;
+		}
+		const Vec2d point = motion.point_at(t);
+		const Vec2d end = motion.end_at(t);
+		const double size = dot(end, end);
+		const double along = size > 0 ? std::clamp(dot(point, end) / size, -END_TOLERANCE, 1 + END_TOLERANCE) : 0.0;
+		if (length(point - end * along) <= GAP_TOLERANCE * motion.scale) {
+			first = SegmentImpact{ Real(t), Real(std::clamp(along, 0.0, 1.0)) };
+		}
+	}
+	return first;
+}
+
+} // namespace softbody
