@@ -27,18 +27,36 @@ struct Meeting {
 	std::array<Real, 3> lower_masses{ 1, 3, 1 };
 	std::array<Real, 3> upper_inverse{};
 	std::array<Real, 3> lower_inverse{};
+	std::array<Vec2, 3> upper_before{};
+	std::array<Vec2, 3> lower_before{};
+	Real whole_mass_counts = 1; // 0: as if a point were pinned
 	Real friction = 0;
 	Real restitution = 0;
 	Real t = Real(0.35); // of the lower edge, under the upper point
 
-	Real answer(Real depth, Real longest_push = 1, Real bounce_threshold = 0) {
+	TouchingBody touching(std::span<Vec2> positions, std::span<Vec2> velocities, std::span<const Real> inverse_masses,
+			std::span<Vec2> before) const {
+		TouchingBody body;
+		body.positions = positions;
+		body.velocities = velocities;
+		body.inverse_masses = inverse_masses;
+		body.before = before;
+		body.width = body.radius = 1;
+		body.friction = friction;
+		return body;
+	}
+	static Real total(const std::array<Real, 3> &masses) { return masses[0] + masses[1] + masses[2]; }
+	Real answer(Real depth, Real bounce_threshold = 0) {
 		for (std::size_t i = 0; i < 3; ++i) {
 			upper_inverse[i] = upper_masses[i] > 0 ? 1 / upper_masses[i] : Real(0);
 			lower_inverse[i] = lower_masses[i] > 0 ? 1 / lower_masses[i] : Real(0);
 		}
-		TouchingBody a{ {}, {}, 0, upper, upper_velocities, upper_inverse, friction, restitution };
-		TouchingBody b{ {}, {}, 0, lower, lower_velocities, lower_inverse, friction, 0 };
-		return answer_pair_contact(a, b, { 0, 0, 1, t, { 0, 1 }, depth }, bounce_threshold, longest_push, H);
+		TouchingBody a = touching(upper, upper_velocities, upper_inverse, upper_before);
+		TouchingBody b = touching(lower, lower_velocities, lower_inverse, lower_before);
+		a.inverse_mass = whole_mass_counts / total(upper_masses);
+		b.inverse_mass = whole_mass_counts / total(lower_masses);
+		a.restitution = restitution;
+		return answer_pair_contact(a, b, { 0, 0, 1, t, { 0, 1 }, depth }, bounce_threshold, H);
 	}
 	Vec2 place_velocity() const {
 		return lower_velocities[0] * (1 - t) + lower_velocities[1] * t;
@@ -120,10 +138,27 @@ TEST_CASE("point and edge part by the depth along the normal, and no further tha
 	for (const Vec2 v : meeting.upper_velocities) {
 		CHECK(v == Vec2{});
 	}
-	Meeting deep;
-	deep.answer(Real(0.5), Real(0.1));
-	const Real t = (1 - Real(0.3)) / 2;
-	CHECK(double(deep.upper[0].y - (deep.lower[0].y * (1 - t) + deep.lower[1].y * t)) == doctest::Approx(0.09));
+}
+
+TEST_CASE("what is deep inside parts as a whole: no point moves against its neighbours further than a tenth of a radius") {
+	Meeting meeting;
+	const Meeting before = meeting;
+	meeting.answer(Real(0.5));
+	const Vec2 way = meeting.upper[1] - before.upper[1];
+	CHECK(way == meeting.upper[2] - before.upper[2]);
+	CHECK(way.y > 0);
+	CHECK(double(length((meeting.upper[0] - before.upper[0]) - way)) <= 0.1 + 1e-6);
+	CHECK(meeting.lower[2].y < before.lower[2].y);
+	CHECK(double(length(meeting.centre() - before.centre())) <= 1e-5);
+	for (const Vec2 v : meeting.upper_velocities) {
+		CHECK(v == Vec2{});
+	}
+	Meeting pinned;
+	pinned.whole_mass_counts = 0; // then the points have to part alone
+	pinned.answer(Real(0.5));
+	CHECK(pinned.upper[1] == before.upper[1]);
+	CHECK(double(pinned.upper[0].y - (pinned.lower[0].y * Real(0.65) + pinned.lower[1].y * Real(0.35))) ==
+			doctest::Approx(0.49));
 }
 
 TEST_CASE("the approach is taken as far as it brought the point inside, and never turned without restitution") {
@@ -133,11 +168,11 @@ TEST_CASE("the approach is taken as far as it brought the point inside, and neve
 	CHECK(double(meeting.relative().y) == doctest::Approx(-1.5));
 	meeting = {};
 	meeting.upper_velocities[0] = { 0, -2 };
-	meeting.answer(Real(0.3)); // far deeper than it came by itself
+	meeting.answer(Real(0.09)); // far deeper than it came by itself
 	CHECK(double(meeting.relative().y) == doctest::Approx(0).epsilon(1e-6));
 	meeting = {};
 	meeting.upper_velocities[0] = { 0, 3 };
-	CHECK(meeting.answer(Real(0.3)) == 0);
+	CHECK(meeting.answer(Real(0.09)) == 0);
 	CHECK(double(meeting.relative().y) == doctest::Approx(3)); // already leaving
 }
 
@@ -152,7 +187,7 @@ TEST_CASE("restitution returns its share of the approach, unless that is slower 
 	Meeting slow;
 	slow.restitution = 1;
 	slow.upper_velocities[0] = { 0, -2 };
-	slow.answer(1, 1, 3);
+	slow.answer(Real(0.09), 3);
 	CHECK(double(slow.relative().y) == doctest::Approx(0).epsilon(1e-6));
 }
 
@@ -160,13 +195,13 @@ TEST_CASE("sliding loses at most the friction coefficient times the normal chang
 	Meeting slides;
 	slides.friction = Real(0.5);
 	slides.upper_velocities[0] = { 3, -2 };
-	slides.answer(1, 0);
+	slides.answer(Real(0.09));
 	CHECK(double(slides.relative().x) == doctest::Approx(2)); // 3 - 0.5 * 2
 	Meeting sticks;
 	sticks.friction = 2;
 	sticks.upper_velocities[0] = { 3, -2 };
 	const Real x = sticks.upper[0].x;
-	sticks.answer(1, 0);
+	sticks.answer(Real(0.09));
 	CHECK(double(sticks.relative().x) == doctest::Approx(0).epsilon(1e-6));
 	CHECK(sticks.upper[0].x < x); // the way slid in the substep is taken back too
 }

@@ -25,6 +25,19 @@ inline constexpr int MIN_CONTACT_SUBSTEPS = 4;
 /// substeps [1]. Stiffer bodies take several force substeps in each.
 inline constexpr int MAX_CONTACT_SUBSTEPS = 16;
 
+/// Share of the smaller body's radius by which bodies may be inside one another before they are moved apart as
+/// wholes, and by which they are moved at most in a substep [1]. Smaller: piles are moved instead of pressed.
+/// Larger: bodies that start inside one another strain their springs and jump apart.
+inline constexpr Real DEEP_OVERLAP = Real(0.1);
+
+/// Share of the smaller body's radius by which a contact of one substep pushes points out of an overlap that is older
+/// than the substep [1]. Larger: what is left of a deep overlap jumps apart. Smaller: points stay inside for longer.
+inline constexpr Real OLD_OVERLAP_PUSH = Real(0.02);
+
+/// Share of the thinner body's width that two bodies may move towards each other in a substep before their contacts
+/// are sought along the way [1]. Larger: fast points may be taken for having come from the other side.
+inline constexpr Real SWEEP_SHARE = Real(0.25);
+
 /// Stability budget S of the substep rule h²Ω² + 2hΓ <= S² [1]. 2 is the limit of the linear
 /// theory and fails for crumpled bodies. Of 2500 random crumpled bodies (`bench.sh auto`) none becomes
 /// non-finite or doubles its energy at 1.3, with 1.9 times the fewest substeps that a search finds safe.

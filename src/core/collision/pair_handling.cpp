@@ -3,6 +3,7 @@
 #include "core/collision/pair_handling.h"
 
 #include "core/base/constants.h"
+#include "core/geometry/segment.h"
 
 #include <algorithm>
 #include <bit>
@@ -16,48 +17,118 @@ void PairHandling::begin_substep(Vec2 gravity, Real h) {
 
 std::size_t PairHandling::handle(TouchingBody &a, TouchingBody &b) {
 	const Real reach = a.radius + b.radius;
-	if (!a.box.overlaps(b.box) || length_squared(a.centre - b.centre) > reach * reach) {
+	const Real distance_squared = length_squared(a.centre - b.centre);
+	if (!a.box.overlaps(b.box) || distance_squared > reach * reach) {
 		return 0;
 	}
-	return handle_points(a, b) + handle_points(b, a);
+	const bool are_fast = a.way + b.way > SWEEP_SHARE * std::min(a.width, b.width);
+	const Real near = std::max(a.radius, b.radius);
+	if (!are_fast && distance_squared < near * near && handle_crossing(a, b)) {
+		return 1;
+	}
+	return handle_points(a, b, are_fast) + handle_points(b, a, are_fast);
 }
 
-std::size_t PairHandling::handle_points(TouchingBody &body, TouchingBody &other) {
+// Two hulls can lie across each other with no point inside the other: the points then have nothing to say.
+bool PairHandling::handle_crossing(TouchingBody &a, TouchingBody &b) {
+	const auto middle = [](const TouchingBody &body) {
+		const Aabb box = bounding_box(body.hull());
+		return (box.min + box.max) * Real(0.5);
+	};
+	const Vec2 middle_a = middle(a);
+	const Vec2 middle_b = middle(b);
+	// The middle of a bent body may be outside it, where another may well be.
+	edges_.assign(a.hull());
+	const bool a_has_a = edges_.contains(middle_a);
+	const bool a_has_b = edges_.contains(middle_b);
+	if (!a_has_a && !a_has_b) {
+		return false;
+	}
+	edges_.assign(b.hull());
+	if (!(a_has_a && edges_.contains(middle_a)) && !(a_has_b && edges_.contains(middle_b))) {
+		return false;
+	}
+	const Vec2 way = middle_a - middle_b;
+	const Real distance = length(way);
+	const Real most = std::min(a.radius, b.radius);
+	part_bodies(a, b, distance > DEGENERATE_LENGTH * most ? way * (1 / distance) : Vec2{ 1, 0 }, most);
+	return a.inverse_mass + b.inverse_mass > 0;
+}
+
+std::size_t PairHandling::handle_points(TouchingBody &body, TouchingBody &other, bool are_fast) {
 	// Few points are near the other body: the others are left out several at a time.
 	std::size_t contacts = 0;
 	has_edges_ = false;
-	const std::uint32_t count = std::uint32_t(body.hull.size());
-	const Real radius_squared = other.radius * other.radius;
+	const std::span<Vec2> hull = body.hull();
+	const std::uint32_t count = std::uint32_t(hull.size());
+	const Real reach = other.radius + (are_fast ? body.way : Real(0));
 	const BasicVec2<RealPack> centre = in_all_lanes<RealPack>(other.centre);
 	std::uint32_t first = 0;
 	for (; first + PACK_WIDTH <= count; first += PACK_WIDTH) {
-		const RealPack distance = length_squared(consecutive(&body.hull[first]) - centre);
-		for (std::uint32_t near = bits(distance < RealPack(radius_squared)); near != 0; near &= near - 1) {
-			contacts += handle_point(body, other, first + std::uint32_t(std::countr_zero(near)));
+		const RealPack distance = length_squared(consecutive(&hull[first]) - centre);
+		for (std::uint32_t near = bits(distance < RealPack(reach * reach)); near != 0; near &= near - 1) {
+			contacts += handle_point(body, other, first + std::uint32_t(std::countr_zero(near)), are_fast);
 		}
 	}
 	for (; first < count; ++first) {
-		if (length_squared(body.hull[first] - other.centre) < radius_squared) {
-			contacts += handle_point(body, other, first);
+		if (length_squared(hull[first] - other.centre) < reach * reach) {
+			contacts += handle_point(body, other, first, are_fast);
 		}
 	}
 	return contacts;
 }
 
-bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::uint32_t point) {
-	if (!has_edges_) {
-		edges_.assign(other.hull);
-		has_edges_ = true;
+namespace {
+
+// Where a point has passed an edge from outside on its way through this substep, both moving. Behind the last such
+// edge it stays: the first it met is the one it has to go back through.
+std::optional<HullContact> find_passage(const TouchingBody &body, const TouchingBody &other, std::uint32_t point) {
+	const Motion path{ body.before[point], body.positions[point] };
+	std::optional<HullContact> first;
+	Real first_time = 2;
+	const std::span<const Vec2> hull = other.hull();
+	for (std::uint32_t i = 0; i < hull.size(); ++i) {
+		const std::uint32_t next = i + 1 == hull.size() ? 0 : i + 1;
+		const Motion start{ other.before[i], hull[i] };
+		const Motion end{ other.before[next], hull[next] };
+		if (cross(end.from - start.from, path.from - start.from) > 0) {
+			continue; // came from inside
+		}
+		const std::optional<SegmentImpact> impact = point_segment_impact(path, start, end);
+		if (!impact || impact->time >= first_time) {
+			continue;
+		}
+		const Vec2 edge = end.to - start.to;
+		const Real size = length(edge);
+		const Vec2 normal{ edge.y, -edge.x };
+		const Real depth = size > 0 ? -dot(normal, path.to - start.to) / size : Real(0);
+		if (depth > 0) {
+			first_time = impact->time;
+			first = HullContact{ i, impact->parameter, normal * (1 / size), depth };
+		}
 	}
-	const std::optional<HullContact> found = edges_.find(body.hull[point], outward_at(body.hull, point));
+	return first;
+}
+
+} // namespace
+
+bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::uint32_t point, bool are_fast) {
+	std::optional<HullContact> found = are_fast ? find_passage(body, other, point) : std::nullopt;
+	const bool is_fresh = found.has_value();
+	if (!found) {
+		if (!has_edges_) {
+			edges_.assign(other.hull());
+			has_edges_ = true;
+		}
+		found = edges_.find(body.positions[point], outward_at(body.hull(), point));
+	}
 	if (!found) {
 		return false;
 	}
-	const std::uint32_t end = found->edge + 1 == other.hull.size() ? 0 : found->edge + 1;
-	answer_pair_contact(body, other, { point, found->edge, end, found->t, found->normal, found->depth },
-			bounce_threshold_, other.radius, h_);
-	edges_.update(other.hull, found->edge);
-	edges_.update(other.hull, end);
+	const std::uint32_t end = found->edge + 1 == other.before.size() ? 0 : found->edge + 1;
+	answer_pair_contact(body, other, { point, found->edge, end, found->t, found->normal, found->depth, is_fresh },
+			bounce_threshold_, h_);
+	has_edges_ = false;
 	return true;
 }
 

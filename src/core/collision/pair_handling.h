@@ -14,6 +14,10 @@ namespace softbody {
 
 /// Finds and answers the contacts of pairs of bodies, each hull point against the other's hull edges. One object
 /// serves one thread; several may work at once on pairs that share no body.
+///
+/// Where two bodies move far in a substep (SWEEP_SHARE), each point is also followed on its way through the moving
+/// edges, so that nothing passes through. Bodies that lie across each other, the middle of one inside the other, are
+/// parted as wholes before any point is looked at.
 class PairHandling {
 public:
 	/// Of the coming substep: acceleration by gravity [length/s²] and length [s].
@@ -24,8 +28,9 @@ public:
 	std::size_t handle(TouchingBody &a, TouchingBody &b);
 
 private:
-	std::size_t handle_points(TouchingBody &body, TouchingBody &other);
-	bool handle_point(TouchingBody &body, TouchingBody &other, std::uint32_t point);
+	std::size_t handle_points(TouchingBody &body, TouchingBody &other, bool are_fast);
+	bool handle_point(TouchingBody &body, TouchingBody &other, std::uint32_t point, bool are_fast);
+	bool handle_crossing(TouchingBody &a, TouchingBody &b);
 
 	HullEdges edges_; ///< of the other body, once a point has come near
 	bool has_edges_ = false;

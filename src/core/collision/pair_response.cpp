@@ -9,19 +9,53 @@
 
 namespace softbody {
 
+void TouchingBody::begin_substep() {
+	std::ranges::copy(hull(), before.begin());
+}
+
 void TouchingBody::measure_extent() {
-	box = bounding_box(hull);
+	box = bounding_box(hull());
+	Real longest = 0;
+	for (std::size_t i = 0; i < before.size(); ++i) {
+		box.include(before[i]);
+		longest = std::max(longest, length_squared(positions[i] - before[i]));
+	}
+	way = std::sqrt(longest);
 	centre = (box.min + box.max) * Real(0.5);
 	Real farthest = 0;
-	for (const Vec2 p : hull) {
-		farthest = std::max(farthest, length_squared(p - centre));
+	for (std::size_t i = 0; i < before.size(); ++i) {
+		farthest = std::max(farthest, length_squared(positions[i] - centre));
+		farthest = std::max(farthest, length_squared(before[i] - centre));
 	}
 	radius = std::sqrt(farthest);
 }
 
+namespace {
+
+void move(TouchingBody &body, Vec2 shift) {
+	for (Vec2 &p : body.positions) {
+		p += shift;
+	}
+	body.box = { body.box.min + shift, body.box.max + shift };
+	body.centre += shift;
+}
+
+} // namespace
+
+void part_bodies(TouchingBody &body, TouchingBody &other, Vec2 direction, Real distance) {
+	const Real mobility = body.inverse_mass + other.inverse_mass;
+	if (!(mobility > 0)) {
+		return;
+	}
+	const Real most = DEEP_OVERLAP * std::min(body.radius, other.radius);
+	const Vec2 shift = direction * (std::min(distance, most) / mobility);
+	move(body, shift * body.inverse_mass);
+	move(other, -shift * other.inverse_mass);
+}
+
 Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
-		Real longest_push, Real h) {
-	const auto [p, a, b, t, normal, depth] = contact;
+		Real h) {
+	const auto [p, a, b, t, normal, depth, is_fresh] = contact;
 	const Real share_a = 1 - t;
 	const Real share_b = t;
 	const Real mobility_p = body.inverse_masses[p];
@@ -34,10 +68,19 @@ Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairCont
 	}
 	const Vec2 relative =
 			body.velocities[p] - (other.velocities[a] * share_a + other.velocities[b] * share_b);
-	Vec2 shift = normal * std::min(depth, longest_push);
+	const Real approach = -dot(relative, normal);
+	Real push = depth;
+	if (!is_fresh && body.inverse_mass + other.inverse_mass > 0) {
+		const Real size = std::min(body.radius, other.radius);
+		const Real fresh = std::max(approach, Real(0)) * h;
+		if (depth > fresh + DEEP_OVERLAP * size) {
+			part_bodies(body, other, normal, depth - fresh);
+		}
+		push = std::min(depth, fresh + OLD_OVERLAP_PUSH * size);
+	}
+	Vec2 shift = normal * push;
 	Vec2 velocity_change;
 	Real normal_change = 0;
-	const Real approach = -dot(relative, normal);
 	if (approach > 0) {
 		const Real friction = std::min(body.friction, other.friction);
 		const Real restitution = std::min(body.restitution + other.restitution, Real(1));
@@ -59,11 +102,11 @@ Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairCont
 	}
 	shift *= 1 / mobility;
 	velocity_change *= 1 / mobility;
-	body.hull[p] += shift * mobility_p;
+	body.positions[p] += shift * mobility_p;
 	body.velocities[p] += velocity_change * mobility_p;
-	other.hull[a] -= shift * mobility_a;
+	other.positions[a] -= shift * mobility_a;
 	other.velocities[a] -= velocity_change * mobility_a;
-	other.hull[b] -= shift * mobility_b;
+	other.positions[b] -= shift * mobility_b;
 	other.velocities[b] -= velocity_change * mobility_b;
 	return normal_change / mobility;
 }

@@ -12,16 +12,24 @@ namespace softbody {
 
 /// What contacts between bodies need of a body. A view that stays valid until bodies are rearranged.
 struct TouchingBody {
-	Aabb box; ///< of the hull, as `measure_extent` found it
-	Vec2 centre; ///< of a circle around the hull
-	Real radius = 0; ///< of that circle [length]
-	std::span<Vec2> hull;
-	std::span<Vec2> velocities; ///< of all points, the hull's first
+	std::span<Vec2> positions; ///< of all points, the hull's first
+	std::span<Vec2> velocities;
 	std::span<const Real> inverse_masses;
+	std::span<Vec2> before; ///< where the hull's points were at the start of the substep
+	Real inverse_mass = 0; ///< of the body as a whole; 0 when a point is pinned
+	Real width = 0; ///< of its thinner part: twice the rest area over the perimeter [length]
 	Real friction = 0;
 	Real restitution = 0;
+	// As `measure_extent` found them.
+	Aabb box; ///< of the hull's points, now and before
+	Vec2 centre; ///< of a circle around the same
+	Real radius = 0; ///< of that circle [length]
+	Real way = 0; ///< of the fastest hull point in this substep [length]
 
-	/// Measures box and circle. O(hull points).
+	std::span<Vec2> hull() const { return positions.first(before.size()); }
+	/// Keeps the hull's points as those before.
+	void begin_substep();
+	/// Measures box, circle and way. O(hull points).
 	void measure_extent();
 };
 
@@ -33,6 +41,7 @@ struct PairContact {
 	Real t = 0; ///< place on the edge, 0..1
 	Vec2 normal; ///< unit, out of the second body
 	Real depth = 0; ///< [length], >= 0
+	bool is_fresh = false; ///< the point is known to have come in during this substep, so that all of it is pushed out
 };
 
 /// Answers one contact between two bodies: moves point and edge apart along the normal, takes from their approach
@@ -41,8 +50,15 @@ struct PairContact {
 /// Moving apart gives no velocity: bodies that start inside one another part without a jump.
 /// All changes are shared out by inverse mass, with impulses equal and opposite in one place, so that linear and
 /// angular momentum stay. Friction: the smaller coefficient; restitution: the sum, at most 1 (as Godot combines them).
-/// Moves at most `longest_push` [length] at once. Returns the normal impulse [mass·length/s]. O(1).
+/// What is deeper than this substep's approach and DEEP_OVERLAP of the smaller body explain is not the points' doing:
+/// the bodies part as a whole, which strains no spring. Returns the normal impulse [mass·length/s]. O(1), or O(points)
+/// where it is deep.
 Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
-		Real longest_push, Real h);
+		Real h);
+
+/// Moves two bodies that lie across each other apart as wholes, along the unit `direction` from the second to the
+/// first, by at most DEEP_OVERLAP of the smaller one. Their velocities stay, and so do bodies with pinned points.
+/// O(points).
+void part_bodies(TouchingBody &body, TouchingBody &other, Vec2 direction, Real distance);
 
 } // namespace softbody

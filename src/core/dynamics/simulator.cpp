@@ -15,6 +15,14 @@ constexpr std::size_t TASKS = 32;
 constexpr std::size_t CREWS_A_TASK = 16;
 constexpr std::size_t GROUPS_A_TASK = 4;
 
+Real perimeter(std::span<const Vec2> hull) {
+	Real sum = 0;
+	for (std::size_t i = 0; i < hull.size(); ++i) {
+		sum += length(hull[i] - hull[i == 0 ? hull.size() - 1 : i - 1]);
+	}
+	return sum;
+}
+
 // Where bodies are too many for the cache, a step waits for memory: their state is asked for three crews ahead
 // (353,400 bodies in explicit Euler steps: 61 ns a body without, 50 with).
 constexpr std::size_t CREWS_AHEAD = 3;
@@ -57,6 +65,7 @@ void Simulator::arrange(Real dt) {
 	crews_.clear();
 	touching_.clear();
 	broad_.clear();
+	std::size_t hull_points = 0;
 	std::uint32_t layers = 0;
 	std::uint32_t masks = 0;
 	for (const Crew &crew : roster_.crews()) {
@@ -66,11 +75,26 @@ void Simulator::arrange(Real dt) {
 			SoftBodyData &body = world_.soft_bodies()[crew.bodies[lane]];
 			const BodySettings &settings = body.settings();
 			state.rows[lane] = std::uint32_t(touching_.size());
-			touching_.push_back({ {}, {}, 0, body.mutable_positions().first(body.shape().hull_count()),
-					body.mutable_velocities(), body.inverse_masses(), settings.friction, settings.restitution });
+			TouchingBody &touching = touching_.emplace_back();
+			touching.positions = body.mutable_positions();
+			touching.velocities = body.mutable_velocities();
+			touching.inverse_masses = body.inverse_masses();
+			touching.inverse_mass = body.has_pins() ? Real(0) : 1 / body.shape().total_mass();
+			touching.width = 2 * body.shape().rest_area() / perimeter(body.shape().rest_hull());
+			touching.friction = settings.friction;
+			touching.restitution = settings.restitution;
+			hull_points += body.shape().hull_count();
 			broad_.push_back({ {}, settings.collision_layer, settings.collision_mask });
 			layers |= settings.collision_layer;
 			masks |= settings.collision_mask;
+		}
+	}
+	before_.resize(hull_points);
+	std::size_t begin = 0;
+	for (std::size_t row = 0; const Crew &crew : roster_.crews()) {
+		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+			touching_[row++].before = std::span(before_).subspan(begin, crew.shape->hull_count());
+			begin += crew.shape->hull_count();
 		}
 	}
 	bodies_notice_bodies_ = touching_.size() > 1 && (layers & masks) != 0;
@@ -99,7 +123,7 @@ void Simulator::find_pairs(Real dt) {
 		const std::size_t tasks = std::clamp<std::size_t>(count / (CREWS_A_TASK * PACK_WIDTH), 1, TASKS);
 		run_tasks(parallel_for_, tasks, [&](std::size_t task) {
 			for (std::size_t i = count * task / tasks; i < count * (task + 1) / tasks; ++i) {
-				broad_[i].box = sweep_box(touching_[i].hull, touching_[i].velocities, dt);
+				broad_[i].box = sweep_box(touching_[i].hull(), touching_[i].velocities, dt);
 			}
 		});
 		broad_phase_.update(broad_, roster_.version());
@@ -171,6 +195,9 @@ void Simulator::step_coupled(Real dt) {
 			const CrewState &state = crews_[i];
 			if (substep == 0) {
 				stepper.begin(crew);
+			}
+			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+				touching_[state.rows[lane]].begin_substep();
 			}
 			const int force_substeps = (state.plan.substeps + contact_substeps - 1) / contact_substeps;
 			stepper.advance(crew, state.plan, duration, force_substeps);

@@ -80,6 +80,7 @@ private:
 	// One an active body.
 	std::vector<TouchingBody> touching_;
 	std::vector<BroadPhaseBody> broad_;
+	std::vector<Vec2> before_; ///< hull points of all bodies at the start of a contact substep
 	std::vector<char> has_pair_;
 
 	std::uint64_t seen_forces_ = 0;
