@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How the time of a step grows with the number of bodies, what it goes into, and what a second thread saves.
 #include "bench.h"
+#include "phase_clock.h"
 #include "soft_pile.h"
 
 #include "core/collision/broad_phase.h"
@@ -11,8 +12,6 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace bench {
@@ -25,34 +24,6 @@ using softbody::Real;
 constexpr int RATE = 60;
 constexpr int SETTLE_STEPS = 5 * RATE;
 constexpr int TIMED_STEPS = RATE;
-
-// Where a step spends its time, as its parallel-for sees it: the type of a task is named after the function that asks for
-// it. What happens between the calls is the remainder.
-class PhaseClock {
-public:
-	enum Phase { FORCES, BROAD_PHASE, CONTACTS, OTHER, PHASES };
-
-	explicit PhaseClock(softbody::ParallelFor threads) : threads_(std::move(threads)) {}
-
-	softbody::ParallelFor parallel_for() {
-		return [this](std::size_t count, const std::function<void(std::size_t)> &task) {
-			const Stopwatch watch;
-			threads_(count, task);
-			spent_[phase_of(task.target_type().name())] += watch.elapsed().cpu;
-		};
-	}
-	/// Since the last call [s].
-	std::array<double, PHASES> take() { return std::exchange(spent_, {}); }
-
-private:
-	static Phase phase_of(std::string_view name) {
-		const auto is = [&](const char *function) { return name.find(function) != std::string_view::npos; };
-		return is("for_crews") ? FORCES : is("find_pairs") ? BROAD_PHASE : is("answer_pairs") ? CONTACTS : OTHER;
-	}
-
-	softbody::ParallelFor threads_;
-	std::array<double, PHASES> spent_{};
-};
 
 // The broad phase of the coming step once more, to see what its serial part takes.
 class BroadPhaseTwin {
@@ -84,16 +55,20 @@ std::unique_ptr<SoftPile> settled_pile(std::size_t bodies, const softbody::Paral
 }
 
 json measure_size(std::size_t bodies, ThreadPool &pool) {
-	PhaseClock clock(pool.parallel_for());
-	pool.set_in_use(true);
-	const std::unique_ptr<SoftPile> pile = settled_pile(bodies, clock.parallel_for());
-	pool.set_in_use(false);
+	PhaseClock clock;
+	const softbody::ParallelFor on_two = pool.parallel_for();
+	const softbody::ParallelFor timed = clock.parallel_for();
+	bool is_timed = false;
+	const std::unique_ptr<SoftPile> pile = settled_pile(bodies, [&](std::size_t count, const auto &task) {
+		(is_timed ? timed : on_two)(count, task);
+	});
+	is_timed = true;
 	BroadPhaseTwin twin;
 	twin.update(*pile, pile->world());
-	clock.take();
 	std::vector<Duration> times;
 	std::array<std::vector<double>, PhaseClock::PHASES> spent;
 	std::vector<double> update;
+	std::vector<double> saved;
 	const std::uint64_t rebuilds = twin.rebuilds();
 	double contacts = 0;
 	// As many body-steps for a small pile as for a large one, so that its figures are worth as much.
@@ -102,10 +77,11 @@ json measure_size(std::size_t bodies, ThreadPool &pool) {
 		update.push_back(twin.update(*pile, pile->world()));
 		times.push_back(pile->step());
 		contacts += double(pile->report().contacts + pile->report().pair_contacts) / double(steps);
-		const auto phases = clock.take();
-		for (std::size_t phase = 0; phase < phases.size(); ++phase) {
-			spent[phase].push_back(phases[phase]);
+		const PhaseClock::Times phases = clock.take();
+		for (std::size_t phase = 0; phase < phases.spent.size(); ++phase) {
+			spent[phase].push_back(phases.spent[phase]);
 		}
+		saved.push_back(phases.saved_by_two);
 	}
 	const StepTimes step = times_of(times);
 	// Means: phases add up, and the broad phase has most to do in a few steps.
@@ -125,6 +101,9 @@ json measure_size(std::size_t bodies, ThreadPool &pool) {
 	row["forces_ns"] = seen ? json(forces) : json(nullptr);
 	row["broad_phase_ns"] = boxes + pairs;
 	row["contacts_ns"] = seen ? json(contact) : json(nullptr);
+	// By processor time, so as if nobody else used the machine; without the cost of asking a second thread.
+	const double with_two = mean - statistics_of(saved).mean * ns;
+	row["scheduled_speedup"] = seen ? json(mean / with_two) : json(nullptr);
 	row["rest_ns"] = seen ? json(mean - forces - boxes - pairs - contact) : json(nullptr);
 	std::fprintf(stderr, "  %s\n", row.dump().c_str());
 	return row;

@@ -3,6 +3,7 @@
 #include "soft_pile.h"
 
 #include "bodies.h"
+#include "phase_clock.h"
 
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/integrators/integrator_step.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -27,16 +27,6 @@ Border border(double x, double y, Vec2 normal) {
 	Border result;
 	result.plane = { { Real(x), Real(y) }, normal };
 	return result;
-}
-
-double cpu_seconds() {
-#if defined(CLOCK_THREAD_CPUTIME_ID)
-	timespec now;
-	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-	return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-#else
-	return double(std::clock()) / CLOCKS_PER_SEC; // of all threads
-#endif
 }
 
 Shape body_shape(const PileScene &scene, const SoftPileSettings &settings, double mass) {
@@ -81,10 +71,10 @@ PileScene centred(PileScene scene) {
 	return scene;
 }
 
-Stopwatch::Stopwatch() : wall_(std::chrono::steady_clock::now()), cpu_(cpu_seconds()) {}
+Stopwatch::Stopwatch() : wall_(std::chrono::steady_clock::now()), cpu_(thread_seconds()) {}
 
 Duration Stopwatch::elapsed() const {
-	const double cpu = cpu_seconds() - cpu_;
+	const double cpu = thread_seconds() - cpu_;
 	return { std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count(), cpu };
 }
 
