@@ -25,6 +25,14 @@ inline constexpr int MIN_CONTACT_SUBSTEPS = 4;
 /// substeps [1]. Stiffer bodies take several force substeps in each.
 inline constexpr int MAX_CONTACT_SUBSTEPS = 16;
 
+/// A body whose points move slower than this, root mean square weighted by mass [length/s, times
+/// WorldData::length_unit], counts as at rest. Larger: bodies stop in the middle of a slow roll. Smaller: piles that
+/// still tremble a little never sleep.
+inline constexpr Real SLEEP_SPEED = Real(0.05);
+
+/// Time [s] that an island of touching bodies must have been at rest before it falls asleep.
+inline constexpr Real SLEEP_TIME = Real(0.5);
+
 /// Share of the smaller body's radius by which bodies may be inside one another before they are moved apart as
 /// wholes, and by which they are moved at most in a substep [1]. Smaller: piles are moved instead of pressed.
 /// Larger: bodies that start inside one another strain their springs and jump apart.

@@ -2,6 +2,7 @@
 // Advances bodies through one step, alone or side by side.
 #include "core/dynamics/body_stepper.h"
 
+#include "core/base/constants.h"
 #include "core/model/body_frame.h"
 
 #include <algorithm>
@@ -43,19 +44,39 @@ void BodyStepper::begin(const Crew &crew) {
 	}
 }
 
-void BodyStepper::advance(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps) {
-	if (can_go_side_by_side(crew, plan, duration)) {
+void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration, int substeps) {
+	if (can_go_side_by_side(crew, lanes, plan, duration)) {
 		advance_side_by_side(crew, plan, duration, substeps);
-	} else {
-		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+		counts_.substeps += std::uint64_t(substeps) * crew.count;
+		return;
+	}
+	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+		if (lanes >> lane & 1) {
 			advance_alone(crew.bodies[lane], plan, duration, substeps);
+			counts_.substeps += std::uint64_t(substeps);
 		}
 	}
-	counts_.substeps += std::uint64_t(substeps) * crew.count;
 }
 
-bool BodyStepper::can_go_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration) const {
-	if (crew.count < PACK_WIDTH || borders_bounce_ || !integrator_traits(plan.integrator).step_side_by_side) {
+void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
+	const std::span<const Real> masses = crew.shape->masses();
+	const Real slow = SLEEP_SPEED * world_->length_unit();
+	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+		if (!(lanes >> lane & 1)) {
+			continue;
+		}
+		Real twice_energy = 0;
+		for (std::size_t i = 0; i < masses.size(); ++i) {
+			twice_energy += masses[i] * length_squared(crew.velocities[lane][i]);
+		}
+		RestState &rest = body(crew.bodies[lane]).rest_state();
+		rest.rest_time = twice_energy < slow * slow * crew.shape->total_mass() ? rest.rest_time + dt : Real(0);
+	}
+}
+
+bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan,
+		Real duration) const {
+	if (crew.count < PACK_WIDTH || lanes != ALL_LANES || borders_bounce_ || !integrator_traits(plan.integrator).step_side_by_side) {
 		return false; // each body remembers its own bounce
 	}
 	// Thousands of bodies are many megabytes: what need not be read is left where it is.

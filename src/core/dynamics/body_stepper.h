@@ -32,8 +32,10 @@ public:
 	/// Keeps the positions from which the step starts.
 	void begin(const Crew &crew);
 	/// Advances by `duration` [s] in `substeps` substeps of the plan's method, each ended by the contacts with the
-	/// surroundings. Resets what is no longer finite.
-	void advance(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
+	/// surroundings. Resets what is no longer finite. Bit l of `lanes` tells whether lane l takes part.
+	void advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration, int substeps);
+	/// Adds `dt` [s] to the time at rest of the bodies that hardly move, and starts that of the others anew.
+	void time_rest(const Crew &crew, std::uint32_t lanes, Real dt);
 	/// Forgets external forces.
 	void end(const Crew &crew);
 	/// Resets the bodies that are no longer finite, after something else than `advance` has moved them.
@@ -44,7 +46,7 @@ public:
 private:
 	void advance_alone(std::uint32_t place, const SubstepPlan &plan, Real duration, int substeps);
 	void advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
-	bool can_go_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration) const;
+	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration) const;
 	void reset(std::uint32_t place);
 	SoftBodyData &body(std::uint32_t place) const { return world_->soft_bodies()[place]; }
 
