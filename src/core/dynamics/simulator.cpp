@@ -23,7 +23,7 @@ bool has_finite_state(const SoftBodyData &body) {
 
 SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
 	const bool has_contacts = !world_.borders().empty() || !world_.colliders().empty();
-	return plan_substeps(body.shape(), body.settings(), dt, has_contacts);
+	return plan_substeps(body, dt, has_contacts);
 }
 
 StepReport Simulator::simulate(Real dt) {
