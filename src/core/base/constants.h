@@ -49,6 +49,11 @@ inline constexpr Real DEFAULT_SHAPE_MATCHING = Real(0.4);
 /// rounding can never put it on the other side. Larger: visible gap. Smaller: leaks far from the origin.
 inline constexpr Real LINEAR_SLOP = Real(0.001);
 
+/// How far apart, in radii, the points of a joined body may be before it counts as blown up and is reset, and how far
+/// it may fly in a step for that flight to outlast a reset [1]. Larger: a body that blows up over several steps
+/// reappears away from where it was. Smaller: one that is only stretched is taken for lost.
+inline constexpr Real CREDIBLE_REACH = 1000;
+
 /// Springs shorter than this fraction of their rest length have no usable direction and exert no
 /// force for that evaluation [1].
 inline constexpr Real DEGENERATE_LENGTH = Real(1e-6);

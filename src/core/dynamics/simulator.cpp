@@ -2,6 +2,7 @@
 // Advances a whole world by one fixed time step.
 #include "core/dynamics/simulator.h"
 
+#include "core/base/constants.h"
 #include "core/model/body_frame.h"
 
 #include <algorithm>
@@ -10,13 +11,41 @@ namespace softbody {
 
 namespace {
 
-bool has_finite_state(const SoftBodyData &body) {
-	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		if (!is_finite(body.positions()[i]) || !is_finite(body.velocities()[i])) {
-			return false;
+// No point farther from the first than any body is stretched; false also for what is not a number.
+bool is_together(const SoftBodyData &body) {
+	const Real farthest = CREDIBLE_REACH * body.shape().radius();
+	return std::ranges::all_of(body.positions(),
+			[&](Vec2 p) { return length_squared(p - body.positions()[0]) <= farthest * farthest; });
+}
+
+// A blow-up is noticed by its size long before it overflows: by then rounding has swamped the body's centre. Points
+// that nothing joins may part.
+bool is_ruined(const SoftBodyData &body, const SubstepPlan &plan) {
+	const auto finite = [](Vec2 a) { return is_finite(a); };
+	return !std::ranges::all_of(body.velocities(), finite) || !std::ranges::all_of(body.positions(), finite) ||
+			(plan.frequency > 0 && !is_together(body));
+}
+
+// Of the frame at the start of a step, what can be believed.
+struct Fallback {
+	Vec2 centre;
+	Rotation rotation;
+	Vec2 velocity;
+};
+
+Fallback fallback_of(const SoftBodyData &body, Real dt) {
+	const BodyFrame frame = measure_frame(body);
+	Fallback fallback{ frame.centre, body.rotation_memory(), {} };
+	if (!is_finite(fallback.centre)) {
+		fallback.centre = is_finite(body.positions()[0]) ? body.positions()[0] : Vec2{};
+	} else if (is_together(body)) {
+		fallback.rotation = frame.rotation;
+		const bool is_free = std::ranges::find(body.inverse_masses(), Real(0)) == body.inverse_masses().end();
+		if (is_free && length(frame.velocity) * dt <= CREDIBLE_REACH * body.shape().radius()) {
+			fallback.velocity = frame.velocity;
 		}
 	}
-	return true;
+	return fallback;
 }
 
 } // namespace
@@ -54,6 +83,7 @@ void Simulator::simulate_body(SoftBodyData &body, BodyId id, Real dt, StepReport
 	}
 	body.clear_external_forces();
 	std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
+	const Fallback fallback = fallback_of(body, dt);
 
 	const SubstepPlan chosen = plan(body, dt);
 	const IntegratorStep step = integrator_traits(chosen.integrator).step;
@@ -73,9 +103,14 @@ void Simulator::simulate_body(SoftBodyData &body, BodyId id, Real dt, StepReport
 		report.substeps++;
 	}
 
-	if (!has_finite_state(body)) {
-		std::ranges::copy(body.previous_positions(), body.mutable_positions().begin());
-		std::ranges::fill(body.mutable_velocities(), Vec2{});
+	if (is_ruined(body, chosen)) {
+		// Not the shape at the start of the step: what ruined the body may already have been in it, and would again.
+		for (std::size_t i = 0; i < count; ++i) {
+			const bool is_pinned = body.inverse_masses()[i] == 0;
+			const Vec2 place = fallback.centre + fallback.rotation.apply(body.shape().rest_positions()[i]);
+			body.mutable_positions()[i] = is_pinned ? body.previous_positions()[i] : place;
+			body.mutable_velocities()[i] = is_pinned ? Vec2{} : fallback.velocity;
+		}
 		body.touch_memory() = {};
 		report.reset_bodies.push_back(id);
 	}

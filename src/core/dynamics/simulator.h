@@ -19,8 +19,9 @@ struct StepReport {
 	Status refused; ///< set when `dt` was refused; then nothing moved
 	std::uint64_t substeps = 0; ///< body-substeps, summed over bodies
 	std::uint64_t contacts = 0; ///< contacts answered, summed over substeps
-	/// Bodies whose state became non-finite in this step. Each was put back to where it was before the
-	/// step, at rest; the others are untouched.
+	/// Bodies whose state became non-finite in this step, or that flew apart (CREDIBLE_REACH). Each was given its rest shape again, with the centre,
+	/// rotation and mean velocity that it had before the step, so that its next step starts sane; at rest if
+	/// that velocity cannot be believed or a point is pinned. Pinned points stay. The others are untouched.
 	std::vector<BodyId> reset_bodies;
 };
 

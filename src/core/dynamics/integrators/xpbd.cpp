@@ -58,7 +58,7 @@ void solve_pressure(const SoftBodyData &body, Real h, std::span<Vec2> x, std::sp
 
 // Shape matching by an implicit step of each point towards its goal, damping relative to the rigid
 // part of the motion. Goals and rigid motion are those of the predicted positions, and the weights
-// are masses, so the corrections sum to zero momentum and spin.
+// are masses, so the corrections sum to zero momentum and spin, but for rounding.
 void solve_shape(SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x, std::span<Vec2> velocities) {
 	const SoftBodyShape &shape = body.shape();
 	for (std::size_t i = 0; i < x.size(); ++i) {
@@ -69,23 +69,14 @@ void solve_shape(SoftBodyData &body, std::span<const Vec2> before, Real h, std::
 	const Real elastic = body.settings().shape_stiffness * per_mass * h * h;
 	const Real viscous = body.settings().shape_damping * per_mass * h;
 	const Real share = 1 / (1 + elastic + viscous);
-	const auto correction = [&](std::size_t i) {
+	for (std::size_t i = 0; i < x.size(); ++i) {
+		if (body.inverse_masses()[i] == 0) {
+			continue;
+		}
 		const Vec2 arm = x[i] - frame.centre;
 		const Vec2 strain = frame.rotation.apply(shape.rest_positions()[i]) - arm;
 		const Vec2 drift = frame.velocity + perpendicular(arm) * frame.angular_velocity - velocities[i];
-		return (strain * elastic + drift * (viscous * h)) * share;
-	};
-	// Zero but for rounding, which turns with the body and drives it like a motor; see add_shape_forces.
-	Vec2 mean;
-	for (std::size_t i = 0; i < x.size(); ++i) {
-		velocities[i] = correction(i); // the velocity is needed for its own correction alone
-		mean += velocities[i] * shape.masses()[i];
-	}
-	mean *= 1 / shape.total_mass();
-	for (std::size_t i = 0; i < x.size(); ++i) {
-		if (body.inverse_masses()[i] != 0) {
-			x[i] += velocities[i] - mean;
-		}
+		x[i] += (strain * elastic + drift * (viscous * h)) * share;
 	}
 }
 
@@ -134,41 +125,48 @@ void balance_energy(SoftBodyData &body, double allowed, const SubstepInput &inpu
 	}
 }
 
-double spin_of(const SoftBodyData &body, Vec2 centre) {
-	const std::span<const Real> m = body.shape().masses();
-	double spin = 0;
-	for (std::size_t i = 0; i < m.size(); ++i) {
-		spin += double(m[i]) * cross(body.positions()[i] - centre, body.velocities()[i]);
-	}
-	return spin;
-}
+// The rigid motion that a substep without contacts cannot change but from outside.
+struct RigidMotion {
+	Vec2 centre;
+	Vec2 velocity;
+	double spin = 0; // angular momentum about the centre
+	double inertia = 0;
+};
 
-Vec2 centre_of(const SoftBodyData &body) {
+RigidMotion rigid_motion_of(const SoftBodyData &body) {
 	const std::span<const Vec2> x = body.positions();
+	const std::span<const Vec2> v = body.velocities();
+	const std::span<const Real> m = body.shape().masses();
 	const Vec2 base = x[0]; // sums relative to a point of the body keep digits far from the origin
-	Vec2 sum;
+	const Vec2 base_velocity = v[0];
+	RigidMotion motion;
 	for (std::size_t i = 0; i < x.size(); ++i) {
-		sum += (x[i] - base) * body.shape().masses()[i];
+		motion.centre += (x[i] - base) * m[i];
+		motion.velocity += (v[i] - base_velocity) * m[i];
 	}
-	return base + sum * (1 / body.shape().total_mass());
+	motion.centre = base + motion.centre * (1 / body.shape().total_mass());
+	motion.velocity = base_velocity + motion.velocity * (1 / body.shape().total_mass());
+	for (std::size_t i = 0; i < x.size(); ++i) {
+		const Vec2 arm = x[i] - motion.centre;
+		motion.spin += double(m[i]) * cross(arm, v[i] - motion.velocity);
+		motion.inertia += double(m[i]) * length_squared(arm);
+	}
+	return motion;
 }
 
 // Each correction acts along a line between two points, but as they are by then, moved by the corrections before it:
 // momentum is kept, spin is not. A stiff body let go stretched began to turn by itself (1.7 rad/s at k = 1e6), and a
-// turning one lost a sixth of its spin in ten seconds. What is missing is given back as a rigid rotation.
-void restore_spin(SoftBodyData &body, double wanted) {
-	const Vec2 centre = centre_of(body);
-	const std::span<const Vec2> x = body.positions();
-	double inertia = 0;
-	for (std::size_t i = 0; i < x.size(); ++i) {
-		inertia += double(body.shape().masses()[i]) * length_squared(x[i] - centre);
-	}
-	if (!(inertia > DEGENERATE_LENGTH * body.shape().rest_inertia())) {
-		return; // gathered in a point: no turn of it would make up for anything
-	}
-	const auto turn = Real((wanted - spin_of(body, centre)) / inertia);
-	for (std::size_t i = 0; i < x.size(); ++i) {
-		body.mutable_velocities()[i] += perpendicular(x[i] - centre) * turn;
+// turning one lost a sixth of its spin in ten seconds. And while momentum is kept in the sum, the last digit of a
+// position over h is a speed: a turning body in float strayed by 4 cm in ten seconds. What is missing of either is
+// given back as a rigid motion.
+void restore_rigid_motion(SoftBodyData &body, const RigidMotion &wanted) {
+	const RigidMotion found = rigid_motion_of(body);
+	const Vec2 push = wanted.velocity - found.velocity;
+	// Gathered in a point, no turn of it would make up for anything.
+	const bool can_turn = found.inertia > DEGENERATE_LENGTH * body.shape().rest_inertia();
+	const auto turn = Real(can_turn ? (wanted.spin - found.spin) / found.inertia : 0.0);
+	for (std::size_t i = 0; i < body.point_count(); ++i) {
+		body.mutable_velocities()[i] += push + perpendicular(body.positions()[i] - found.centre) * turn;
 	}
 }
 
@@ -186,9 +184,9 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 	const std::span<Vec2> scratch(workspace.forces.data(), x.size());
 	const Vec2 acceleration = input.gravity * body.settings().gravity_scale;
 	double allowed = measure_energy(body, input.gravity).total();
-	const bool is_free = std::ranges::find(w, Real(0)) == w.end(); // a pin takes up spin
-	const Vec2 centre = centre_of(body);
-	double spin = spin_of(body, centre);
+	const bool is_free = std::ranges::find(w, Real(0)) == w.end(); // a pin takes up what it likes
+	RigidMotion rigid = rigid_motion_of(body);
+	rigid.velocity += acceleration * input.h;
 	for (std::size_t i = 0; i < x.size(); ++i) {
 		before[i] = x[i];
 		v[i] += (acceleration * m[i] + input.external[i]) * (w[i] * input.h);
@@ -206,11 +204,12 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 		// Not (x - before)/h: at small h that is the rounding of x, magnified, even where nothing was corrected.
 		v[i] += (x[i] - predicted[i]) * (1 / input.h);
 		allowed += dot(input.external[i], x[i] - before[i]);
-		spin += double(input.h) * cross(before[i] - centre, input.external[i]);
+		rigid.velocity += input.external[i] * (input.h / body.shape().total_mass());
+		rigid.spin += double(input.h) * cross(before[i] - rigid.centre, input.external[i]);
 	}
 	balance_energy(body, allowed, input, before);
 	if (is_free) {
-		restore_spin(body, spin);
+		restore_rigid_motion(body, rigid);
 	}
 }
 
