@@ -5,8 +5,11 @@
 #include "bodies.h"
 
 #include "core/base/constants.h"
+#include "core/creator/soft_body_creator.h"
 #include "core/dynamics/energy.h"
+#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
+#include "scenes/jelly.h"
 
 #include <algorithm>
 #include <array>
@@ -195,6 +198,75 @@ json judge(Seed seed, int bodies) {
 		{ "xpbd_over_modelling_ratio", statistics(xpbd_ratios) } };
 }
 
+// --- Rest: why the rule runs semi-implicit Euler, and not Verlet, beside things to touch
+
+constexpr int REST_TICKS = 12 * RATE;
+constexpr double AT_REST = 5; // px/s of the fastest point, of jellies of 50 px
+
+softbody::WorldData jelly_world(bool funnel) {
+	softbody::WorldData world = softbody::testing::pixel_world();
+	if (funnel) {
+		world.add_collider({ { { -200, 100 }, { 0, 250 } }, 0, {} });
+		world.add_collider({ { { 0, 250 }, { 200, 100 } }, 0, {} });
+	} else {
+		world.add_border(softbody::testing::floor_at(200));
+	}
+	return world;
+}
+
+struct Rest {
+	int last_moving = 0; // tick
+	double end_speed = 0; // fastest point in the last two seconds [px/s]
+};
+
+Rest drop(Integrator integrator, int hull_points, double stiffness, double damping_ratio, bool funnel) {
+	const double mass = 1.0 / (hull_points + 1);
+	const auto shape = take(softbody::SoftBodyCreator::create_circle(
+			50, hull_points, { 1, Real(stiffness), Real(damping_ratio * std::sqrt(stiffness * mass)), true }));
+	softbody::BodySettings settings;
+	set_shape_matching(settings, *shape, 0.4 * stiffness);
+	settings.rolling_resistance = Real(0.03);
+	settings.integrator = integrator;
+	const softbody::Pose pose{ { 3, 0 }, softbody::Rotation::from_angle(Real(0.1)) };
+	softbody::WorldData world = jelly_world(funnel);
+	world.add_soft_body(take(softbody::SoftBodyData::create(shape, settings, pose)));
+	softbody::Simulator simulator(world);
+	Rest rest;
+	for (int i = 0; i < REST_TICKS; ++i) {
+		simulator.simulate(Real(1) / RATE);
+		double fastest = 0;
+		for (const softbody::Vec2 v : world.soft_bodies()[0].velocities()) {
+			fastest = std::max(fastest, double(softbody::length(v)));
+		}
+		rest.last_moving = fastest > AT_REST ? i + 1 : rest.last_moving;
+		rest.end_speed = i >= REST_TICKS - 2 * RATE ? std::max(rest.end_speed, fastest) : 0;
+	}
+	return rest;
+}
+
+// Jellies of several sizes and stiffnesses, all of which either method can step explicitly.
+json rest(Integrator integrator) {
+	int bodies = 0;
+	int at_rest = 0;
+	double time = 0;
+	double speed = 0;
+	for (const int hull_points : { 8, 16, 32 }) {
+		for (const double stiffness : { 30.0, 100.0, 300.0, 1000.0 }) {
+			for (const double damping_ratio : { 0.02, 0.05, 0.2 }) {
+				for (const bool funnel : { false, true }) {
+					const Rest found = drop(integrator, hull_points, stiffness, damping_ratio, funnel);
+					bodies++;
+					at_rest += int(found.last_moving < REST_TICKS - RATE / 2);
+					time += double(found.last_moving) / RATE;
+					speed += found.end_speed;
+				}
+			}
+		}
+	}
+	return { { "integrator", softbody::integrator_traits(integrator).name }, { "bodies", bodies }, { "at_rest", at_rest },
+		{ "mean_time", time / bodies }, { "mean_speed", speed / bodies } };
+}
+
 } // namespace
 
 json automatic(const Options &options) {
@@ -209,7 +281,8 @@ json automatic(const Options &options) {
 		seeds.push_back(each.get());
 	}
 	return { { "seconds", double(TICKS) / RATE }, { "energy_limit", ENERGY_LIMIT }, { "least_damping", LEAST_DAMPING },
-		{ "gravity", GRAVITY }, { "seeds", seeds } };
+		{ "gravity", GRAVITY }, { "seeds", seeds },
+		{ "rest", { rest(Integrator::SEMI_IMPLICIT_EULER), rest(Integrator::VELOCITY_VERLET) } } };
 }
 
 } // namespace bench
