@@ -198,6 +198,35 @@ json judge(Seed seed, int bodies) {
 		{ "xpbd_over_modelling_ratio", statistics(xpbd_ratios) } };
 }
 
+// --- Plans of the methods that live on damping: how far "safe" can be trusted
+
+json safety(Integrator integrator, double least_damping, int bodies) {
+	constexpr std::uint64_t seed = 77;
+	constexpr double nudge = 1e-3; // of each point's distance from the centre
+	Random random(seed);
+	int safe = 0;
+	int failed_near_rest = 0;
+	int failed_crumpled = 0;
+	for (int i = 0; i < bodies; ++i) {
+		RandomBody body = random_body(random, least_damping);
+		const Points crumpled = deformed(*body.shape, Deformation::CRUMPLED, random);
+		Points nudged(body.shape->rest_positions().begin(), body.shape->rest_positions().end());
+		for (softbody::Vec2 &p : nudged) {
+			p *= Real(1 + nudge * random.uniform(-1, 1));
+		}
+		body.settings.integrator = integrator;
+		if (!softbody::plan_substeps(*body.shape, body.settings, Real(1) / RATE, false).safe) {
+			continue;
+		}
+		safe++;
+		failed_near_rest += int(!run(body, { nudged }, integrator, 0, Until::FAILURE).is_safe());
+		failed_crumpled += int(!run(body, { crumpled }, integrator, 0, Until::FAILURE).is_safe());
+	}
+	return { { "integrator", softbody::integrator_traits(integrator).name }, { "least_damping", least_damping },
+		{ "bodies", bodies }, { "seed", seed }, { "called_safe", safe }, { "failed_near_rest", failed_near_rest },
+		{ "failed_crumpled", failed_crumpled } };
+}
+
 // --- Rest: why the rule runs semi-implicit Euler, and not Verlet, beside things to touch
 
 constexpr int REST_TICKS = 12 * RATE;
@@ -276,13 +305,23 @@ json automatic(const Options &options) {
 	for (const Seed seed : SEEDS) {
 		judged.push_back(std::async(std::launch::async, judge, seed, bodies));
 	}
+	std::vector<std::future<json>> trusted;
+	for (const double damping : { LEAST_DAMPING, 0.3 }) {
+		for (const Integrator integrator : { Integrator::EXPLICIT_EULER, Integrator::MIDPOINT, Integrator::HEUN }) {
+			trusted.push_back(std::async(std::launch::async, safety, integrator, damping, bodies));
+		}
+	}
+	json safety_rows = json::array();
 	json seeds = json::array();
 	for (std::future<json> &each : judged) {
 		seeds.push_back(each.get());
 	}
+	for (std::future<json> &each : trusted) {
+		safety_rows.push_back(each.get());
+	}
 	return { { "seconds", double(TICKS) / RATE }, { "energy_limit", ENERGY_LIMIT }, { "least_damping", LEAST_DAMPING },
 		{ "gravity", GRAVITY }, { "seeds", seeds },
-		{ "rest", { rest(Integrator::SEMI_IMPLICIT_EULER), rest(Integrator::VELOCITY_VERLET) } } };
+		{ "safety", safety_rows }, { "rest", { rest(Integrator::SEMI_IMPLICIT_EULER), rest(Integrator::VELOCITY_VERLET) } } };
 }
 
 } // namespace bench

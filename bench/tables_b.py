@@ -203,6 +203,7 @@ def summarize_auto(result):
         "targets": {
             "none_non_finite": all(seed["free"]["non_finite"] == 0 for seed in seeds),
             "none_above_twice_the_energy": all(seed["free"]["energy_above_2x"] == 0 for seed in seeds),
+            "safe_plans_are_safe_near_rest": all(row["failed_near_rest"] == 0 for row in result["safety"]),
             "mean_over_modelling_at_most_2": all(ratio is not None and ratio <= MOST_OVER_MODELLING for ratio in ratios),
         },
         "bodies": sum(seed["bodies"] for seed in seeds),
@@ -245,6 +246,12 @@ def print_auto(summary):
         print_statistics("cheapest safe substeps", seed["cheapest_substeps"])
         print_statistics("over-modelling: chosen / cheapest", seed["over_modelling_ratio"])
         print_statistics("over-modelling of bodies that went to XPBD", seed["xpbd_over_modelling_ratio"])
+    print("Bodies whose plan is called safe, of which passed twice their energy: nudged, crumpled")
+    for row in summary["safety"]:
+        print(
+            f"  {row['integrator']:<20} damping ratio from {row['least_damping']:g}: {row['called_safe']:>5} of"
+            f" {row['bodies']}, {row['failed_near_rest']}, {row['failed_crumpled']}"
+        )
     print("Jellies dropped on flat ground and into a funnel, of which came to rest within 12 s, after a mean of")
     for row in summary["rest"]:
         print(
