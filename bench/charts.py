@@ -24,11 +24,11 @@ CHARTS = ROOT / "docs" / "charts"
 # Colours of Okabe and Ito, told apart by everybody; shapes and dashes besides, for prints without colour.
 STYLES = {
     "explicit_euler": {"label": "explicit Euler", "color": "#D55E00", "marker": "v", "ls": "-"},
-    "semi_implicit_euler": {"label": "semi-implicit Euler (default beside contacts)", "color": "#0072B2", "marker": "o", "ls": "-"},
+    "semi_implicit_euler": {"label": "semi-implicit Euler (default)", "color": "#0072B2", "marker": "o", "ls": "-"},
     "midpoint": {"label": "midpoint", "color": "#E69F00", "marker": "s", "ls": "-"},
     "heun": {"label": "Heun", "color": "#7A5C00", "marker": "D", "ls": (0, (4, 2))},
     "runge_kutta_4": {"label": "Runge–Kutta 4", "color": "#009E73", "marker": "^", "ls": "-"},
-    "velocity_verlet": {"label": "velocity Verlet (default without)", "color": "#CC79A7", "marker": "P", "ls": "-"},
+    "velocity_verlet": {"label": "velocity Verlet (default)", "color": "#CC79A7", "marker": "P", "ls": "-"},
     "xpbd": {"label": "XPBD", "color": "#555555", "marker": "X", "ls": (0, (1, 1))},
 }
 DEFAULTS = work_precision.DEFAULTS
@@ -169,7 +169,7 @@ def chart_work_precision(section):
                   label="what the automatic rule picks (rim: the method)")
     cross = Line2D([], [], ls="", marker="x", color="#333333", label="blew up: grey strip, one row a method")
     dotted = Line2D([], [], ls=(0, (2, 2)), color="#999999", lw=1, label="1 % of the radius")
-    figure.legend(handles=[*method_handles(names), star, cross, dotted], loc="outside upper center", ncols=5,
+    figure.legend(handles=[*method_handles(names), star, cross, dotted], loc="outside upper center", ncols=4,
                   title="Work and precision in double: lower and further left is better")
     source_note(figure, section)
     save(figure, "work-precision")

@@ -184,8 +184,9 @@ public:
 		return (late - early) / ((ticks - ticks / 2) * double(tick_));
 	}
 
-	// A step may multiply the amplitude by this and still leave the spring in its linear range.
-	static constexpr double ROOM = sizeof(Real) == 8 ? 1e5 : 1e2;
+	// A tick may multiply the amplitude by this and still leave the spring in its linear range, even where a double root
+	// (ζ = 1) grows faster than its power for a while.
+	static constexpr double ROOM = sizeof(Real) == 8 ? 1e4 : 1e2;
 
 private:
 	static constexpr double INFINITE = std::numeric_limits<double>::infinity();
