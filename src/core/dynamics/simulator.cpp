@@ -53,7 +53,7 @@ Simulator::Simulator(WorldData &world, ParallelFor parallel_for) :
 
 SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
 	const bool has_contacts = !world_.borders().empty() || !world_.colliders().empty();
-	return plan_substeps(body.shape(), body.settings(), dt, has_contacts);
+	return plan_substeps(body, dt, has_contacts);
 }
 
 // What holds until bodies are rearranged, the time step changes or the first surroundings appear.
@@ -129,6 +129,43 @@ void Simulator::for_crews(std::span<const std::uint32_t> crews, const Work &work
 	});
 }
 
+// Pressure on a stretched hull needs more substeps than at rest, so that bodies of one crew may differ from step to step.
+void Simulator::plan_pressure(Real dt) {
+	own_plans_.clear();
+	for (std::uint32_t i = 0; i < crews_.size(); ++i) {
+		const Crew &crew = roster_.crews()[i];
+		CrewState &state = crews_[i];
+		if (!(crew.settings->pressure_stiffness > 0) || state.awake == 0) {
+			continue;
+		}
+		std::array<SubstepPlan, PACK_WIDTH> plans;
+		bool are_equal = true;
+		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+			plans[lane] = plan(world_.soft_bodies()[crew.bodies[lane]], dt);
+			are_equal &= plans[lane].substeps == plans[0].substeps && plans[lane].integrator == plans[0].integrator;
+		}
+		state.plan = plans[0];
+		state.own_plans = are_equal ? NO_OWN_PLANS : std::uint32_t(own_plans_.size());
+		if (!are_equal) {
+			own_plans_.push_back(plans);
+		}
+	}
+}
+
+// One of `parts` equal stretches of the step, each body in its share of the substeps that it needs.
+void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, Real duration, int parts) {
+	const CrewState &state = crews_[crew];
+	const auto share = [&](const SubstepPlan &plan) { return (plan.substeps + parts - 1) / parts; };
+	if (state.own_plans == NO_OWN_PLANS) {
+		stepper.advance(roster_.crews()[crew], state.awake, state.plan, duration, share(state.plan));
+		return;
+	}
+	for (std::uint32_t lane = 0; lane < roster_.crews()[crew].count; ++lane) {
+		const SubstepPlan &own = own_plans_[state.own_plans][lane];
+		stepper.advance(roster_.crews()[crew], state.awake & 1u << lane, own, duration, share(own));
+	}
+}
+
 void Simulator::find_pairs(Real dt) {
 	if (bodies_notice_bodies_) {
 		const std::size_t count = touching_.size();
@@ -185,12 +222,13 @@ StepReport Simulator::simulate(Real dt) {
 	free_crews_.clear();
 	coupled_crews_.clear();
 	if (asleep_count_ < touching_.size()) {
+		plan_pressure(dt);
 		find_pairs(dt);
 	}
 	for_crews(free_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
 		stepper.begin(crew);
-		stepper.advance(crew, crews_[i].awake, crews_[i].plan, dt, crews_[i].plan.substeps);
+		advance(stepper, i, dt, 1);
 		stepper.end(crew);
 		if (world_.has_sleeping()) {
 			stepper.time_rest(crew, crews_[i].awake, dt);
@@ -216,7 +254,10 @@ void Simulator::step_coupled(Real dt) {
 	// many looks as it has force substeps, up to a bound that keeps one very stiff body from slowing all the others.
 	int contact_substeps = world_.contact_substeps();
 	for (const std::uint32_t i : coupled_crews_) {
-		contact_substeps = std::max(contact_substeps, std::min(crews_[i].plan.substeps, MAX_CONTACT_SUBSTEPS));
+		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
+			const int needed = crews_[i].plan_of(lane, own_plans_).substeps;
+			contact_substeps = std::max(contact_substeps, std::min(needed, MAX_CONTACT_SUBSTEPS));
+		}
 	}
 	const Real duration = dt / Real(contact_substeps);
 	for (PairHandling &handling : pair_handlings_) {
@@ -232,8 +273,7 @@ void Simulator::step_coupled(Real dt) {
 			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 				touching_[state.rows[lane]].begin_substep();
 			}
-			const int force_substeps = (state.plan.substeps + contact_substeps - 1) / contact_substeps;
-			stepper.advance(crew, state.awake, state.plan, duration, force_substeps);
+			advance(stepper, i, duration, contact_substeps);
 			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 				touching_[state.rows[lane]].measure_extent();
 			}
@@ -243,7 +283,7 @@ void Simulator::step_coupled(Real dt) {
 	resist_rolling_between_bodies();
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
-		stepper.check(crew);
+		stepper.check(crew, dt);
 		stepper.end(crew);
 		if (world_.has_sleeping()) {
 			stepper.time_rest(crew, crews_[i].awake, dt);

@@ -27,8 +27,10 @@ struct StepReport {
 	std::uint64_t contacts = 0; ///< contacts with the surroundings answered, summed over substeps
 	std::uint64_t pair_contacts = 0; ///< contacts between bodies answered, summed over substeps
 	std::size_t sleeping_bodies = 0; ///< after the step
-	/// Bodies whose state became non-finite in this step. Each was put back to where it was before the
-	/// step, at rest; the others are untouched.
+	/// Bodies whose state became non-finite in this step, or that flew apart (CREDIBLE_REACH). Each was given its rest
+	/// shape again, with the centre, rotation and mean velocity that it had before, so that its next step starts
+	/// sane; at rest if that velocity cannot be believed or a point is pinned. Pinned points stay. The others are
+	/// untouched.
 	std::vector<BodyId> reset_bodies;
 };
 
@@ -53,16 +55,23 @@ public:
 	SubstepPlan plan(const SoftBodyData &body, Real dt) const;
 
 private:
+	static constexpr std::uint32_t NO_OWN_PLANS = UINT32_MAX;
 	/// Where a crew's bodies stand in the lists below, and whether they take their substeps together with others.
 	struct CrewState {
 		SubstepPlan plan;
 		std::array<std::uint32_t, PACK_WIDTH> rows{}; ///< of `touching_`
 		std::uint32_t awake = 0; ///< a bit a lane
+		std::uint32_t own_plans = NO_OWN_PLANS; ///< place in `own_plans_` where lanes differ in this step
+		const SubstepPlan &plan_of(std::uint32_t lane, const auto &all) const {
+			return own_plans == NO_OWN_PLANS ? plan : all[own_plans][lane];
+		}
 	};
 
 	/// True when something was arranged anew.
 	bool arrange(Real dt);
+	void plan_pressure(Real dt);
 	void find_pairs(Real dt);
+	void advance(BodyStepper &stepper, std::uint32_t crew, Real duration, int parts);
 	void step_coupled(Real dt);
 	void answer_pairs();
 	void resist_rolling_between_bodies();
@@ -85,6 +94,7 @@ private:
 	std::vector<std::uint64_t> pair_contacts_;
 
 	std::vector<CrewState> crews_; ///< one a crew of the roster
+	std::vector<std::array<SubstepPlan, PACK_WIDTH>> own_plans_;
 	std::vector<std::uint32_t> free_crews_;
 	std::vector<std::uint32_t> coupled_crews_;
 	// One an active body.
