@@ -67,6 +67,7 @@ RunResult run(const RandomBody &random_body, const Start &start, Integrator inte
 	settings.integrator = integrator;
 	settings.substeps = substeps;
 	softbody::WorldData world;
+	world.set_sleeping(false); // however small the motion
 	softbody::Simulator simulator(world);
 	Points points = start.points;
 	if (start.scene == Scene::GROUND) {

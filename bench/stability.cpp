@@ -150,6 +150,7 @@ public:
 		settings.integrator = integrator;
 		settings.substeps = tick;
 		const Shape shape = take(softbody::SoftBodyShape::create(description));
+		world_.set_sleeping(false); // however small the motion
 		world_.add_soft_body(take(softbody::SoftBodyData::create(shape, settings)));
 	}
 	Oscillator(const Oscillator &) = delete;

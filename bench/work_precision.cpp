@@ -139,7 +139,8 @@ public:
 		settings.integrator = run.integrator;
 		settings.substeps = run.substeps;
 		start_.set_settings(settings);
-		world_.add_soft_body(start_);
+		world_.set_sleeping(false);
+		id_ = world_.add_soft_body(start_);
 	}
 
 	// Runs the second once and keeps `SAMPLES` states, or fewer if the body blows up on the way.
@@ -192,7 +193,10 @@ public:
 	}
 
 private:
-	void restart() { world_.soft_bodies()[0] = start_; }
+	void restart() {
+		world_.remove_soft_body(id_);
+		id_ = world_.add_soft_body(start_);
+	}
 
 	void advance() {
 		for (int call = 1; call <= run_.calls; ++call) {
@@ -212,6 +216,7 @@ private:
 	Run run_;
 	SoftBodyData start_;
 	WorldData world_;
+	BodyId id_;
 	Simulator simulator_;
 	std::uint64_t substeps_ = 0; // of the observed second
 	double estimate_ = 0;
