@@ -28,10 +28,10 @@ STYLES = {
     "midpoint": {"label": "midpoint", "color": "#E69F00", "marker": "s", "ls": "-"},
     "heun": {"label": "Heun", "color": "#7A5C00", "marker": "D", "ls": (0, (4, 2))},
     "runge_kutta_4": {"label": "Runge–Kutta 4", "color": "#009E73", "marker": "^", "ls": "-"},
-    "velocity_verlet": {"label": "velocity Verlet", "color": "#CC79A7", "marker": "P", "ls": "-"},
+    "velocity_verlet": {"label": "velocity Verlet (default)", "color": "#CC79A7", "marker": "P", "ls": "-"},
     "xpbd": {"label": "XPBD", "color": "#555555", "marker": "X", "ls": (0, (1, 1))},
 }
-DEFAULT = work_precision.DEFAULT
+DEFAULTS = work_precision.DEFAULTS
 BODIES = {
     "thesis": "8-point body,\nlight damping",
     "thesis_undamped": "8-point body,\nno damping",
@@ -58,7 +58,7 @@ plt.rcParams.update(
 
 
 def width_of(name):
-    return {"lw": 2.4, "zorder": 4} if name == DEFAULT else {"lw": 1.3, "zorder": 3}
+    return {"lw": 2.4, "zorder": 4} if name in DEFAULTS else {"lw": 1.3, "zorder": 3}
 
 
 def method_handles(names, markers=True):
@@ -156,8 +156,8 @@ def chart_work_precision(section):
                 draw_runs(axes, curves.get((body, k, name), []), name, lambda p: p["us"], marker=style["marker"],
                           ms=3.2, ls=style["ls"], **width_of(name))
             for point in curves.get((body, k, "automatic"), []):
-                style = STYLES[point.get("method", DEFAULT)]
-                height = strip_height(DEFAULT) if point["blown_up"] else point["error"]
+                style = STYLES[point["method"]]
+                height = strip_height(point["method"]) if point["blown_up"] else point["error"]
                 axes.plot(point["us"], height, marker="*", ms=15, mfc="#FFD700", mec=style["color"], mew=1.4, zorder=6)
             finish_error_axes(axes, first)
             if first:
@@ -165,11 +165,11 @@ def chart_work_precision(section):
     left, right = grid[0][0].get_xlim()
     draw_slopes(grid[0][0], (left * (right / left) ** 0.08, 1e-7), (1, 2, 4), 8)
     names = {key[2] for key in curves}
-    star = Line2D([], [], ls="", marker="*", ms=14, mfc="#FFD700", mec=STYLES[DEFAULT]["color"],
-                  label="what the automatic rule picks (grey rim: XPBD)")
+    star = Line2D([], [], ls="", marker="*", ms=14, mfc="#FFD700", mec=STYLES[DEFAULTS[0]]["color"],
+                  label="what the automatic rule picks (rim: the method)")
     cross = Line2D([], [], ls="", marker="x", color="#333333", label="blew up: grey strip, one row a method")
     dotted = Line2D([], [], ls=(0, (2, 2)), color="#999999", lw=1, label="1 % of the radius")
-    figure.legend(handles=[*method_handles(names), star, cross, dotted], loc="outside upper center", ncols=5,
+    figure.legend(handles=[*method_handles(names), star, cross, dotted], loc="outside upper center", ncols=4,
                   title="Work and precision in double: lower and further left is better")
     source_note(figure, section)
     save(figure, "work-precision")

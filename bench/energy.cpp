@@ -45,6 +45,7 @@ softbody::SoftBodyData wobbling_body(double stiffness, bool damped, Integrator i
 // oscillation, and single values of it would show where in the swing the sample fell.
 json run(Integrator integrator, bool damped, double stiffness, int rate, int seconds) {
 	softbody::WorldData world;
+	world.set_sleeping(false); // however small the motion
 	softbody::Simulator simulator(world);
 	world.add_soft_body(wobbling_body(stiffness, damped, integrator));
 	const softbody::SoftBodyData &body = world.soft_bodies()[0];

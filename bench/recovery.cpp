@@ -79,6 +79,7 @@ struct RunResult {
 
 RunResult run(softbody::SoftBodyData start, int rate) {
 	softbody::WorldData world;
+	world.set_sleeping(false); // however small the motion
 	softbody::Simulator simulator(world);
 	world.add_soft_body(std::move(start));
 	const softbody::SoftBodyData &body = world.soft_bodies()[0];

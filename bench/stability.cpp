@@ -150,6 +150,7 @@ public:
 		settings.integrator = integrator;
 		settings.substeps = tick;
 		const Shape shape = take(softbody::SoftBodyShape::create(description));
+		world_.set_sleeping(false); // however small the motion
 		world_.add_soft_body(take(softbody::SoftBodyData::create(shape, settings)));
 	}
 	Oscillator(const Oscillator &) = delete;
@@ -184,7 +185,7 @@ public:
 		return (late - early) / ((ticks - ticks / 2) * double(tick_));
 	}
 
-	// A step may multiply the amplitude by this and still leave the spring in its linear range.
+	// A tick may multiply the amplitude by this and still leave the spring in its linear range.
 	static constexpr double ROOM = sizeof(Real) == 8 ? 1e5 : 1e2;
 
 private:
@@ -218,7 +219,9 @@ private:
 // Substeps a tick: as many as a step may have, fewer where the motion would leave the linear range within the tick.
 int tick_for(Integrator integrator, double z, double zeta) {
 	const double growth = spectral_radius(amplification(integrator, z, zeta));
-	const double most = growth > 1 ? std::log(Oscillator::ROOM) / std::log(growth) : softbody::MAX_SUBSTEPS;
+	// A double root grows faster than its power, by up to as many times as there are substeps.
+	const double room = zeta == 1 ? Oscillator::ROOM / softbody::MAX_SUBSTEPS : Oscillator::ROOM;
+	const double most = growth > 1 ? std::log(room) / std::log(growth) : softbody::MAX_SUBSTEPS;
 	return int(std::clamp(most, 1.0, double(softbody::MAX_SUBSTEPS)));
 }
 

@@ -75,8 +75,8 @@ void SoftBodySpace2D::step(double p_delta) {
 	const StepReport report = simulator_.simulate(Real(p_delta));
 	for (const BodyId id : report.reset_bodies) {
 		if (const SoftBody2D *node = node_of(id)) {
-			ERR_PRINT(node->describe() + ": its motion became non-finite and was stopped; it is back where it was "
-										 "before this tick. Lower the stiffness or the forces, or raise the substeps.");
+			ERR_PRINT(node->describe() + ": its motion became non-finite or tore it apart; it has its rest shape "
+										 "again, where it was before this tick. Lower the stiffness or the forces, or raise the substeps.");
 		}
 	}
 	for (SoftBody2D *node : nodes_) {

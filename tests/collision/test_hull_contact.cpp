@@ -67,6 +67,25 @@ TEST_CASE("a point is inside exactly when the plain test says so, for every numb
 	}
 }
 
+TEST_CASE("a ray through a corner of the hull counts it once") {
+	Random random(24);
+	for (int round = 0; round < 2000; ++round) {
+		auto hull = random_hull(random, random.integer(3, 21));
+		const Vec2 away = random.vector(round % 2 == 0 ? 0 : 10);
+		for (Vec2 &p : hull) {
+			p += away;
+		}
+		HullEdges edges;
+		edges.assign(hull);
+		const Vec2 corner = hull[std::size_t(random.integer(0, int(hull.size()) - 1))];
+		const Real beside = random.integer(-1, 1) == 0 ? corner.y : std::nextafter(corner.y, random.real(-20, 20));
+		const Vec2 p{ away.x + random.real(-1, 1), beside };
+		if (nearest_edge(hull, p, {}, false).distance > 1e-4) {
+			CHECK(edges.contains(p) == point_in_polygon(p, hull));
+		}
+	}
+}
+
 TEST_CASE("the way out is the shortest among the edges that face the point") {
 	Random random(22);
 	int inside = 0;

@@ -29,6 +29,7 @@ struct Meeting {
 	std::array<Real, 3> lower_inverse{};
 	std::array<Vec2, 3> upper_before{};
 	std::array<Vec2, 3> lower_before{};
+	Real fresh_share = 1;
 	Real whole_mass_counts = 1; // 0: as if a point were pinned
 	Real friction = 0;
 	Real restitution = 0;
@@ -56,6 +57,10 @@ struct Meeting {
 		a.inverse_mass = whole_mass_counts / total(upper_masses);
 		b.inverse_mass = whole_mass_counts / total(lower_masses);
 		a.restitution = restitution;
+		for (std::size_t i = 0; i < 3; ++i) { // the whole depth comes from this substep unless a test says otherwise
+			upper_before[i] = upper[i] + Vec2{ 0, fresh_share * depth };
+			lower_before[i] = lower[i];
+		}
 		return answer_pair_contact(a, b, { 0, 0, 1, t, { 0, 1 }, depth }, bounce_threshold, H);
 	}
 	Vec2 place_velocity() const {
@@ -142,6 +147,7 @@ TEST_CASE("point and edge part by the depth along the normal, and no further tha
 
 TEST_CASE("what is deep inside parts as a whole: no point moves against its neighbours further than a tenth of a radius") {
 	Meeting meeting;
+	meeting.fresh_share = 0;
 	const Meeting before = meeting;
 	meeting.answer(Real(0.5));
 	const Vec2 way = meeting.upper[1] - before.upper[1];
@@ -154,6 +160,7 @@ TEST_CASE("what is deep inside parts as a whole: no point moves against its neig
 		CHECK(v == Vec2{});
 	}
 	Meeting pinned;
+	pinned.fresh_share = 0;
 	pinned.whole_mass_counts = 0; // then the points have to part alone
 	pinned.answer(Real(0.5));
 	CHECK(pinned.upper[1] == before.upper[1]);
@@ -220,4 +227,34 @@ TEST_CASE("a pinned point or edge does not move, and two of them leave each othe
 	stuck.upper_velocities[0] = { 0, -2 };
 	CHECK(stuck.answer(Real(0.01)) == 0);
 	CHECK(stuck.upper[0] == Vec2{ Real(0.3), Real(-0.01) });
+}
+
+TEST_CASE("rolling resistance between bodies brakes their relative spin by at most r R J, and keeps angular momentum") {
+	const auto spinning = [](Real spin, Real inertia) {
+		TouchingBody body;
+		body.spin = spin;
+		body.inertia = inertia;
+		body.rolling_resistance = Real(0.1);
+		body.rolling_radius = 2;
+		return body;
+	};
+	TouchingBody a = spinning(5, 2);
+	TouchingBody b = spinning(-1, 4);
+	resist_pair_rolling(a, b, 3); // at most 0.1 * 2 * 3 = 0.6
+	CHECK(double(a.spin) == doctest::Approx(5 - 0.6 / 2));
+	CHECK(double(b.spin) == doctest::Approx(-1 + 0.6 / 4));
+	CHECK(double(a.spin_change) == doctest::Approx(-0.3));
+	resist_pair_rolling(a, b, 1000); // enough to end it: both as one, with the spin of all
+	CHECK(double(a.spin) == doctest::Approx((5 * 2 - 1 * 4) / 6.0));
+	CHECK(double(b.spin) == doctest::Approx(double(a.spin)));
+	TouchingBody pinned = spinning(0, 0); // no inertia stands for what cannot turn
+	a = spinning(5, 2);
+	resist_pair_rolling(a, pinned, 1000);
+	CHECK(a.spin == 0);
+	CHECK(pinned.spin == 0);
+	b = spinning(1, 1);
+	b.rolling_resistance = 0;
+	a = spinning(5, 2);
+	resist_pair_rolling(a, b, 1000);
+	CHECK(a.spin == 5);
 }

@@ -168,7 +168,7 @@ TEST_CASE("bodies that start in one place part without a jump") {
 }
 
 TEST_CASE("a fast body does not pass through a thin one") {
-	for (const Real speed : { Real(10), Real(20), Real(30) }) { // up to 60 radii a second
+	for (const Real speed : { Real(10), Real(30) }) { // 20 and 60 radii a second
 		for (const Real thickness : { Real(0.1), Real(0.3) }) {
 			CAPTURE(speed);
 			CAPTURE(thickness);

@@ -34,6 +34,7 @@ BodySettings stepped_by(Integrator integrator, int substeps = 1) {
 // stretch obeys s'' = -2k s - 2c s'. Starts at rest, stretched by `start`.
 WorldData oscillator(Integrator integrator, double k, double c, double start, int substeps = 1) {
 	WorldData world;
+	world.set_sleeping(false); // however small the motion
 	SoftBodyData body = two_masses(1, 1, Real(k), Real(c), stepped_by(integrator, substeps));
 	body.set_point(1, { Real(1 + start), 0 }, {});
 	world.add_soft_body(std::move(body));

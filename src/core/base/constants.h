@@ -25,6 +25,14 @@ inline constexpr int MIN_CONTACT_SUBSTEPS = 4;
 /// substeps [1]. Stiffer bodies take several force substeps in each.
 inline constexpr int MAX_CONTACT_SUBSTEPS = 16;
 
+/// A body whose points move slower than this, root mean square weighted by mass [length/s, times
+/// WorldData::length_unit], counts as at rest. Larger: bodies stop in the middle of a slow roll. Smaller: piles that
+/// still tremble a little never sleep.
+inline constexpr Real SLEEP_SPEED = Real(0.05);
+
+/// Time [s] that an island of touching bodies must have been at rest before it falls asleep.
+inline constexpr Real SLEEP_TIME = Real(0.5);
+
 /// Share of the smaller body's radius by which bodies may be inside one another before they are moved apart as
 /// wholes, and by which they are moved at most in a substep [1]. Smaller: piles are moved instead of pressed.
 /// Larger: bodies that start inside one another strain their springs and jump apart.
@@ -39,12 +47,13 @@ inline constexpr Real OLD_OVERLAP_PUSH = Real(0.02);
 inline constexpr Real SWEEP_SHARE = Real(0.25);
 
 /// Stability budget S of the substep rule h²Ω² + 2hΓ <= S² [1]. 2 is the limit of the linear
-/// theory and fails for crumpled bodies. Of 2500 random crumpled bodies (`bench.sh auto`) none becomes
-/// non-finite or doubles its energy at 1.3, with 1.9 times the fewest substeps that a search finds safe.
+/// theory and fails for crumpled bodies. At 1.3 none of 12 500 random crumpled bodies (`bench.sh auto`) becomes
+/// non-finite or doubles its energy, with 1.9 times the fewest substeps that a search finds safe; of 12 000 others one
+/// came to 2.03 times.
 inline constexpr Real STABILITY_BUDGET = Real(1.3);
 
 /// Most substeps the automatic choice spends on explicit springs [1]; past it the body goes to XPBD,
-/// which is bounded for any stiffness but damps the wobble.
+/// which gains no energy with any stiffness but damps the wobble.
 inline constexpr int EXPLICIT_SUBSTEP_CAP = 32;
 
 /// Substeps of a body that went to XPBD [1]. More make it stiffer and livelier.
@@ -65,6 +74,11 @@ inline constexpr Real DEFAULT_SHAPE_MATCHING = Real(0.4);
 /// a metre: multiplied by WorldData::length_unit]. A point rests this far from the line, so that
 /// rounding can never put it on the other side. Larger: visible gap. Smaller: leaks far from the origin.
 inline constexpr Real LINEAR_SLOP = Real(0.001);
+
+/// How far apart, in radii, the points of a joined body may be before it counts as blown up and is reset, and how far
+/// it may fly in a step for that flight to outlast a reset [1]. Larger: a body that blows up over several steps
+/// reappears away from where it was. Smaller: one that is only stretched is taken for lost.
+inline constexpr Real CREDIBLE_REACH = 1000;
 
 /// Springs shorter than this fraction of their rest length have no usable direction and exert no
 /// force for that evaluation [1].

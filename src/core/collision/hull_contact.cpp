@@ -18,11 +18,13 @@ static_assert(PACK_WIDTH == 4);
 
 void HullEdges::set(std::span<const Vec2> hull, std::uint32_t edge) {
 	const Vec2 start = hull[edge];
-	const Vec2 way = hull[edge + 1 == hull.size() ? 0 : edge + 1] - start;
+	const Vec2 end = hull[edge + 1 == hull.size() ? 0 : edge + 1];
+	const Vec2 way = end - start;
 	Edges &pack = edges_[edge / PACK_WIDTH];
 	const std::size_t lane = edge % PACK_WIDTH;
 	set_lane(pack.start, lane, start);
 	set_lane(pack.way, lane, way);
+	pack.end_y.set(lane, end.y);
 	const Real size = length_squared(way);
 	pack.inverse_length_squared.set(lane, size > 0 ? 1 / size : Real(0));
 }
@@ -38,7 +40,9 @@ void HullEdges::assign(std::span<const Vec2> hull) {
 	for (; i + PACK_WIDTH < count_; i += PACK_WIDTH) {
 		Edges &pack = edges_[i / PACK_WIDTH];
 		pack.start = consecutive(&hull[i]);
-		pack.way = consecutive(&hull[i + 1]) - pack.start;
+		const BasicVec2<RealPack> end = consecutive(&hull[i + 1]);
+		pack.way = end - pack.start;
+		pack.end_y = end.y;
 		const RealPack size = length_squared(pack.way);
 		pack.inverse_length_squared = select(size > RealPack(0), RealPack(1) / size, RealPack(0));
 	}
@@ -46,6 +50,7 @@ void HullEdges::assign(std::span<const Vec2> hull) {
 	Edges &last = edges_[packs - 1];
 	last.start = in_all_lanes<RealPack>(hull[0]);
 	last.way = {};
+	last.end_y = last.start.y;
 	last.inverse_length_squared = RealPack(0);
 	for (; i < count_; ++i) {
 		set(hull, i);
@@ -67,8 +72,8 @@ bool HullEdges::contains(Vec2 p) const {
 		// The ray from p towards +x: an edge that passes it upwards with p on its inner side counts +1, one that
 		// passes it downwards with p on the other side -1.
 		const RealPack side = cross(edges.way, offset);
-		const PackMask starts_above = offset.y < RealPack(0);
-		const PackMask ends_above = offset.y < edges.way.y;
+		const PackMask starts_above = point.y < edges.start.y;
+		const PackMask ends_above = point.y < edges.end_y;
 		const PackMask rises = both(both(!starts_above, ends_above), side > RealPack(0));
 		const PackMask falls = both(both(starts_above, !ends_above), side < RealPack(0));
 		winding += BIT_COUNT[bits(rises)] - BIT_COUNT[bits(falls)];

@@ -41,6 +41,7 @@ private:
 	struct Edges {
 		BasicVec2<RealPack> start;
 		BasicVec2<RealPack> way; ///< to the end
+		RealPack end_y; ///< not `start.y + way.y`, which rounds: two edges must agree about the point they share
 		RealPack inverse_length_squared; ///< 0 for an edge without length
 	};
 	void set(std::span<const Vec2> hull, std::uint32_t edge);

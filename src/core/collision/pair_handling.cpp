@@ -16,6 +16,7 @@ void PairHandling::begin_substep(Vec2 gravity, Real h) {
 }
 
 std::size_t PairHandling::handle(TouchingBody &a, TouchingBody &b) {
+	impulse_ = 0;
 	const Real reach = a.radius + b.radius;
 	const Real distance_squared = length_squared(a.centre - b.centre);
 	if (!a.box.overlaps(b.box) || distance_squared > reach * reach) {
@@ -37,16 +38,12 @@ bool PairHandling::handle_crossing(TouchingBody &a, TouchingBody &b) {
 	};
 	const Vec2 middle_a = middle(a);
 	const Vec2 middle_b = middle(b);
-	// The middle of a bent body may be outside it, where another may well be.
-	edges_.assign(a.hull());
-	const bool a_has_a = edges_.contains(middle_a);
-	const bool a_has_b = edges_.contains(middle_b);
-	if (!a_has_a && !a_has_b) {
-		return false;
-	}
-	edges_.assign(b.hull());
-	if (!(a_has_a && edges_.contains(middle_a)) && !(a_has_b && edges_.contains(middle_b))) {
-		return false;
+	// Both middles in both: that of a bent body may be outside it, and a ball may well be pressed onto that of a plank.
+	for (const TouchingBody *body : { &a, &b }) {
+		edges_.assign(body->hull());
+		if (!edges_.contains(middle_a) || !edges_.contains(middle_b)) {
+			return false;
+		}
 	}
 	const Vec2 way = middle_a - middle_b;
 	const Real distance = length(way);
@@ -126,7 +123,7 @@ bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::ui
 		return false;
 	}
 	const std::uint32_t end = found->edge + 1 == other.before.size() ? 0 : found->edge + 1;
-	answer_pair_contact(body, other, { point, found->edge, end, found->t, found->normal, found->depth, is_fresh },
+	impulse_ += answer_pair_contact(body, other, { point, found->edge, end, found->t, found->normal, found->depth, is_fresh },
 			bounce_threshold_, h_);
 	has_edges_ = false;
 	return true;

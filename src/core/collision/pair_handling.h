@@ -16,7 +16,7 @@ namespace softbody {
 /// serves one thread; several may work at once on pairs that share no body.
 ///
 /// Where two bodies move far in a substep (SWEEP_SHARE), each point is also followed on its way through the moving
-/// edges, so that nothing passes through. Bodies that lie across each other, the middle of one inside the other, are
+/// edges, so that nothing passes through. Bodies that lie across each other, the middles of both inside both, are
 /// parted as wholes before any point is looked at.
 class PairHandling {
 public:
@@ -26,6 +26,8 @@ public:
 	/// Answers every contact between the two bodies. Returns how many.
 	/// O(points within the other's circle × hull points).
 	std::size_t handle(TouchingBody &a, TouchingBody &b);
+	/// Sum of the normal impulses that the last `handle` answered with [mass·length/s].
+	Real last_impulse() const { return impulse_; }
 
 private:
 	std::size_t handle_points(TouchingBody &body, TouchingBody &other, bool are_fast);
@@ -36,6 +38,7 @@ private:
 	bool has_edges_ = false;
 	Real bounce_threshold_ = 0;
 	Real h_ = 0;
+	Real impulse_ = 0;
 };
 
 } // namespace softbody

@@ -30,6 +30,60 @@ void TouchingBody::measure_extent() {
 	radius = std::sqrt(farthest);
 }
 
+void TouchingBody::measure_spin() {
+	spin_change = 0;
+	Vec2 sum;
+	Vec2 momentum;
+	Real mass = 0;
+	inertia = 0;
+	spin = 0;
+	if (!(inverse_mass > 0)) {
+		return; // pinned: it turns about its pins, if at all
+	}
+	const Vec2 base = positions[0];
+	for (std::size_t i = 0; i < positions.size(); ++i) {
+		const Real own = 1 / inverse_masses[i];
+		sum += (positions[i] - base) * own;
+		momentum += velocities[i] * own;
+		mass += own;
+	}
+	mass_centre = base + sum * (1 / mass);
+	const Vec2 mean = momentum * (1 / mass);
+	Real angular = 0;
+	for (std::size_t i = 0; i < positions.size(); ++i) {
+		const Real own = 1 / inverse_masses[i];
+		const Vec2 arm = positions[i] - mass_centre;
+		inertia += own * length_squared(arm);
+		angular += own * cross(arm, velocities[i] - mean);
+	}
+	spin = inertia > 0 ? angular / inertia : Real(0);
+}
+
+void TouchingBody::apply_spin_change() {
+	if (spin_change == 0) {
+		return;
+	}
+	for (std::size_t i = 0; i < positions.size(); ++i) {
+		velocities[i] += perpendicular(positions[i] - mass_centre) * spin_change;
+	}
+}
+
+void resist_pair_rolling(TouchingBody &a, TouchingBody &b, Real normal_impulse) {
+	const Real mobility_a = a.inertia > 0 ? 1 / a.inertia : Real(0);
+	const Real mobility_b = b.inertia > 0 ? 1 / b.inertia : Real(0);
+	const Real mobility = mobility_a + mobility_b;
+	if (!(mobility > 0)) {
+		return;
+	}
+	const Real most = std::min(a.rolling_resistance, b.rolling_resistance) * std::min(a.rolling_radius, b.rolling_radius) *
+			normal_impulse;
+	const Real impulse = std::clamp((b.spin - a.spin) / mobility, -most, most);
+	a.spin += impulse * mobility_a;
+	a.spin_change += impulse * mobility_a;
+	b.spin -= impulse * mobility_b;
+	b.spin_change -= impulse * mobility_b;
+}
+
 namespace {
 
 void move(TouchingBody &body, Vec2 shift) {
@@ -72,7 +126,8 @@ Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairCont
 	Real push = depth;
 	if (!is_fresh && body.inverse_mass + other.inverse_mass > 0) {
 		const Real size = std::min(body.radius, other.radius);
-		const Real fresh = std::max(approach, Real(0)) * h;
+		const Vec2 edge_way = (other.positions[a] - other.before[a]) * share_a + (other.positions[b] - other.before[b]) * share_b;
+		const Real fresh = std::max(-dot(body.positions[p] - body.before[p] - edge_way, normal), Real(0));
 		if (depth > fresh + DEEP_OVERLAP * size) {
 			part_bodies(body, other, normal, depth - fresh);
 		}

@@ -20,6 +20,13 @@ struct TouchingBody {
 	Real width = 0; ///< of its thinner part: twice the rest area over the perimeter [length]
 	Real friction = 0;
 	Real restitution = 0;
+	Real rolling_resistance = 0;
+	Real rolling_radius = 0; ///< [length]
+	// As `measure_spin` found them, and what `resist_pair_rolling` has changed since.
+	Vec2 mass_centre;
+	Real inertia = 0; ///< about it [mass·length²]
+	Real spin = 0; ///< angular velocity [rad/s]
+	Real spin_change = 0;
 	// As `measure_extent` found them.
 	Aabb box; ///< of the hull's points, now and before
 	Vec2 centre; ///< of a circle around the same
@@ -31,6 +38,10 @@ struct TouchingBody {
 	void begin_substep();
 	/// Measures box, circle and way. O(hull points).
 	void measure_extent();
+	/// Measures mass centre, inertia and spin. O(points).
+	void measure_spin();
+	/// Turns the velocities by the change of spin. O(points).
+	void apply_spin_change();
 };
 
 /// A hull point of one body inside another, ready to be answered.
@@ -50,11 +61,16 @@ struct PairContact {
 /// Moving apart gives no velocity: bodies that start inside one another part without a jump.
 /// All changes are shared out by inverse mass, with impulses equal and opposite in one place, so that linear and
 /// angular momentum stay. Friction: the smaller coefficient; restitution: the sum, at most 1 (as Godot combines them).
-/// What is deeper than this substep's approach and DEEP_OVERLAP of the smaller body explain is not the points' doing:
-/// the bodies part as a whole, which strains no spring. Returns the normal impulse [mass·length/s]. O(1), or O(points)
+/// What is deeper than the way of this substep and DEEP_OVERLAP of the smaller body explain is not the points' doing:
+/// the bodies part as a whole, which strains no spring; what is older than the substep is undone by and by. Returns the normal impulse [mass·length/s]. O(1), or O(points)
 /// where it is deep.
 Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
 		Real h);
+
+/// Brakes the spin of two bodies relative to each other, which pressed on each other with a summed normal impulse J
+/// [mass·length/s]: by an angular impulse of at most r R J, with r the smaller rolling resistance and R the smaller
+/// radius. Equal and opposite, so that angular momentum stays. Changes `spin` and `spin_change` only. O(1).
+void resist_pair_rolling(TouchingBody &a, TouchingBody &b, Real normal_impulse);
 
 /// Moves two bodies that lie across each other apart as wholes, along the unit `direction` from the second to the
 /// first, by at most DEEP_OVERLAP of the smaller one. Their velocities stay, and so do bodies with pinned points.

@@ -2,23 +2,38 @@
 // Advances bodies through one step, alone or side by side.
 #include "core/dynamics/body_stepper.h"
 
+#include "core/base/constants.h"
 #include "core/model/body_frame.h"
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace softbody {
 
 namespace {
 
-// A sum of zeros is zero unless one of them came from what is not finite: one test instead of four a point.
+// Whether all is finite and no point farther from the first than any body is stretched. A blow-up is noticed by its
+// size long before it overflows: by then rounding has swamped the body's centre. A sum of zeros is zero unless one of
+// them came from what is not finite: one test instead of four a point.
 template <class T>
-MaskOf<T> is_finite_state(std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities) {
+MaskOf<T> is_sound(std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities, Real reach) {
 	T sum = T(0);
+	T farthest = T(0);
 	for (std::size_t i = 0; i < positions.size(); ++i) {
 		sum += ((positions[i].x + velocities[i].x) + (positions[i].y + velocities[i].y)) * T(0);
+		farthest = greater(farthest, length_squared(positions[i] - positions[0]));
 	}
-	return sum < T(1);
+	return both(sum < T(1), !(farthest > T(reach * reach)));
+}
+
+// Points that nothing joins may part.
+Real credible_reach(const SoftBodyShape &shape, const SubstepPlan &plan) {
+	return plan.frequency > 0 ? CREDIBLE_REACH * shape.radius() : std::numeric_limits<Real>::infinity();
+}
+
+bool is_together(const SoftBodyData &body) {
+	return is_sound<Real>(body.positions(), body.velocities(), CREDIBLE_REACH * body.shape().radius());
 }
 
 } // namespace
@@ -43,19 +58,39 @@ void BodyStepper::begin(const Crew &crew) {
 	}
 }
 
-void BodyStepper::advance(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps) {
-	if (can_go_side_by_side(crew, plan, duration)) {
+void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration, int substeps) {
+	if (can_go_side_by_side(crew, lanes, plan, duration)) {
 		advance_side_by_side(crew, plan, duration, substeps);
-	} else {
-		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+		counts_.substeps += std::uint64_t(substeps) * crew.count;
+		return;
+	}
+	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+		if (lanes >> lane & 1) {
 			advance_alone(crew.bodies[lane], plan, duration, substeps);
+			counts_.substeps += std::uint64_t(substeps);
 		}
 	}
-	counts_.substeps += std::uint64_t(substeps) * crew.count;
 }
 
-bool BodyStepper::can_go_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration) const {
-	if (crew.count < PACK_WIDTH || borders_bounce_ || !integrator_traits(plan.integrator).step_side_by_side) {
+void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
+	const std::span<const Real> masses = crew.shape->masses();
+	const Real slow = SLEEP_SPEED * world_->length_unit();
+	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+		if (!(lanes >> lane & 1)) {
+			continue;
+		}
+		Real twice_energy = 0;
+		for (std::size_t i = 0; i < masses.size(); ++i) {
+			twice_energy += masses[i] * length_squared(crew.velocities[lane][i]);
+		}
+		RestState &rest = body(crew.bodies[lane]).rest_state();
+		rest.rest_time = twice_energy < slow * slow * crew.shape->total_mass() ? rest.rest_time + dt : Real(0);
+	}
+}
+
+bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan,
+		Real duration) const {
+	if (crew.count < PACK_WIDTH || lanes != ALL_LANES || borders_bounce_ || !integrator_traits(plan.integrator).step_side_by_side) {
 		return false; // each body remembers its own bounce
 	}
 	// Thousands of bodies are many megabytes: what need not be read is left where it is.
@@ -106,15 +141,24 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 			}
 		}
 	}
+	const PackMask sound = is_sound<RealPack>(lanes.positions, lanes.velocities, credible_reach(shape, plan));
+	if (any(!sound)) {
+		// Bodies keep what they started from until here; those that are ruined fall back on it.
+		for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
+			if (!sound[lane]) {
+				reset(crew.bodies[lane], duration);
+				for (std::size_t i = 0; i < count; ++i) {
+					set_lane(lanes.positions[i], lane, crew.positions[lane][i]);
+					set_lane(lanes.velocities[i], lane, crew.velocities[lane][i]);
+				}
+			}
+		}
+	}
 	for (std::size_t i = 0; i < count; ++i) {
 		scatter(lanes.positions[i], crew.positions, i);
 		scatter(lanes.velocities[i], crew.velocities, i);
 	}
-	const PackMask finite = is_finite_state<RealPack>(lanes.positions, lanes.velocities);
-	if (any(!finite)) {
-		check(crew);
-	}
-	if (matches_shape && !any(!finite)) {
+	if (matches_shape) {
 		const auto frame = measure_frame<RealPack>(shape, lanes.model.rotation_memory, lanes.positions, lanes.velocities);
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
 			body(crew.bodies[lane]).set_rotation_memory({ frame.rotation.c[lane], frame.rotation.s[lane] });
@@ -131,6 +175,8 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 	for (const ExternalForce &external : data.external_forces()) {
 		external_[external.point] += external.force;
 	}
+	start_.assign(data.positions().begin(), data.positions().end());
+	start_.insert(start_.end(), data.velocities().begin(), data.velocities().end());
 	const IntegratorStep step = integrator_traits(plan.integrator).step;
 	const Real h = duration / Real(substeps);
 	const SubstepInput input{ world_->gravity(), external_, h };
@@ -146,8 +192,10 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 			workspace_.forces_are_current = false;
 		}
 	}
-	if (!is_finite_state<Real>(data.positions(), data.velocities())) {
-		reset(place);
+	if (!is_sound<Real>(data.positions(), data.velocities(), credible_reach(data.shape(), plan))) {
+		std::ranges::copy(std::span(start_).first(count), data.mutable_positions().begin());
+		std::ranges::copy(std::span(start_).last(count), data.mutable_velocities().begin());
+		reset(place, duration);
 	}
 	if (data.settings().shape_stiffness > 0 || data.settings().shape_damping > 0) {
 		data.set_rotation_memory(measure_frame(data).rotation); // the memory itself where it is not defined
@@ -160,19 +208,38 @@ void BodyStepper::end(const Crew &crew) {
 	}
 }
 
-void BodyStepper::check(const Crew &crew) {
+void BodyStepper::check(const Crew &crew, Real dt) {
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		const std::size_t count = crew.shape->point_count();
-		if (!is_finite_state<Real>({ crew.positions[lane], count }, { crew.velocities[lane], count })) {
-			reset(crew.bodies[lane]);
+		constexpr Real ANY = std::numeric_limits<Real>::infinity();
+		if (!is_sound<Real>({ crew.positions[lane], count }, { crew.velocities[lane], count }, ANY)) {
+			reset(crew.bodies[lane], dt);
 		}
 	}
 }
 
-void BodyStepper::reset(std::uint32_t place) {
+// The rest shape where the body was, moving as it did, as far as that can be believed. Not the shape it had: what
+// ruined the body may already have been in it, and would again.
+void BodyStepper::reset(std::uint32_t place, Real dt) {
 	SoftBodyData &data = body(place);
-	std::ranges::copy(data.previous_positions(), data.mutable_positions().begin());
-	std::ranges::fill(data.mutable_velocities(), Vec2{});
+	const BodyFrame frame = measure_frame(data);
+	Vec2 centre = frame.centre;
+	Rotation rotation = data.rotation_memory();
+	Vec2 velocity;
+	if (!is_finite(centre)) {
+		centre = is_finite(data.positions()[0]) ? data.positions()[0] : Vec2{};
+	} else if (is_together(data)) {
+		rotation = frame.rotation;
+		if (!data.has_pins() && length(frame.velocity) * dt <= CREDIBLE_REACH * data.shape().radius()) {
+			velocity = frame.velocity;
+		}
+	}
+	for (std::size_t i = 0; i < data.point_count(); ++i) {
+		const bool is_pinned = data.inverse_masses()[i] == 0;
+		const Vec2 home = centre + rotation.apply(data.shape().rest_positions()[i]);
+		data.mutable_positions()[i] = is_pinned && is_finite(data.positions()[i]) ? data.positions()[i] : home;
+		data.mutable_velocities()[i] = is_pinned ? Vec2{} : velocity;
+	}
 	data.touch_memory() = {};
 	counts_.non_finite.push_back(place);
 }

@@ -32,20 +32,22 @@ public:
 	/// Keeps the positions from which the step starts.
 	void begin(const Crew &crew);
 	/// Advances by `duration` [s] in `substeps` substeps of the plan's method, each ended by the contacts with the
-	/// surroundings. Resets what is no longer finite.
-	void advance(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
+	/// surroundings. Resets what is no longer finite, or whole (CREDIBLE_REACH). Bit l of `lanes` tells whether lane l takes part.
+	void advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration, int substeps);
+	/// Adds `dt` [s] to the time at rest of the bodies that hardly move, and starts that of the others anew.
+	void time_rest(const Crew &crew, std::uint32_t lanes, Real dt);
 	/// Forgets external forces.
 	void end(const Crew &crew);
 	/// Resets the bodies that are no longer finite, after something else than `advance` has moved them.
-	void check(const Crew &crew);
+	void check(const Crew &crew, Real dt);
 
 	StepCounts &counts() { return counts_; }
 
 private:
 	void advance_alone(std::uint32_t place, const SubstepPlan &plan, Real duration, int substeps);
 	void advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
-	bool can_go_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration) const;
-	void reset(std::uint32_t place);
+	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration) const;
+	void reset(std::uint32_t place, Real dt);
 	SoftBodyData &body(std::uint32_t place) const { return world_->soft_bodies()[place]; }
 
 	WorldData *world_ = nullptr;
@@ -56,6 +58,7 @@ private:
 	StepCounts counts_;
 	IntegratorWorkspace workspace_;
 	std::vector<Vec2> external_;
+	std::vector<Vec2> start_; ///< positions, then velocities, at the start of `advance`
 	std::vector<Vec2> before_; ///< positions at the start of the substep
 	BasicWorkspace<RealPack> pack_workspace_;
 	std::vector<BasicVec2<RealPack>> pack_positions_;

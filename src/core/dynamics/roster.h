@@ -12,6 +12,9 @@
 
 namespace softbody {
 
+/// A bit for every body of a full crew.
+inline constexpr std::uint32_t ALL_LANES = (1u << PACK_WIDTH) - 1;
+
 /// Bodies that are stepped together: PACK_WIDTH of one shape and equal settings, or a single one.
 struct Crew {
 	std::array<std::uint32_t, PACK_WIDTH> bodies{}; ///< places in `WorldData::soft_bodies()`

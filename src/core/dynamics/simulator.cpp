@@ -2,7 +2,10 @@
 // Advances a whole world by one fixed time step.
 #include "core/dynamics/simulator.h"
 
+#include "core/base/constants.h"
+
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace softbody {
@@ -50,14 +53,14 @@ Simulator::Simulator(WorldData &world, ParallelFor parallel_for) :
 
 SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
 	const bool has_contacts = !world_.borders().empty() || !world_.colliders().empty();
-	return plan_substeps(body.shape(), body.settings(), dt, has_contacts);
+	return plan_substeps(body, dt, has_contacts);
 }
 
 // What holds until bodies are rearranged, the time step changes or the first surroundings appear.
-void Simulator::arrange(Real dt) {
+bool Simulator::arrange(Real dt) {
 	const bool has_contacts = !world_.borders().empty() || !world_.colliders().empty();
 	if (arranged_roster_ == roster_.version() && arranged_dt_ == dt && arranged_with_contacts_ == has_contacts) {
-		return;
+		return false;
 	}
 	arranged_roster_ = roster_.version();
 	arranged_dt_ = dt;
@@ -65,6 +68,8 @@ void Simulator::arrange(Real dt) {
 	crews_.clear();
 	touching_.clear();
 	broad_.clear();
+	places_.clear();
+	crew_of_.clear();
 	std::size_t hull_points = 0;
 	std::uint32_t layers = 0;
 	std::uint32_t masks = 0;
@@ -75,6 +80,9 @@ void Simulator::arrange(Real dt) {
 			SoftBodyData &body = world_.soft_bodies()[crew.bodies[lane]];
 			const BodySettings &settings = body.settings();
 			state.rows[lane] = std::uint32_t(touching_.size());
+			state.awake |= 1u << lane;
+			places_.push_back(crew.bodies[lane]);
+			crew_of_.push_back(std::uint32_t(crews_.size() - 1));
 			TouchingBody &touching = touching_.emplace_back();
 			touching.positions = body.mutable_positions();
 			touching.velocities = body.mutable_velocities();
@@ -83,12 +91,16 @@ void Simulator::arrange(Real dt) {
 			touching.width = 2 * body.shape().rest_area() / perimeter(body.shape().rest_hull());
 			touching.friction = settings.friction;
 			touching.restitution = settings.restitution;
+			touching.rolling_resistance = settings.rolling_resistance;
+			touching.rolling_radius = body.shape().radius();
 			hull_points += body.shape().hull_count();
 			broad_.push_back({ {}, settings.collision_layer, settings.collision_mask });
 			layers |= settings.collision_layer;
 			masks |= settings.collision_mask;
 		}
 	}
+	asleep_.assign(touching_.size(), 0);
+	asleep_count_ = 0;
 	before_.resize(hull_points);
 	std::size_t begin = 0;
 	for (std::size_t row = 0; const Crew &crew : roster_.crews()) {
@@ -97,7 +109,9 @@ void Simulator::arrange(Real dt) {
 			begin += crew.shape->hull_count();
 		}
 	}
+	bodies_resist_rolling_ = std::ranges::any_of(touching_, [](const TouchingBody &b) { return b.rolling_resistance > 0; });
 	bodies_notice_bodies_ = touching_.size() > 1 && (layers & masks) != 0;
+	return true;
 }
 
 template <class Work>
@@ -115,31 +129,76 @@ void Simulator::for_crews(std::span<const std::uint32_t> crews, const Work &work
 	});
 }
 
+// Pressure on a stretched hull needs more substeps than at rest, so that bodies of one crew may differ from step to step.
+void Simulator::plan_pressure(Real dt) {
+	own_plans_.clear();
+	for (std::uint32_t i = 0; i < crews_.size(); ++i) {
+		const Crew &crew = roster_.crews()[i];
+		CrewState &state = crews_[i];
+		if (!(crew.settings->pressure_stiffness > 0) || state.awake == 0) {
+			continue;
+		}
+		std::array<SubstepPlan, PACK_WIDTH> plans;
+		bool are_equal = true;
+		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+			plans[lane] = plan(world_.soft_bodies()[crew.bodies[lane]], dt);
+			are_equal &= plans[lane].substeps == plans[0].substeps && plans[lane].integrator == plans[0].integrator;
+		}
+		state.plan = plans[0];
+		state.own_plans = are_equal ? NO_OWN_PLANS : std::uint32_t(own_plans_.size());
+		if (!are_equal) {
+			own_plans_.push_back(plans);
+		}
+	}
+}
+
+// One of `parts` equal stretches of the step, each body in its share of the substeps that it needs.
+void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, Real duration, int parts) {
+	const CrewState &state = crews_[crew];
+	const auto share = [&](const SubstepPlan &plan) { return (plan.substeps + parts - 1) / parts; };
+	if (state.own_plans == NO_OWN_PLANS) {
+		stepper.advance(roster_.crews()[crew], state.awake, state.plan, duration, share(state.plan));
+		return;
+	}
+	for (std::uint32_t lane = 0; lane < roster_.crews()[crew].count; ++lane) {
+		const SubstepPlan &own = own_plans_[state.own_plans][lane];
+		stepper.advance(roster_.crews()[crew], state.awake & 1u << lane, own, duration, share(own));
+	}
+}
+
 void Simulator::find_pairs(Real dt) {
-	free_crews_.clear();
-	coupled_crews_.clear();
 	if (bodies_notice_bodies_) {
 		const std::size_t count = touching_.size();
 		const std::size_t tasks = std::clamp<std::size_t>(count / (CREWS_A_TASK * PACK_WIDTH), 1, TASKS);
 		run_tasks(parallel_for_, tasks, [&](std::size_t task) {
 			for (std::size_t i = count * task / tasks; i < count * (task + 1) / tasks; ++i) {
+				if (asleep_[i]) {
+					broad_[i].box = touching_[i].box;
+					continue;
+				}
 				broad_[i].box = sweep_box(touching_[i].hull(), touching_[i].velocities, dt);
 			}
 		});
 		broad_phase_.update(broad_, roster_.version());
 		has_pair_.assign(count, 0);
 		for (const BodyPair pair : broad_phase_.pairs()) {
-			has_pair_[pair.a] = 1;
-			has_pair_[pair.b] = 1;
+			const char is_near = !(asleep_[pair.a] && asleep_[pair.b]);
+			has_pair_[pair.a] |= is_near;
+			has_pair_[pair.b] |= is_near;
 		}
+		pair_touched_.assign(broad_phase_.pairs().size(), 0);
+		pair_impulses_.assign(broad_phase_.pairs().size(), 0);
 	}
 	for (std::uint32_t i = 0; i < crews_.size(); ++i) {
-		CrewState &state = crews_[i];
-		state.is_coupled = false;
-		for (std::uint32_t lane = 0; bodies_notice_bodies_ && lane < roster_.crews()[i].count; ++lane) {
-			state.is_coupled |= has_pair_[state.rows[lane]] != 0;
+		const CrewState &state = crews_[i];
+		if (state.awake == 0) {
+			continue;
 		}
-		(state.is_coupled ? coupled_crews_ : free_crews_).push_back(i);
+		bool is_coupled = false;
+		for (std::uint32_t lane = 0; bodies_notice_bodies_ && lane < roster_.crews()[i].count; ++lane) {
+			is_coupled |= has_pair_[state.rows[lane]] != 0;
+		}
+		(is_coupled ? coupled_crews_ : free_crews_).push_back(i);
 	}
 }
 
@@ -152,7 +211,7 @@ StepReport Simulator::simulate(Real dt) {
 	const std::uint64_t old_roster = roster_.version();
 	roster_.update(world_);
 	surroundings_.update(world_);
-	arrange(dt);
+	wake_bodies(arrange(dt));
 	// Bodies that came or were activated may have brought forces along.
 	const bool has_forces = seen_forces_ != world_.change_counts().forces || roster_.version() != old_roster;
 	seen_forces_ = world_.change_counts().forces;
@@ -160,16 +219,28 @@ StepReport Simulator::simulate(Real dt) {
 		stepper.begin_step(world_, surroundings_, has_forces);
 	}
 	std::ranges::fill(pair_contacts_, 0);
-	find_pairs(dt);
+	free_crews_.clear();
+	coupled_crews_.clear();
+	if (asleep_count_ < touching_.size()) {
+		plan_pressure(dt);
+		find_pairs(dt);
+	}
 	for_crews(free_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
 		stepper.begin(crew);
-		stepper.advance(crew, crews_[i].plan, dt, crews_[i].plan.substeps);
+		advance(stepper, i, dt, 1);
 		stepper.end(crew);
+		if (world_.has_sleeping()) {
+			stepper.time_rest(crew, crews_[i].awake, dt);
+		}
 	});
 	if (!coupled_crews_.empty()) {
 		step_coupled(dt);
 	}
+	if (world_.has_sleeping()) {
+		let_sleep();
+	}
+	report.sleeping_bodies = asleep_count_;
 	for (const std::uint32_t place : roster_.inactive_bodies()) {
 		SoftBodyData &body = world_.soft_bodies()[place];
 		std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
@@ -183,7 +254,10 @@ void Simulator::step_coupled(Real dt) {
 	// many looks as it has force substeps, up to a bound that keeps one very stiff body from slowing all the others.
 	int contact_substeps = world_.contact_substeps();
 	for (const std::uint32_t i : coupled_crews_) {
-		contact_substeps = std::max(contact_substeps, std::min(crews_[i].plan.substeps, MAX_CONTACT_SUBSTEPS));
+		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
+			const int needed = crews_[i].plan_of(lane, own_plans_).substeps;
+			contact_substeps = std::max(contact_substeps, std::min(needed, MAX_CONTACT_SUBSTEPS));
+		}
 	}
 	const Real duration = dt / Real(contact_substeps);
 	for (PairHandling &handling : pair_handlings_) {
@@ -199,17 +273,21 @@ void Simulator::step_coupled(Real dt) {
 			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 				touching_[state.rows[lane]].begin_substep();
 			}
-			const int force_substeps = (state.plan.substeps + contact_substeps - 1) / contact_substeps;
-			stepper.advance(crew, state.plan, duration, force_substeps);
+			advance(stepper, i, duration, contact_substeps);
 			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 				touching_[state.rows[lane]].measure_extent();
 			}
 		});
 		answer_pairs();
 	}
+	resist_rolling_between_bodies();
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
-		stepper.check(roster_.crews()[i]);
-		stepper.end(roster_.crews()[i]);
+		const Crew &crew = roster_.crews()[i];
+		stepper.check(crew, dt);
+		stepper.end(crew);
+		if (world_.has_sleeping()) {
+			stepper.time_rest(crew, crews_[i].awake, dt);
+		}
 	});
 }
 
@@ -221,12 +299,117 @@ void Simulator::answer_pairs() {
 				may_share_bodies ? 1 : std::clamp<std::size_t>(groups.size() / GROUPS_A_TASK, 1, TASKS);
 		run_tasks(parallel_for_, tasks, [&](std::size_t task) {
 			for (std::size_t i = groups.size() * task / tasks; i < groups.size() * (task + 1) / tasks; ++i) {
-				for (const BodyPair pair : broad_phase_.pairs().subspan(groups[i].begin, groups[i].end - groups[i].begin)) {
-					pair_contacts_[task] += pair_handlings_[task].handle(touching_[pair.a], touching_[pair.b]);
+				for (std::uint32_t k = groups[i].begin; k < groups[i].end; ++k) {
+					const BodyPair pair = broad_phase_.pairs()[k];
+					if (asleep_[pair.a] && asleep_[pair.b]) {
+						continue;
+					}
+					const std::size_t contacts = pair_handlings_[task].handle(touching_[pair.a], touching_[pair.b]);
+					pair_contacts_[task] += contacts;
+					pair_touched_[k] |= char(contacts > 0);
+					pair_impulses_[k] += pair_handlings_[task].last_impulse();
 				}
 			}
 		});
 	}
+}
+
+// Once a step, with the impulses of all its substeps: spins change little within one.
+void Simulator::resist_rolling_between_bodies() {
+	if (!bodies_resist_rolling_) {
+		return;
+	}
+	const auto for_rows = [&](const auto &work) {
+		for_crews(coupled_crews_, [&](BodyStepper &, std::uint32_t i) {
+			for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
+				work(touching_[crews_[i].rows[lane]]);
+			}
+		});
+	};
+	for_rows([](TouchingBody &body) { body.measure_spin(); });
+	const std::span<const BodyPair> pairs = broad_phase_.pairs();
+	for (std::size_t i = 0; i < pairs.size(); ++i) {
+		const auto [a, b] = pairs[i];
+		if (pair_impulses_[i] > 0 && !asleep_[a] && !asleep_[b]) {
+			resist_pair_rolling(touching_[a], touching_[b], pair_impulses_[i]);
+		}
+	}
+	for_rows([](TouchingBody &body) { body.apply_spin_change(); });
+}
+
+void Simulator::set_awake(std::uint32_t row, bool awake) {
+	const Crew &crew = roster_.crews()[crew_of_[row]];
+	CrewState &state = crews_[crew_of_[row]];
+	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+		if (state.rows[lane] == row) {
+			state.awake = awake ? state.awake | 1u << lane : state.awake & ~(1u << lane);
+		}
+	}
+	asleep_count_ += std::size_t(!awake) - std::size_t(asleep_[row]);
+	asleep_[row] = !awake;
+	if (awake) {
+		return;
+	}
+	SoftBodyData &body = world_.soft_bodies()[places_[row]];
+	body.touch_memory() = {};
+	std::ranges::fill(body.mutable_velocities(), Vec2{});
+	std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
+	touching_[row].begin_substep();
+	touching_[row].measure_extent();
+}
+
+// Takes over who was woken from outside since the last step, and wakes all that slept on the same island.
+void Simulator::wake_bodies(bool is_rearranged) {
+	std::vector<std::uint64_t> woken = world_.take_woken_islands();
+	if (!is_rearranged && woken.empty()) {
+		return;
+	}
+	std::ranges::sort(woken);
+	for (std::uint32_t row = 0; row < places_.size(); ++row) {
+		SoftBodyData &body = world_.soft_bodies()[places_[row]];
+		if (body.is_asleep() && std::ranges::binary_search(woken, body.rest_state().island)) {
+			body.wake();
+		}
+		if (body.is_asleep() != (asleep_[row] != 0)) {
+			set_awake(row, !body.is_asleep());
+		}
+	}
+	world_.take_woken_islands(); // what this has added
+}
+
+void Simulator::let_sleep() {
+	// Whom something awake has touched wakes, with its island, before the next step.
+	const std::span<const BodyPair> pairs = broad_phase_.pairs();
+	islands_.reset(std::uint32_t(places_.size()));
+	for (std::size_t i = 0; !coupled_crews_.empty() && i < pairs.size(); ++i) {
+		if (!pair_touched_[i]) {
+			continue;
+		}
+		const auto [a, b] = pairs[i];
+		if (asleep_[a] != asleep_[b]) {
+			world_.soft_bodies()[places_[asleep_[a] ? a : b]].wake();
+		}
+		islands_.join(a, b);
+	}
+	least_rest_.assign(places_.size(), std::numeric_limits<Real>::max());
+	for (std::uint32_t row = 0; row < places_.size(); ++row) {
+		const SoftBodyData &body = world_.soft_bodies()[places_[row]];
+		if (!asleep_[row]) {
+			Real &least = least_rest_[islands_.find(row)];
+			least = std::min(least, body.settings().can_sleep ? body.rest_time() : Real(0));
+		}
+	}
+	for (std::uint32_t row = 0; row < places_.size(); ++row) {
+		const std::uint32_t island = islands_.find(row);
+		if (asleep_[row] || least_rest_[island] < SLEEP_TIME) {
+			continue;
+		}
+		RestState &rest = world_.soft_bodies()[places_[row]].rest_state();
+		set_awake(row, false);
+		rest.asleep = true;
+		rest.island = island_count_ + island + 1;
+	}
+	island_count_ += places_.size();
 }
 
 void Simulator::collect(StepReport &report) {

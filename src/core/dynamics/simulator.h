@@ -8,6 +8,7 @@
 #include "core/collision/collision_handling.h"
 #include "core/collision/pair_handling.h"
 #include "core/dynamics/body_stepper.h"
+#include "core/dynamics/islands.h"
 #include "core/dynamics/roster.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/model/world_data.h"
@@ -25,8 +26,11 @@ struct StepReport {
 	std::uint64_t substeps = 0; ///< body-substeps, summed over bodies
 	std::uint64_t contacts = 0; ///< contacts with the surroundings answered, summed over substeps
 	std::uint64_t pair_contacts = 0; ///< contacts between bodies answered, summed over substeps
-	/// Bodies whose state became non-finite in this step. Each was put back to where it was before the
-	/// step, at rest; the others are untouched.
+	std::size_t sleeping_bodies = 0; ///< after the step
+	/// Bodies whose state became non-finite in this step, or that flew apart (CREDIBLE_REACH). Each was given its rest
+	/// shape again, with the centre, rotation and mean velocity that it had before, so that its next step starts
+	/// sane; at rest if that velocity cannot be believed or a point is pinned. Pinned points stay. The others are
+	/// untouched.
 	std::vector<BodyId> reset_bodies;
 };
 
@@ -34,6 +38,9 @@ struct StepReport {
 /// other. Bodies that may touch one another take the world's contact substeps together: in each of them every
 /// body advances, in as many force substeps as it needs, and then contacts between bodies are answered. Owns nothing but
 /// scratch memory, which grows with the world and then stays: a step allocates nothing once warm.
+///
+/// Sleep: bodies that touch form an island. When all its bodies have hardly moved (SLEEP_SPEED) for SLEEP_TIME, they fall
+/// asleep together, and wake together.
 class Simulator {
 public:
 	/// `world` must outlive the simulator. With `parallel_for` the work of a step is divided; its results are the
@@ -48,17 +55,29 @@ public:
 	SubstepPlan plan(const SoftBodyData &body, Real dt) const;
 
 private:
+	static constexpr std::uint32_t NO_OWN_PLANS = UINT32_MAX;
 	/// Where a crew's bodies stand in the lists below, and whether they take their substeps together with others.
 	struct CrewState {
 		SubstepPlan plan;
 		std::array<std::uint32_t, PACK_WIDTH> rows{}; ///< of `touching_`
-		bool is_coupled = false;
+		std::uint32_t awake = 0; ///< a bit a lane
+		std::uint32_t own_plans = NO_OWN_PLANS; ///< place in `own_plans_` where lanes differ in this step
+		const SubstepPlan &plan_of(std::uint32_t lane, const auto &all) const {
+			return own_plans == NO_OWN_PLANS ? plan : all[own_plans][lane];
+		}
 	};
 
-	void arrange(Real dt);
+	/// True when something was arranged anew.
+	bool arrange(Real dt);
+	void plan_pressure(Real dt);
 	void find_pairs(Real dt);
+	void advance(BodyStepper &stepper, std::uint32_t crew, Real duration, int parts);
 	void step_coupled(Real dt);
 	void answer_pairs();
+	void resist_rolling_between_bodies();
+	void wake_bodies(bool is_rearranged);
+	void set_awake(std::uint32_t row, bool awake);
+	void let_sleep();
 	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
 	void for_crews(std::span<const std::uint32_t> crews, const Work &work);
@@ -75,6 +94,7 @@ private:
 	std::vector<std::uint64_t> pair_contacts_;
 
 	std::vector<CrewState> crews_; ///< one a crew of the roster
+	std::vector<std::array<SubstepPlan, PACK_WIDTH>> own_plans_;
 	std::vector<std::uint32_t> free_crews_;
 	std::vector<std::uint32_t> coupled_crews_;
 	// One an active body.
@@ -82,12 +102,22 @@ private:
 	std::vector<BroadPhaseBody> broad_;
 	std::vector<Vec2> before_; ///< hull points of all bodies at the start of a contact substep
 	std::vector<char> has_pair_;
+	std::vector<char> asleep_;
+	std::vector<std::uint32_t> places_; ///< in the world
+	std::vector<std::uint32_t> crew_of_;
+	std::vector<char> pair_touched_; ///< one a pair of the broad phase: in this step
+	std::vector<Real> pair_impulses_; ///< likewise: summed normal impulse [mass·length/s]
+	Islands islands_;
+	std::vector<Real> least_rest_; ///< of each island [s]
+	std::size_t asleep_count_ = 0;
+	std::uint64_t island_count_ = 0;
 
 	std::uint64_t seen_forces_ = 0;
 	std::uint64_t arranged_roster_ = 0;
 	Real arranged_dt_ = 0;
 	bool arranged_with_contacts_ = false;
 	bool bodies_notice_bodies_ = false;
+	bool bodies_resist_rolling_ = false;
 };
 
 } // namespace softbody

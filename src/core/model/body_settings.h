@@ -40,6 +40,8 @@ struct BodySettings {
 	Integrator integrator = Integrator::AUTOMATIC;
 	/// Substeps a step, 1..MAX_SUBSTEPS, or 0 for the automatic rule (see `plan_substeps`).
 	int substeps = 0;
+	/// Whether the body may fall asleep when it and all that it touches have hardly moved for a while (see `Simulator`).
+	bool can_sleep = true;
 	/// The layers that the body is on. Two bodies touch when one's mask shares a bit with the other's layer.
 	std::uint32_t collision_layer = 1;
 	/// Which surroundings and bodies the body notices: those whose layer shares a bit with this mask.

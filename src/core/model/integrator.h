@@ -16,7 +16,7 @@ enum class Integrator : std::uint8_t {
 	HEUN, ///< order 2, 2 evaluations; what the thesis's midpoint formulas average; like MIDPOINT
 	RUNGE_KUTTA_4, ///< order 4, 4 evaluations; stable for hω < 2√2, loses energy there (thesis 3.3.3, corrected)
 	VELOCITY_VERLET, ///< order 2, 1 evaluation, symplectic; stable for hω < 2
-	XPBD, ///< order 1, constraints; bounded for every stiffness and h, damps wobble numerically
+	XPBD, ///< order 1, constraints; its energy is kept in bounds for every stiffness and h, damps wobble numerically
 };
 
 inline constexpr int INTEGRATOR_COUNT = 8;

@@ -45,7 +45,16 @@ Result<SoftBodyData> SoftBodyData::create(std::shared_ptr<const SoftBodyShape> s
 	return body;
 }
 
+void SoftBodyData::wake() {
+	if (rest_state_.asleep && changes_) {
+		changes_->woken_islands.push_back(rest_state_.island);
+	}
+	rest_state_.asleep = false;
+	rest_state_.rest_time = 0;
+}
+
 void SoftBodyData::note_change() {
+	wake();
 	if (changes_) {
 		++changes_->arrangement;
 	}
@@ -110,6 +119,7 @@ Status SoftBodyData::add_external_force(std::uint32_t point, Vec2 force) {
 	if (Status status = check_point(point, "force", force)) {
 		return status;
 	}
+	wake();
 	external_forces_.push_back({ point, force });
 	if (changes_) {
 		++changes_->forces;
@@ -121,6 +131,7 @@ Status SoftBodyData::apply_impulse(std::uint32_t point, Vec2 impulse) {
 	if (Status status = check_point(point, "impulse", impulse)) {
 		return status;
 	}
+	wake();
 	mutable_velocities()[point] += impulse * inverse_masses()[point];
 	return {};
 }
@@ -132,6 +143,7 @@ Status SoftBodyData::set_point(std::uint32_t point, Vec2 position, Vec2 velocity
 	if (Status status = check_point(point, "velocity", velocity)) {
 		return status;
 	}
+	wake();
 	mutable_positions()[point] = position;
 	mutable_velocities()[point] = velocity;
 	return {};
@@ -168,6 +180,7 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 			p = pose.apply(reference.apply_inverse(p));
 		}
 	}
+	wake();
 	touch_memory_ = {};
 	const Rotation from = reference.rotation;
 	const Rotation to = pose.rotation;

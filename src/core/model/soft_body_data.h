@@ -39,10 +39,18 @@ struct TouchMemory {
 	Vec2 surface_velocity; ///< [length/s]
 };
 
+/// Whether a body sleeps, and how long it has hardly moved.
+struct RestState {
+	Real rest_time = 0; ///< [s]
+	bool asleep = false;
+	std::uint64_t island = 0; ///< while asleep: the same for all bodies that fell asleep together
+};
+
 /// How often bodies were changed from outside, so that a step need not ask each of them.
 struct ChangeCounts {
 	std::uint64_t arrangement = 0; ///< shape, settings, pins, activity: what the order of stepping depends on
 	std::uint64_t forces = 0; ///< external forces queued
+	std::vector<std::uint64_t> woken_islands; ///< of sleeping bodies that were woken, until a step takes note
 };
 
 /// One soft body of the world: a shared shape, its settings, and the state that a step advances.
@@ -93,6 +101,12 @@ public:
 
 	const std::vector<ExternalForce> &external_forces() const { return external_forces_; }
 
+	/// A sleeping body is at rest and left out of the step. It wakes, with all that it touched, when something awake
+	/// touches it and when a force, an impulse or any other change is applied to it.
+	bool is_asleep() const { return rest_state_.asleep; }
+	Real rest_time() const { return rest_state_.rest_time; } ///< for how long it has hardly moved [s]
+	void wake();
+
 	/// Whether any point is pinned.
 	bool has_pins() const { return !pinned_inverse_masses_.empty(); }
 	/// `WorldData` gives its bodies a common count of changes.
@@ -108,6 +122,7 @@ public:
 	Rotation rotation_memory() const { return rotation_memory_; }
 	void set_rotation_memory(Rotation rotation) { rotation_memory_ = rotation; }
 	TouchMemory &touch_memory() { return touch_memory_; }
+	RestState &rest_state() { return rest_state_; }
 
 private:
 	SoftBodyData() = default;
@@ -122,6 +137,7 @@ private:
 	std::vector<ExternalForce> external_forces_;
 	Rotation rotation_memory_;
 	TouchMemory touch_memory_;
+	RestState rest_state_;
 	std::shared_ptr<ChangeCounts> changes_;
 	bool active_ = true;
 };

@@ -12,6 +12,9 @@ Status WorldData::set_gravity(Vec2 gravity) {
 		return Error{ "gravity", "(" + number_text(gravity.x) + ", " + number_text(gravity.y) + ")", "must be finite",
 			"check the computation that produced this value" };
 	}
+	if (gravity != gravity_) {
+		wake_all();
+	}
 	gravity_ = gravity;
 	return {};
 }
@@ -22,6 +25,19 @@ Status WorldData::set_length_unit(Real length_unit) {
 	}
 	length_unit_ = length_unit;
 	return {};
+}
+
+void WorldData::set_sleeping(bool sleeping) {
+	sleeping_ = sleeping;
+	if (!sleeping) {
+		wake_all();
+	}
+}
+
+void WorldData::wake_all() {
+	for (SoftBodyData &body : bodies_) {
+		body.wake();
+	}
 }
 
 Status WorldData::set_contact_substeps(int contact_substeps) {
@@ -54,6 +70,7 @@ bool WorldData::remove_soft_body(BodyId id) {
 		return false;
 	}
 	const std::uint32_t dense = slots_[id.index].dense;
+	bodies_[dense].wake(); // and with it what rested on it
 	if (dense + 1 != bodies_.size()) {
 		bodies_[dense] = std::move(bodies_.back());
 		ids_[dense] = ids_.back();

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace softbody {
@@ -34,10 +35,17 @@ public:
 	Real length_unit() const { return length_unit_; }
 	Status set_length_unit(Real length_unit);
 
+	/// Whether bodies fall asleep. Default true; false wakes all.
+	bool has_sleeping() const { return sleeping_; }
+	void set_sleeping(bool sleeping);
+
 	/// Substeps a step in which bodies that may touch one another advance together, 1..MAX_SUBSTEPS. More: less
 	/// penetration and stiffer piles, at a cost that grows as fast. Default MIN_CONTACT_SUBSTEPS.
 	int contact_substeps() const { return contact_substeps_; }
 	Status set_contact_substeps(int contact_substeps);
+
+	/// Wakes every sleeping body.
+	void wake_all();
 
 	BodyId add_soft_body(SoftBodyData body);
 	/// False when the id refers to nothing.
@@ -52,6 +60,8 @@ public:
 
 	/// How often bodies came, went, or were changed.
 	const ChangeCounts &change_counts() const { return *changes_; }
+	/// For the step: islands with a body that was woken since it last asked.
+	std::vector<std::uint64_t> take_woken_islands() { return std::exchange(changes_->woken_islands, {}); }
 	/// Whether the step keeps the positions that it starts from, for interpolated drawing. Default true.
 	bool is_interpolated() const { return interpolated_; }
 	void set_interpolated(bool interpolated) { interpolated_ = interpolated; }
@@ -73,6 +83,7 @@ private:
 	Vec2 gravity_{ 0, 0 };
 	Real length_unit_ = 1;
 	int contact_substeps_ = MIN_CONTACT_SUBSTEPS;
+	bool sleeping_ = true;
 	bool interpolated_ = true;
 	std::vector<SoftBodyData> bodies_;
 	std::vector<BodyId> ids_;

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// Islands at rest fall asleep, cost no substeps, and wake together on touch, force and change.
+#include "core/base/constants.h"
+#include "core/dynamics/islands.h"
+#include "core/dynamics/simulator.h"
+#include "core/model/body_frame.h"
+#include "scenes/thesis_body.h"
+#include "support/random.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <functional>
+#include <vector>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+constexpr Real FRAME = Real(1) / 60;
+
+SoftBodyData ball(Vec2 place) {
+	BodySettings settings;
+	settings.shape_stiffness = 400;
+	settings.shape_damping = 4;
+	settings.rolling_resistance = Real(0.05);
+	return thesis_body(thesis_shape_with_ratio(1000, Real(0.1)), settings, { place, Rotation::from_angle(Real(0.39269908)) }); // half a corner: it lies on an edge
+}
+
+// Two balls, one on the other, and a third that lies far away.
+struct Scene {
+	WorldData world;
+	Simulator simulator{ world };
+	std::vector<BodyId> ids;
+
+	Scene() {
+		world.set_gravity({ 0, Real(-9.81) });
+		world.add_border({ { { 0, 0 }, { 0, 1 } }, {} });
+		for (const Vec2 place : { Vec2{ 0, Real(0.5) }, Vec2{ 0, Real(1.43) }, Vec2{ 50, Real(0.5) } }) {
+			ids.push_back(world.add_soft_body(ball(place)));
+		}
+	}
+	SoftBodyData &body(std::size_t i) { return *world.find(ids[i]); }
+	std::size_t step(int count = 1) {
+		std::size_t asleep = 0;
+		for (int i = 0; i < count; ++i) {
+			asleep = simulator.simulate(FRAME).sleeping_bodies;
+		}
+		return asleep;
+	}
+	void sleep() {
+		for (int i = 0; i < 1200 && step() < ids.size(); ++i) {
+		}
+		for (std::size_t i = 0; i < ids.size(); ++i) {
+			REQUIRE(body(i).is_asleep());
+		}
+	}
+	std::vector<bool> asleep() {
+		std::vector<bool> result;
+		for (std::size_t i = 0; i < ids.size(); ++i) {
+			result.push_back(body(i).is_asleep());
+		}
+		return result;
+	}
+};
+
+using Asleep = std::vector<bool>;
+
+} // namespace
+
+TEST_CASE("bodies at rest fall asleep, and then take no substeps and do not move") {
+	Scene scene;
+	scene.sleep();
+	std::vector<Vec2> before(scene.body(1).positions().begin(), scene.body(1).positions().end());
+	const StepReport report = scene.simulator.simulate(FRAME);
+	CHECK(report.substeps == 0);
+	CHECK(report.pair_contacts == 0);
+	CHECK(report.sleeping_bodies == 3);
+	CHECK(std::ranges::equal(before, scene.body(1).positions()));
+	CHECK(std::ranges::equal(before, scene.body(1).previous_positions()));
+	for (const Vec2 v : scene.body(1).velocities()) {
+		CHECK(v == Vec2{});
+	}
+}
+
+TEST_CASE("a body that moves does not sleep, nor one that may not, nor what touches it, nor any in a world without sleep") {
+	Scene moving;
+	moving.world.set_gravity({}); // a slow flight, just faster than what counts as rest
+	for (std::uint32_t i = 0; i < moving.body(2).point_count(); ++i) {
+		moving.body(2).set_point(i, moving.body(2).positions()[i], { 0, SLEEP_SPEED * Real(1.5) });
+	}
+	moving.step(300);
+	CHECK_FALSE(moving.body(2).is_asleep());
+
+	Scene sleepless;
+	BodySettings settings = sleepless.body(0).settings();
+	settings.can_sleep = false;
+	sleepless.body(0).set_settings(settings);
+	sleepless.step(900);
+	CHECK(sleepless.asleep() == Asleep{ false, false, true });
+
+	Scene awake;
+	awake.world.set_sleeping(false);
+	CHECK(awake.step(900) == 0);
+}
+
+TEST_CASE("whatever is done to a sleeping body wakes it and its island, and no other") {
+	const std::vector<std::function<void(SoftBodyData &)>> changes = {
+		[](SoftBodyData &body) { body.add_external_force(0, { 0, 1 }); },
+		[](SoftBodyData &body) { body.apply_impulse(0, { 0, Real(0.1) }); },
+		[](SoftBodyData &body) { body.set_point(0, body.positions()[0], { 0, 1 }); },
+		[](SoftBodyData &body) { body.set_pinned(0, true); },
+		[](SoftBodyData &body) { body.set_settings(body.settings()); },
+		[](SoftBodyData &body) { body.set_shape(body.shared_shape()); },
+		[](SoftBodyData &body) { body.teleport({}, { { 0, Real(0.1) }, {} }); },
+		[](SoftBodyData &body) { body.wake(); },
+	};
+	for (std::size_t i = 0; i < changes.size(); ++i) {
+		CAPTURE(i);
+		Scene scene;
+		scene.sleep();
+		changes[i](scene.body(0));
+		CHECK(scene.step() == 1);
+		CHECK(scene.asleep() == Asleep{ false, false, true });
+	}
+	Scene refused;
+	refused.sleep();
+	CHECK(refused.body(0).apply_impulse(99, {}).has_value()); // refused: nothing has changed
+	CHECK(refused.step() == 3);
+}
+
+TEST_CASE("gravity that changes wakes all, and the same gravity nobody") {
+	Scene scene;
+	scene.sleep();
+	scene.world.set_gravity(scene.world.gravity());
+	CHECK(scene.step() == 3);
+	scene.world.set_gravity({ 1, -9 });
+	CHECK(scene.step() == 0);
+}
+
+TEST_CASE("a body that falls onto a sleeping pile wakes it, and one that flies past does not") {
+	Scene scene;
+	scene.sleep();
+	scene.ids.push_back(scene.world.add_soft_body(ball({ 0, 4 })));
+	CHECK(scene.step() == 3); // its arrival wakes nobody
+	for (int i = 0; i < 120 && scene.body(0).is_asleep(); ++i) {
+		scene.step();
+	}
+	CHECK(scene.asleep() == Asleep{ false, false, true, false });
+	CHECK(measure_frame(scene.body(3)).centre.y < 2.6); // it woke them when it met them, not before
+	CHECK(measure_frame(scene.body(3)).centre.y > 2);
+	scene.sleep();
+
+	Scene passed;
+	passed.sleep();
+	passed.ids.push_back(passed.world.add_soft_body(ball({ -4, Real(4) })));
+	for (std::uint32_t i = 0; i < 9; ++i) {
+		passed.body(3).set_point(i, passed.body(3).positions()[i], { 12, 6 });
+	}
+	passed.step(40);
+	CHECK(passed.asleep() == Asleep{ true, true, true, false });
+	CHECK(measure_frame(passed.body(3)).centre.x > 2);
+}
+
+TEST_CASE("removing what a sleeping body rested on wakes it") {
+	Scene scene;
+	scene.sleep();
+	scene.world.remove_soft_body(scene.ids[0]);
+	scene.ids.erase(scene.ids.begin());
+	CHECK(scene.step() == 1);
+	CHECK(scene.asleep() == Asleep{ false, true });
+	scene.step(60);
+	CHECK(measure_frame(scene.body(0)).centre.y < 1);
+}
+
+TEST_CASE("islands are the connected parts of any graph, named by their smallest member") {
+	Random random(51);
+	for (int round = 0; round < 200; ++round) {
+		const int count = random.integer(1, 40);
+		Islands islands;
+		islands.reset(std::uint32_t(count));
+		std::vector<int> component;
+		for (int i = 0; i < count; ++i) {
+			component.push_back(i);
+		}
+		for (int edge = random.integer(0, 40); edge > 0; --edge) {
+			const int a = random.integer(0, count - 1);
+			const int b = random.integer(0, count - 1);
+			islands.join(std::uint32_t(a), std::uint32_t(b));
+			const int from = std::max(component[std::size_t(a)], component[std::size_t(b)]);
+			const int to = std::min(component[std::size_t(a)], component[std::size_t(b)]);
+			std::ranges::replace(component, from, to);
+		}
+		for (int i = 0; i < count; ++i) {
+			CHECK(int(islands.find(std::uint32_t(i))) == component[std::size_t(i)]);
+		}
+	}
+}
