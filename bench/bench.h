@@ -20,5 +20,9 @@ nlohmann::json stability(const Options &options);
 nlohmann::json energy(const Options &options);
 nlohmann::json recovery(const Options &options);
 nlohmann::json automatic(const Options &options);
+nlohmann::json table_4_1(const Options &options);
+nlohmann::json pile(const Options &options);
+nlohmann::json scaling(const Options &options);
+nlohmann::json contact_accuracy(const Options &options);
 
 } // namespace bench

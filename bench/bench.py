@@ -13,6 +13,7 @@ from typing import Callable
 
 import machine
 import tables_b
+import tables_c
 import work_precision
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -47,6 +48,10 @@ BENCHES = {
     "energy": Bench(("double", "float"), per_precision(tables_b.summarize_energy), tables_b.print_energy),
     "recovery": Bench(("float",), per_precision(tables_b.summarize_recovery), tables_b.print_recovery),
     "auto": Bench(("float",), per_precision(tables_b.summarize_auto), tables_b.print_auto),
+    "table-4-1": Bench(("float",), per_precision(tables_c.summarize_table_4_1), tables_c.print_table_4_1, timed=True),
+    "pile": Bench(("float",), per_precision(tables_c.summarize_pile), tables_c.print_pile, timed=True),
+    "scaling": Bench(("float",), per_precision(tables_c.summarize_scaling), tables_c.print_scaling, timed=True),
+    "contact-accuracy": Bench(("float",), per_precision(tables_c.summarize_contacts), tables_c.print_contacts, timed=True),
 }
 
 

@@ -42,7 +42,7 @@ void along_random_direction(Points &points, Random &random, Map map) {
 }
 
 void add_spring(std::vector<Spring2D> &springs, const Points &points, std::size_t a, std::size_t b) {
-	springs.push_back({ std::uint32_t(a), std::uint32_t(b), softbody::length(points[b] - points[a]), 1, 0 });
+	springs.push_back({ std::uint32_t(a), std::uint32_t(b), length(points[b] - points[a]), 1, 0 });
 }
 
 // Neighbours, centre, and for half of the bodies about a chord a point.

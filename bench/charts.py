@@ -356,11 +356,64 @@ def chart_recovery(section):
     save(figure, "recovery")
 
 
+# --- Contacts
+
+CONTACT_LABELS = {"automatic": "automatic: as many as the springs need, and more", "xpbd": "XPBD"}
+CONTACT_PANELS = (
+    ("while it falls and settles", "mean_penetration", "worst_penetration"),
+    ("after that", "mean_penetration_at_end", "worst_penetration_at_end"),
+)
+
+
+def chart_contacts(section):
+    """How deep bodies are in one another over what that costs, one point a number of contact substeps."""
+    rows = section["penetrations"]
+    figure, grid = plt.subplots(1, len(CONTACT_PANELS), figsize=(13, 4.9), sharex=True, sharey=True, layout="constrained")
+    for axes, (title, mean, worst) in zip(grid, CONTACT_PANELS):
+        for name in dict.fromkeys(row["integrator"] for row in rows):
+            style = STYLES[DEFAULT if name == "automatic" else name]
+            curve = sorted((row for row in rows if row["integrator"] == name), key=lambda row: row["contact_substeps"])
+            times = [row["ms_per_step"] for row in curve]
+            axes.plot(times, [100 * row[mean] for row in curve], color=style["color"], marker=style["marker"], ms=5, lw=1.6)
+            axes.plot(times, [100 * row[worst] for row in curve], color=style["color"], marker=style["marker"], ms=5,
+                      lw=1.2, ls=(0, (2, 2)), mfc="white")
+            for row in curve:
+                axes.annotate(f"{row['contact_substeps']}", (row["ms_per_step"], 100 * row[worst]), xytext=(4, 4),
+                              textcoords="offset points", fontsize=8, color=style["color"])
+            bad = [row for row in curve if row["folded_ever"]]
+            axes.plot([row["ms_per_step"] for row in bad], [100 * row[worst] for row in bad], ls="", marker="x", ms=11,
+                      mew=1.6, color="#333333", zorder=5)
+        axes.axhline(5, color="#999999", lw=0.8, ls=(0, (2, 2)), zorder=1)
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        ticks = [tick for tick in (0.2, 0.5, 1, 2, 5, 10, 20, 50) if axes.get_xlim()[0] <= tick <= axes.get_xlim()[1]]
+        axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+        axes.minorticks_off()
+        axes.set_title(title)
+        axes.set_xlabel(f"time of a step of {rows[0]['bodies']} bodies, one thread [ms]")
+    grid[0].set_ylabel("penetration / radius [%]")
+    names = dict.fromkeys(row["integrator"] for row in rows)
+    styles = {name: STYLES[DEFAULT if name == "automatic" else name] for name in names}
+    handles = [Line2D([], [], color=styles[name]["color"], marker=styles[name]["marker"], ms=5, label=CONTACT_LABELS[name])
+               for name in names]
+    handles += [Line2D([], [], color="#333333", marker="o", ms=5, label="mean over bodies"),
+                Line2D([], [], color="#333333", marker="o", mfc="white", ls=(0, (2, 2)), ms=5,
+                       label="worst; number: contact substeps a step"),
+                Line2D([], [], color="#999999", lw=0.8, ls=(0, (2, 2)), label="5 %: counts as overlapping")]
+    if any(row["folded_ever"] for row in rows):
+        handles.append(Line2D([], [], color="#333333", ls="", marker="x", ms=9, label="bodies folded on the way"))
+    figure.legend(handles=handles, loc="outside upper center", ncols=3,
+                  title="A pile ten bodies high: how far bodies are in one another, and what keeping them out costs")
+    source_note(figure, section)
+    save(figure, "contacts")
+
+
 CHARTS_OF = {
     "work-precision": (chart_work_precision, chart_rounding),
     "stability": (chart_stability,),
     "energy": (chart_energy,),
     "recovery": (chart_recovery,),
+    "contact-accuracy": (chart_contacts,),
 }
 
 

@@ -15,6 +15,10 @@ const std::map<std::string, bench::Bench> BENCHES = {
 	{ "energy", bench::energy },
 	{ "recovery", bench::recovery },
 	{ "auto", bench::automatic },
+	{ "table-4-1", bench::table_4_1 },
+	{ "pile", bench::pile },
+	{ "scaling", bench::scaling },
+	{ "contact-accuracy", bench::contact_accuracy },
 };
 
 int usage(const char *program) {

@@ -61,7 +61,7 @@ double distance_from_rest(const softbody::SoftBodyData &body, bool mirrored) {
 		const Vec2 p = body.positions()[i] - centre;
 		const double qx = rest[i].x;
 		const double qy = mirrored ? -rest[i].y : rest[i].y;
-		squares += double(softbody::length_squared(p)) + qx * qx + qy * qy;
+		squares += double(length_squared(p)) + qx * qx + qy * qy;
 		real += p.x * qx + p.y * qy;
 		imaginary += p.y * qx - p.x * qy;
 	}

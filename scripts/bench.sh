@@ -8,6 +8,10 @@
 #   energy          the energy of a wobbling body over time
 #   recovery        which models find back to their shape from strong deformations
 #   auto            random bodies under the automatic choice of integrator and substeps
+#   table-4-1  the thesis's table: how many of its bodies a step of 1/60 s holds, with and without collisions
+#   pile     piles between walls: time, penetration, folded bodies, rest
+#   scaling  step time from 100 to 100,000 bodies, by phase, and what a second thread saves
+#   contact-accuracy  friction, restitution and momentum against theory; penetration against time
 #   --json   with the result as one JSON object in the last line
 #   --quick  fewer cases, within 40 s; its result goes to build/bench/quick_results and leaves the full one alone
 set -euo pipefail
@@ -15,7 +19,7 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/bench.sh"
 
-names=(work-precision stability energy recovery auto)
+names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy)
 name=
 for argument in "$@"; do
 	case $argument in

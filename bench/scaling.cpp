@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// How the time of a step grows with the number of bodies, what it goes into, and what a second thread saves.
+#include "bench.h"
+#include "phase_clock.h"
+#include "soft_pile.h"
+
+#include "core/collision/broad_phase.h"
+#include "core/collision/collision_handling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+namespace bench {
+
+namespace {
+
+using nlohmann::json;
+using softbody::Real;
+
+constexpr int RATE = 60;
+constexpr int SETTLE_STEPS = 5 * RATE;
+constexpr int TIMED_STEPS = RATE;
+
+// The broad phase of the coming step once more, to see what its serial part takes.
+class BroadPhaseTwin {
+public:
+	double update(const SoftPile &pile, const softbody::WorldData &world) {
+		bodies_.clear();
+		for (const softbody::SoftBodyData &body : world.soft_bodies()) {
+			bodies_.push_back({ softbody::sweep_box(body.hull(), body.velocities(), Real(pile.scene().time_step)),
+					body.settings().collision_layer, body.settings().collision_mask });
+		}
+		const Stopwatch watch;
+		broad_phase_.update(bodies_, 1);
+		return watch.elapsed().cpu;
+	}
+	std::uint64_t rebuilds() const { return broad_phase_.rebuild_count(); }
+	std::size_t pairs() const { return broad_phase_.pairs().size(); }
+
+private:
+	softbody::BroadPhase broad_phase_;
+	std::vector<softbody::BroadPhaseBody> bodies_;
+};
+
+std::unique_ptr<SoftPile> settled_pile(std::size_t bodies, const softbody::ParallelFor &parallel_for) {
+	PileScene scene = centred(pile_scene(bodies));
+	const SoftPileSettings settings = default_settings(carrying_stiffness(scene));
+	auto pile = std::make_unique<SoftPile>(std::move(scene), settings, parallel_for);
+	pile->run(SETTLE_STEPS);
+	return pile;
+}
+
+json measure_size(std::size_t bodies, ThreadPool &pool) {
+	PhaseClock clock;
+	const softbody::ParallelFor on_two = pool.parallel_for();
+	const softbody::ParallelFor timed = clock.parallel_for();
+	bool is_timed = false;
+	const std::unique_ptr<SoftPile> pile = settled_pile(bodies, [&](std::size_t count, const auto &task) {
+		(is_timed ? timed : on_two)(count, task);
+	});
+	is_timed = true;
+	BroadPhaseTwin twin;
+	twin.update(*pile, pile->world());
+	std::vector<Duration> times;
+	std::array<std::vector<double>, PhaseClock::PHASES> spent;
+	std::vector<double> update;
+	std::vector<double> saved;
+	const std::uint64_t rebuilds = twin.rebuilds();
+	double contacts = 0;
+	// As many body-steps for a small pile as for a large one, so that its figures are worth as much.
+	const int steps = std::max<int>(TIMED_STEPS, int(100000 / bodies));
+	for (int i = 0; i < steps; ++i) {
+		update.push_back(twin.update(*pile, pile->world()));
+		times.push_back(pile->step());
+		contacts += double(pile->report().contacts + pile->report().pair_contacts) / double(steps);
+		const PhaseClock::Times phases = clock.take();
+		for (std::size_t phase = 0; phase < phases.spent.size(); ++phase) {
+			spent[phase].push_back(phases.spent[phase]);
+		}
+		saved.push_back(phases.saved_by_two);
+	}
+	const StepTimes step = times_of(times);
+	// Means: phases add up, and the broad phase has most to do in a few steps.
+	const double ns = 1e9 / double(bodies);
+	const double forces = statistics_of(spent[PhaseClock::FORCES]).mean * ns;
+	const double boxes = statistics_of(spent[PhaseClock::BROAD_PHASE]).mean * ns;
+	const double contact = statistics_of(spent[PhaseClock::CONTACTS]).mean * ns;
+	const double pairs = statistics_of(update).mean * ns;
+	const double mean = step.cpu.mean * ns;
+	json row = { { "bodies", bodies }, { "median_ms", 1e3 * step.cpu.median }, { "least_ms", 1e3 * step.cpu.least },
+		{ "wall_median_ms", 1e3 * step.wall.median }, { "ns_per_body_step", step.cpu.median * ns }, { "mean_ns", mean },
+		{ "contacts_per_body", contacts / double(bodies) }, { "pairs_per_body", double(twin.pairs()) / double(bodies) },
+		{ "steps_per_rebuild", twin.rebuilds() == rebuilds ? json(nullptr) : json(double(steps) / double(twin.rebuilds() - rebuilds)) },
+		{ "contact_substeps", pile->contact_substeps() } };
+	// A small world is stepped in one go, and its parallel-for never asked.
+	const bool seen = forces > 0 && contact > 0;
+	row["forces_ns"] = seen ? json(forces) : json(nullptr);
+	row["broad_phase_ns"] = boxes + pairs;
+	row["contacts_ns"] = seen ? json(contact) : json(nullptr);
+	// By processor time, so as if nobody else used the machine; without the cost of asking a second thread.
+	const double with_two = mean - statistics_of(saved).mean * ns;
+	row["scheduled_speedup"] = seen ? json(mean / with_two) : json(nullptr);
+	row["rest_ns"] = seen ? json(mean - forces - boxes - pairs - contact) : json(nullptr);
+	std::fprintf(stderr, "  %s\n", row.dump().c_str());
+	return row;
+}
+
+// What a second thread would save if nothing had to be done in order: arithmetic on numbers of its own.
+double arithmetic(const softbody::ParallelFor &parallel_for) {
+	std::array<double, 32> results{};
+	const Stopwatch watch;
+	parallel_for(results.size(), [&](std::size_t task) {
+		double x = 0.5;
+		for (int i = 0; i < 40000; ++i) {
+			x = 3.7 * x * (1 - x);
+		}
+		results[task] = x;
+	});
+	const double wall = watch.elapsed().wall;
+	return *std::max_element(results.begin(), results.end()) <= 1 ? wall : 0; // so that it is computed
+}
+
+json measure_threads(std::size_t bodies, bool quick) {
+	constexpr int TURN = 5;
+	const int turns = quick ? 6 : 40;
+	ThreadPool pool(1);
+	const std::unique_ptr<SoftPile> pile = settled_pile(bodies, pool.parallel_for());
+	std::array<std::vector<double>, 2> steps;
+	std::array<std::vector<double>, 2> plain;
+	std::vector<double> cpu;
+	for (int turn = 0; turn < turns; ++turn) {
+		for (const std::size_t two : { 0, 1 }) {
+			pool.set_in_use(two == 1);
+			for (int i = 0; i < TURN; ++i) {
+				const Duration took = pile->step();
+				steps[two].push_back(took.wall);
+				if (two == 0) {
+					cpu.push_back(took.cpu);
+				}
+				plain[two].push_back(arithmetic(pool.parallel_for()));
+			}
+		}
+	}
+	const Statistics one = statistics_of(steps[0]);
+	const Statistics two = statistics_of(steps[1]);
+	const Statistics plain_one = statistics_of(plain[0]);
+	const Statistics plain_two = statistics_of(plain[1]);
+	return { { "bodies", bodies }, { "one_thread_ms", 1e3 * one.median }, { "two_threads_ms", 1e3 * two.median },
+		{ "one_thread_cpu_ms", 1e3 * statistics_of(cpu).median }, { "one_thread_least_ms", 1e3 * one.least },
+		{ "two_threads_least_ms", 1e3 * two.least }, { "speedup_by_median", one.median / two.median },
+		{ "speedup_by_least", one.least / two.least }, { "arithmetic_speedup_by_median", plain_one.median / plain_two.median },
+		{ "arithmetic_speedup_by_least", plain_one.least / plain_two.least } };
+}
+
+} // namespace
+
+json scaling(const Options &options) {
+	ThreadPool pool(1);
+	json rows = json::array();
+	std::vector<std::size_t> sizes = { 100, 300, 1000, 3000 };
+	if (!options.quick) {
+		sizes.insert(sizes.end(), { 10000, 30000, 100000 });
+	}
+	for (const std::size_t bodies : sizes) {
+		rows.push_back(measure_size(bodies, pool));
+	}
+	return { { "rows", rows }, { "threads", measure_threads(options.quick ? 2000 : 10000, options.quick) } };
+}
+
+} // namespace bench
