@@ -43,12 +43,12 @@ void BodyStepper::begin(const Crew &crew) {
 	}
 }
 
-void BodyStepper::advance(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps) {
+void BodyStepper::advance(const Crew &crew, const SubstepPlan &plan, Real elapsed, Real duration, int substeps) {
 	if (can_go_side_by_side(crew, plan, duration)) {
 		advance_side_by_side(crew, plan, duration, substeps);
 	} else {
 		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-			advance_alone(crew.bodies[lane], plan, duration, substeps);
+			advance_alone(crew.bodies[lane], plan, elapsed, duration, substeps);
 		}
 	}
 	counts_.substeps += std::uint64_t(substeps) * crew.count;
@@ -59,7 +59,7 @@ bool BodyStepper::can_go_side_by_side(const Crew &crew, const SubstepPlan &plan,
 		return false; // each body remembers its own bounce
 	}
 	// Thousands of bodies are many megabytes: what need not be read is left where it is.
-	if (has_forces_ || !surroundings_->bounds().empty()) {
+	if (has_forces_ || surroundings_->has_colliders()) {
 		for (const std::uint32_t place : crew.bodies) {
 			const SoftBodyData &data = body(place);
 			if (!data.external_forces().empty() || surroundings_->has_collider_in(sweep_box(data.hull(), data.velocities(), duration))) {
@@ -122,7 +122,7 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 	}
 }
 
-void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Real duration, int substeps) {
+void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps) {
 	SoftBodyData &data = body(place);
 	const std::size_t count = data.point_count();
 	workspace_.begin_body(count);
@@ -136,7 +136,7 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 	const SubstepInput input{ world_->gravity(), external_, h };
 	const std::span<Vec2> before(before_.data(), count);
 	const Vec2 gravity = world_->gravity() * data.settings().gravity_scale;
-	collision_.begin_body(*surroundings_, data, duration);
+	collision_.begin_body(*surroundings_, data, elapsed, duration);
 	for (int i = 0; i < substeps; ++i) {
 		std::ranges::copy(data.positions(), before.begin());
 		step(data, input, workspace_);

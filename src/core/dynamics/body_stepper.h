@@ -31,9 +31,9 @@ public:
 
 	/// Keeps the positions from which the step starts.
 	void begin(const Crew &crew);
-	/// Advances by `duration` [s] in `substeps` substeps of the plan's method, each ended by the contacts with the
+	/// Advances by `duration` [s], `elapsed` [s] after the step began, in `substeps` substeps of the plan's method, each ended by the contacts with the
 	/// surroundings. Resets what is no longer finite.
-	void advance(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
+	void advance(const Crew &crew, const SubstepPlan &plan, Real elapsed, Real duration, int substeps);
 	/// Forgets external forces.
 	void end(const Crew &crew);
 	/// Resets the bodies that are no longer finite, after something else than `advance` has moved them.
@@ -42,7 +42,7 @@ public:
 	StepCounts &counts() { return counts_; }
 
 private:
-	void advance_alone(std::uint32_t place, const SubstepPlan &plan, Real duration, int substeps);
+	void advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps);
 	void advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
 	bool can_go_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration) const;
 	void reset(std::uint32_t place);

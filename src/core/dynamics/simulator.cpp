@@ -127,7 +127,7 @@ StepReport Simulator::simulate(Real dt) {
 	}
 	const std::uint64_t old_roster = roster_.version();
 	roster_.update(world_);
-	surroundings_.update(world_);
+	surroundings_.update(world_, dt);
 	arrange(dt);
 	// Bodies that came or were activated may have brought forces along.
 	const bool has_forces = seen_forces_ != world_.change_counts().forces || roster_.version() != old_roster;
@@ -140,7 +140,7 @@ StepReport Simulator::simulate(Real dt) {
 	for_crews(free_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
 		stepper.begin(crew);
-		stepper.advance(crew, crews_[i].plan, dt, crews_[i].plan.substeps);
+		stepper.advance(crew, crews_[i].plan, 0, dt, crews_[i].plan.substeps);
 		stepper.end(crew);
 	});
 	if (!coupled_crews_.empty()) {
@@ -173,7 +173,7 @@ void Simulator::step_coupled(Real dt) {
 				stepper.begin(crew);
 			}
 			const int force_substeps = (state.plan.substeps + contact_substeps - 1) / contact_substeps;
-			stepper.advance(crew, state.plan, duration, force_substeps);
+			stepper.advance(crew, state.plan, Real(substep) * duration, duration, force_substeps);
 			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 				touching_[state.rows[lane]].measure_extent();
 			}

@@ -13,13 +13,14 @@
 namespace softbody {
 
 /// The side of a contact that belongs to the surroundings. Values combine with the body's by the
-/// rule of Godot's PhysicsMaterial.
+/// rule of Godot's PhysicsMaterial. The velocity is that of a surface which itself stays in place, like a belt's; what
+/// moves as a whole is a `RigidBody`.
 struct Surface {
 	Real friction = 1; ///< Coulomb coefficient [1], >= 0; the smaller of body and surface counts
 	bool rough = false; ///< the surface's friction counts even where it is the larger
 	Real restitution = 0; ///< [1], 0..1; added to the body's, at most 1
 	bool absorbent = false; ///< subtracted from the body's instead, at least 0
-	Vec2 linear_velocity; ///< of the surface at `velocity_origin` [length/s] (conveyor, moving body)
+	Vec2 linear_velocity; ///< of the surface at `velocity_origin` [length/s]
 	Real angular_velocity = 0; ///< [rad/s]
 	Vec2 velocity_origin; ///< centre of that rotation [length]
 	std::uint32_t layer = 1; ///< compared with BodySettings::collision_mask
@@ -33,14 +34,19 @@ struct Border {
 	Surface surface;
 };
 
+/// Of a collider that belongs to no rigid body and stands still.
+inline constexpr std::uint32_t NO_RIGID_BODY = UINT32_MAX;
+
 /// A convex obstacle: the points within `radius` of the convex hull of `vertices`. One vertex is a
 /// circle (radius > 0), two are a segment or capsule, three and more a polygon (rounded if
 /// radius > 0). Vertices wind with positive signed area.
 struct ConvexCollider {
-	std::vector<Vec2> vertices;
+	std::vector<Vec2> vertices; ///< in the frame of the rigid body, or of the world without one [length]
 	Real radius = 0; ///< [length], >= 0
-	Surface surface;
+	Surface surface; ///< in the same frame; its velocity is added to that of the rigid body (conveyor)
+	std::uint32_t rigid_body = NO_RIGID_BODY; ///< with which it moves: index in `WorldData::rigid_bodies()`
 
+	/// In the frame of the vertices.
 	Aabb bounds() const { return bounding_box(vertices).grown(radius); }
 };
 

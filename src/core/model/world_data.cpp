@@ -2,10 +2,20 @@
 // Storage of bodies under stable ids, and of their surroundings.
 #include "core/model/world_data.h"
 
+#include <atomic>
 #include <string>
 #include <utility>
 
 namespace softbody {
+
+namespace {
+
+std::uint64_t next_version() {
+	static std::atomic<std::uint64_t> last = 0;
+	return ++last;
+}
+
+} // namespace
 
 Status WorldData::set_gravity(Vec2 gravity) {
 	if (!is_finite(gravity)) {
@@ -85,6 +95,7 @@ Status WorldData::add_border(const Border &border) {
 		return status;
 	}
 	borders_.push_back(border);
+	surroundings_version_ = next_version();
 	return {};
 }
 
@@ -92,13 +103,42 @@ Status WorldData::add_collider(ConvexCollider collider) {
 	if (Status status = check_collider(collider)) {
 		return status;
 	}
+	if (collider.rigid_body != NO_RIGID_BODY && collider.rigid_body >= rigid_bodies_.size()) {
+		return Error{ "collider.rigid_body", std::to_string(collider.rigid_body),
+			"must be below " + std::to_string(rigid_bodies_.size()), "add the rigid body before its colliders" };
+	}
 	colliders_.push_back(std::move(collider));
+	surroundings_version_ = next_version();
+	return {};
+}
+
+Result<std::uint32_t> WorldData::add_rigid_body(const RigidBody &body) {
+	if (Status status = check_rigid_body(body)) {
+		return *status;
+	}
+	rigid_bodies_.push_back(body);
+	reactions_.emplace_back();
+	return std::uint32_t(rigid_bodies_.size() - 1);
+}
+
+Status WorldData::set_rigid_body(std::uint32_t index, const RigidBody &body) {
+	if (index >= rigid_bodies_.size()) {
+		return Error{ "index", std::to_string(index), "must be below " + std::to_string(rigid_bodies_.size()),
+			"use the index that add_rigid_body returned" };
+	}
+	if (Status status = check_rigid_body(body)) {
+		return status;
+	}
+	rigid_bodies_[index] = body;
 	return {};
 }
 
 void WorldData::clear_surroundings() {
 	borders_.clear();
 	colliders_.clear();
+	rigid_bodies_.clear();
+	reactions_.clear();
+	surroundings_version_ = next_version();
 }
 
 } // namespace softbody
