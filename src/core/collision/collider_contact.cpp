@@ -59,7 +59,7 @@ std::optional<SurfaceContact> find_edge_contact(std::span<const Vec2> hull, Vec2
 	return SurfaceContact{ { nearest.edge, next, nearest.t }, normal * (1 / size), depth };
 }
 
-// The first edge that a corner met on its way into the hull, if that is not the nearest one.
+// The first edge that a corner met on its way into the hull.
 std::optional<SurfaceContact> find_entered_edge(const HullMotion &hull, Vec2 from, Vec2 to, Real radius) {
 	std::size_t entered = 0;
 	Real first = 2;
@@ -112,20 +112,22 @@ std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std:
 	return SurfaceContact{ { point, point, 0 }, normal, contact->depth };
 }
 
-std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &hull_box,
+std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &box,
 		const ConvexCollider &collider, std::size_t corner, const ColliderMotion &motion) {
 	const Vec2 vertex = collider.vertices[corner];
 	const Vec2 now = motion.is_still ? vertex : motion.to.apply(vertex);
-	if (!hull_box.grown(collider.radius).overlaps({ now, now })) {
+	const Vec2 before = motion.is_still ? vertex : motion.from.apply(vertex);
+	Aabb path;
+	path.include(before);
+	path.include(now);
+	if (!box.grown(collider.radius).overlaps(path)) {
 		return {};
 	}
 	const bool inside = point_in_polygon(now, hull.to);
-	if (inside && !motion.is_still) {
-		const Vec2 before = motion.from.apply(vertex);
-		if (!point_in_polygon(before, hull.from.first(hull.to.size()))) {
-			if (const auto contact = find_entered_edge(hull, before, now, collider.radius)) {
-				return contact;
-			}
+	if (!motion.is_still && !point_in_polygon(before, hull.from.first(hull.to.size()))) {
+		// It may be past the middle of a thin body by now, or past all of it.
+		if (const auto contact = find_entered_edge(hull, before, now, collider.radius)) {
+			return contact;
 		}
 	}
 	return find_edge_contact(hull.to, now, collider.radius, inside);

@@ -105,9 +105,12 @@ void CollisionHandling::handle_collider(SoftBodyData &body, const HullMotion &hu
 			answer(body, *contact, surface);
 		}
 	}
-	const Aabb hull_box = bounding_box(hull.to);
+	Aabb box = bounding_box(hull.to);
+	for (std::size_t i = 0; !motion.is_still && i < hull.to.size(); ++i) {
+		box.include(hull.from[i]);
+	}
 	for (std::size_t corner = 0; corner < collider.vertices.size(); ++corner) {
-		if (const auto contact = find_contact_of_corner(hull, hull_box, collider, corner, motion)) {
+		if (const auto contact = find_contact_of_corner(hull, box, collider, corner, motion)) {
 			answer(body, *contact, surface);
 		}
 	}

@@ -115,8 +115,33 @@ void Simulator::find_pairs(Real dt) {
 		for (std::uint32_t lane = 0; bodies_notice_bodies_ && lane < roster_.crews()[i].count; ++lane) {
 			state.is_coupled |= has_pair_[state.rows[lane]] != 0;
 		}
+		for (std::uint32_t lane = 0; !has_rigid_body_.empty() && lane < roster_.crews()[i].count; ++lane) {
+			if (has_rigid_body_[state.rows[lane]] != 0) {
+				rigid_contacts_.add_body(world_.soft_bodies()[roster_.crews()[i].bodies[lane]]);
+				state.is_coupled = true;
+			}
+		}
 		(state.is_coupled ? coupled_crews_ : free_crews_).push_back(i);
 	}
+}
+
+// Which bodies may meet a rigid body that they push back.
+void Simulator::find_rigid_contacts(Real dt) {
+	rigid_contacts_.begin_step(world_, surroundings_);
+	rigid_contact_count_ = 0;
+	has_rigid_body_.clear();
+	if (!surroundings_.has_dynamic_colliders()) {
+		return;
+	}
+	const std::size_t count = touching_.size();
+	has_rigid_body_.assign(count, 0);
+	const std::size_t tasks = std::clamp<std::size_t>(count / (CREWS_A_TASK * PACK_WIDTH), 1, TASKS);
+	run_tasks(parallel_for_, tasks, [&](std::size_t task) {
+		for (std::size_t i = count * task / tasks; i < count * (task + 1) / tasks; ++i) {
+			has_rigid_body_[i] =
+					surroundings_.has_dynamic_collider_in(sweep_box(touching_[i].hull, touching_[i].velocities, dt));
+		}
+	});
 }
 
 StepReport Simulator::simulate(Real dt) {
@@ -136,6 +161,7 @@ StepReport Simulator::simulate(Real dt) {
 		stepper.begin_step(world_, surroundings_, has_forces);
 	}
 	std::ranges::fill(pair_contacts_, 0);
+	find_rigid_contacts(dt);
 	find_pairs(dt);
 	for_crews(free_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
@@ -145,7 +171,10 @@ StepReport Simulator::simulate(Real dt) {
 	});
 	if (!coupled_crews_.empty()) {
 		step_coupled(dt);
+	} else {
+		move_rigid_bodies_alone(dt);
 	}
+	rigid_contacts_.end_step(dt);
 	for (const std::uint32_t place : roster_.inactive_bodies()) {
 		SoftBodyData &body = world_.soft_bodies()[place];
 		std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
@@ -166,6 +195,7 @@ void Simulator::step_coupled(Real dt) {
 		handling.begin_substep(world_.gravity(), duration);
 	}
 	for (int substep = 0; substep < contact_substeps; ++substep) {
+		rigid_contacts_.begin_substep(duration);
 		for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 			const Crew &crew = roster_.crews()[i];
 			const CrewState &state = crews_[i];
@@ -179,6 +209,9 @@ void Simulator::step_coupled(Real dt) {
 			}
 		});
 		answer_pairs();
+		if (rigid_contacts_.has_bodies()) {
+			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
+		}
 	}
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		stepper.check(roster_.crews()[i]);
@@ -186,7 +219,17 @@ void Simulator::step_coupled(Real dt) {
 	});
 }
 
+// As they would among soft bodies, so that their fall does not depend on whether one is near.
+void Simulator::move_rigid_bodies_alone(Real dt) {
+	for (int substep = 0; substep < world_.contact_substeps(); ++substep) {
+		rigid_contacts_.begin_substep(dt / Real(world_.contact_substeps()));
+	}
+}
+
 void Simulator::answer_pairs() {
+	if (!bodies_notice_bodies_) {
+		return; // coupled by a rigid body alone; the pairs are of another time
+	}
 	for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
 		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(colour);
 		const bool may_share_bodies = colour + 1 == BroadPhase::COLOURS;
@@ -206,6 +249,7 @@ void Simulator::collect(StepReport &report) {
 	for (const std::uint64_t contacts : pair_contacts_) {
 		report.pair_contacts += contacts;
 	}
+	report.contacts += rigid_contact_count_;
 	std::vector<std::uint32_t> non_finite;
 	for (BodyStepper &stepper : steppers_) {
 		const StepCounts &counts = stepper.counts();

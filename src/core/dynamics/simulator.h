@@ -7,6 +7,7 @@
 #include "core/collision/broad_phase.h"
 #include "core/collision/collision_handling.h"
 #include "core/collision/pair_handling.h"
+#include "core/collision/rigid_contacts.h"
 #include "core/dynamics/body_stepper.h"
 #include "core/dynamics/roster.h"
 #include "core/dynamics/substep_plan.h"
@@ -31,8 +32,9 @@ struct StepReport {
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
-/// other. Bodies that may touch one another take the world's contact substeps together: in each of them every
-/// body advances, in as many force substeps as it needs, and then contacts between bodies are answered. Owns nothing but
+/// other. Bodies that may touch one another or a dynamic rigid body take the world's contact substeps together: in each of them every
+/// body advances, in as many force substeps as it needs, and then contacts between bodies are answered, and those with
+/// dynamic rigid bodies. Owns nothing but
 /// scratch memory, which grows with the world and then stays: a step allocates nothing once warm.
 class Simulator {
 public:
@@ -57,8 +59,10 @@ private:
 
 	void arrange(Real dt);
 	void find_pairs(Real dt);
+	void find_rigid_contacts(Real dt);
 	void step_coupled(Real dt);
 	void answer_pairs();
+	void move_rigid_bodies_alone(Real dt);
 	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
 	void for_crews(std::span<const std::uint32_t> crews, const Work &work);
@@ -73,6 +77,8 @@ private:
 	std::vector<BodyStepper> steppers_;
 	std::vector<PairHandling> pair_handlings_;
 	std::vector<std::uint64_t> pair_contacts_;
+	RigidContacts rigid_contacts_;
+	std::uint64_t rigid_contact_count_ = 0;
 
 	std::vector<CrewState> crews_; ///< one a crew of the roster
 	std::vector<std::uint32_t> free_crews_;
@@ -81,6 +87,7 @@ private:
 	std::vector<TouchingBody> touching_;
 	std::vector<BroadPhaseBody> broad_;
 	std::vector<char> has_pair_;
+	std::vector<char> has_rigid_body_; ///< near it; empty when nothing can be pushed
 
 	std::uint64_t seen_forces_ = 0;
 	std::uint64_t arranged_roster_ = 0;
