@@ -391,6 +391,54 @@ TEST_CASE("a fast free plate, thin as a segment, is stopped by what it hits inst
 	}
 }
 
+TEST_CASE("a point in a box that is already leaving it is not held back, and one in two parts is moved out once") {
+	for (const bool two_parts : { false, true }) {
+		WorldData world = particle_world({ 1, Real(-0.45) }, { 0, two_parts ? Real(0.5) : Real(-2) }, 1, 0, 0);
+		std::vector<ConvexCollider> parts{ box_collider({}, { 3, Real(0.5) }) };
+		if (two_parts) {
+			parts.push_back(parts[0]);
+		}
+		add_rigid(world, box_body({}, 1, { 3, Real(0.5) }), parts);
+		Simulator(world).simulate(Real(1e-4));
+		const Vec2 place = world.soft_bodies()[0].positions()[0];
+		CHECK(std::abs(double(place.y) + 0.5) <= 1e-3); // out, but no further; it moves by 2e-4
+		if (!two_parts) {
+			CHECK(world.soft_bodies()[0].velocities()[0] == Vec2{ 0, -2 });
+			CHECK(world.rigid_bodies()[0].linear_velocity == Vec2{});
+		}
+	}
+}
+
+TEST_CASE("friction takes back the way slid: a block does not creep over a box that pushes it") {
+	// A particle pressed on a heavy box by gravity along and across its top, below the angle of friction.
+	WorldData world = particle_world({ 0, Real(-0.5) }, {}, 1, 1, 0);
+	REQUIRE_FALSE(world.set_gravity({ 4, Real(9.81) }));
+	RigidBody box;
+	box.inverse_mass = Real(1e-6);
+	add_rigid(world, box, { box_collider({}, { 3, Real(0.5) }) });
+	Simulator simulator(world);
+	for (int n = 0; n < 300; ++n) {
+		simulator.simulate(FRAME);
+	}
+	const Vec2 moved = world.soft_bodies()[0].positions()[0] - world.rigid_bodies()[0].pose.position;
+	CHECK(std::abs(double(moved.x)) <= 1e-3); // 4 g h² a substep would be 0.08 of it
+}
+
+TEST_CASE("a velocity that is no number does not reach the rigid body") {
+	WorldData world = particle_world({ 1, Real(-0.45) }, { 0, 1 }, 1, 1, 0);
+	add_rigid(world, box_body({}, 1, { 3, Real(0.5) }), { box_collider({}, { 3, Real(0.5) }) });
+	SurroundingsIndex index;
+	index.update(world, FRAME);
+	RigidContacts contacts;
+	contacts.begin_step(world, index);
+	contacts.add_body(world.soft_bodies()[0]);
+	contacts.begin_substep(FRAME);
+	world.soft_bodies()[0].mutable_velocities()[0].y = NOT_A_NUMBER;
+	CHECK(contacts.answer({}) == 1);
+	CHECK(world.rigid_bodies()[0].linear_velocity == Vec2{});
+	CHECK(world.reactions()[0].impulse == Vec2{});
+}
+
 TEST_CASE("what a body does not notice, it does not push") {
 	WorldData world = pixel_world();
 	world.set_gravity({});

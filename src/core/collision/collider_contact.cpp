@@ -3,7 +3,7 @@
 #include "core/collision/collider_contact.h"
 
 #include "core/collision/convex_query.h"
-#include "core/geometry/segment.h"
+#include "core/geometry/triangle.h"
 
 #include <cmath>
 #include <limits>
@@ -115,6 +115,13 @@ std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std:
 std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &box,
 		const ConvexCollider &collider, std::size_t corner, const ColliderMotion &motion) {
 	const Vec2 vertex = collider.vertices[corner];
+	if (collider.concave) {
+		const std::size_t count = collider.vertices.size();
+		const Vec2 last = collider.vertices[(corner + count - 1) % count];
+		if (signed_double_area(last, vertex, collider.vertices[(corner + 1) % count]) <= 0) {
+			return {}; // the bottom of a dent, where nothing can come in
+		}
+	}
 	const Vec2 now = motion.is_still ? vertex : motion.to.apply(vertex);
 	const Vec2 before = motion.is_still ? vertex : motion.from.apply(vertex);
 	Aabb path;

@@ -78,26 +78,48 @@ void CollisionHandling::handle_colliders(SoftBodyData &body, std::span<const Vec
 		const Vec2 way = swept.max - swept.min;
 		gather(body, margin_ + std::max(way.x, way.y));
 	}
-	const WorldData &world = surroundings_->world();
-	const Real slop = LINEAR_SLOP * world.length_unit();
-	for (const std::uint32_t i : nearby_) {
-		const Aabb &bounds = surroundings_->bounds(i);
-		const ConvexCollider &collider = world.colliders()[i];
-		if (!swept.overlaps(bounds.grown(slop))) {
-			continue;
+	// Points first, of all colliders: an edge between a point that has been moved out and one that has not dips into the
+	// seam of two colliders and would be pushed back from it.
+	for (const bool corners : { false, true }) {
+		for (const std::uint32_t i : nearby_) {
+			handle_collider(body, before, swept, i, corners);
 		}
-		if (collider.rigid_body == NO_RIGID_BODY) {
-			handle_collider(body, { before, body.hull() }, collider, collider.surface, {}, bounds.grown(slop));
-			continue;
-		}
-		const RigidBody &mover = world.rigid_bodies()[collider.rigid_body];
-		const ColliderMotion motion{ mover.pose_after(elapsed_), mover.pose_after(elapsed_ + h_), false };
-		handle_collider(body, { before, body.hull() }, collider, surface_in_motion(collider.surface, mover, motion.to),
-				motion, collider.bounds().grown(slop));
 	}
 }
 
-void CollisionHandling::handle_collider(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
+void CollisionHandling::handle_collider(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept,
+		std::uint32_t index, bool corners) {
+	const WorldData &world = surroundings_->world();
+	const Real slop = LINEAR_SLOP * world.length_unit();
+	const ConvexCollider &collider = world.colliders()[index];
+	const Aabb bounds = surroundings_->bounds(index).grown(slop);
+	if (!swept.overlaps(bounds)) {
+		return;
+	}
+	const HullMotion hull{ before, body.hull() };
+	if (collider.rigid_body == NO_RIGID_BODY) {
+		if (corners) {
+			handle_corners(body, hull, collider, collider.surface, {}, bounding_box(hull.to));
+		} else {
+			handle_points(body, hull, collider, collider.surface, {}, bounds);
+		}
+		return;
+	}
+	const RigidBody &mover = world.rigid_bodies()[collider.rigid_body];
+	const ColliderMotion motion{ mover.pose_after(elapsed_), mover.pose_after(elapsed_ + h_), false };
+	const Surface surface = surface_in_motion(collider.surface, mover, motion.to);
+	if (corners) {
+		Aabb box = bounding_box(hull.to);
+		for (std::size_t i = 0; i < hull.to.size(); ++i) {
+			box.include(hull.from[i]);
+		}
+		handle_corners(body, hull, collider, surface, motion, box);
+	} else {
+		handle_points(body, hull, collider, surface, motion, collider.bounds().grown(slop));
+	}
+}
+
+void CollisionHandling::handle_points(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
 		const Surface &surface, const ColliderMotion &motion, const Aabb &own_bounds) {
 	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
 	for (std::size_t i = 0; i < hull.to.size(); ++i) {
@@ -105,10 +127,10 @@ void CollisionHandling::handle_collider(SoftBodyData &body, const HullMotion &hu
 			answer(body, *contact, surface);
 		}
 	}
-	Aabb box = bounding_box(hull.to);
-	for (std::size_t i = 0; !motion.is_still && i < hull.to.size(); ++i) {
-		box.include(hull.from[i]);
-	}
+}
+
+void CollisionHandling::handle_corners(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
+		const Surface &surface, const ColliderMotion &motion, const Aabb &box) {
 	for (std::size_t corner = 0; corner < collider.vertices.size(); ++corner) {
 		if (const auto contact = find_contact_of_corner(hull, box, collider, corner, motion)) {
 			answer(body, *contact, surface);

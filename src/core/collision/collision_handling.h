@@ -36,8 +36,12 @@ private:
 	void gather(const SoftBodyData &body, Real margin);
 	void handle_borders(SoftBodyData &body);
 	void handle_colliders(SoftBodyData &body, std::span<const Vec2> before);
-	void handle_collider(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
-			const Surface &surface, const ColliderMotion &motion, const Aabb &own_bounds);
+	void handle_collider(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept, std::uint32_t index,
+			bool corners);
+	void handle_points(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider, const Surface &surface,
+			const ColliderMotion &motion, const Aabb &own_bounds);
+	void handle_corners(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider, const Surface &surface,
+			const ColliderMotion &motion, const Aabb &box);
 
 	const SurroundingsIndex *surroundings_ = nullptr;
 	std::vector<std::uint32_t> nearby_; ///< colliders the current body may meet

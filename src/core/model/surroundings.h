@@ -8,6 +8,7 @@
 #include "core/geometry/polygon.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace softbody {
@@ -37,7 +38,7 @@ struct Border {
 /// Of a collider that belongs to no rigid body and stands still.
 inline constexpr std::uint32_t NO_RIGID_BODY = UINT32_MAX;
 
-/// A convex obstacle: the points within `radius` of the convex hull of `vertices`. One vertex is a
+/// An obstacle, convex unless said otherwise: the points within `radius` of the convex hull of `vertices`. One vertex is a
 /// circle (radius > 0), two are a segment or capsule, three and more a polygon (rounded if
 /// radius > 0). Vertices wind with positive signed area.
 struct ConvexCollider {
@@ -45,6 +46,13 @@ struct ConvexCollider {
 	Real radius = 0; ///< [length], >= 0
 	Surface surface; ///< in the same frame; its velocity is added to that of the rigid body (conveyor)
 	std::uint32_t rigid_body = NO_RIGID_BODY; ///< with which it moves: index in `WorldData::rigid_bodies()`
+	/// The vertices are the outline of a simple polygon that may have dents; `radius` is 0. A point costs a look at every
+	/// edge: terrain of hundreds of corners is better a chain or several polygons.
+	bool concave = false;
+	/// Of a segment in a chain: the far ends of the segments that go on from its first and second vertex. What lies
+	/// beside one of them is left to that one, so that nothing stumbles over the round end at the joint.
+	std::optional<Vec2> joined_at_first = {};
+	std::optional<Vec2> joined_at_second = {};
 
 	/// In the frame of the vertices.
 	Aabb bounds() const { return bounding_box(vertices).grown(radius); }
@@ -54,7 +62,8 @@ struct ConvexCollider {
 Status check_border(const Border &border);
 
 /// Refuses no vertices, non-finite ones, a negative radius, a single point without radius, coincident
-/// vertices, a polygon that is not convex or winds negatively, and bad surface values.
+/// vertices, a polygon that is not convex (or, if it may be concave, crosses itself) or winds negatively, rounded concave
+/// ones, and bad surface values. O(vertices), O(vertices²) if concave.
 Status check_collider(const ConvexCollider &collider);
 
 } // namespace softbody

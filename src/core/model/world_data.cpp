@@ -112,6 +112,38 @@ Status WorldData::add_collider(ConvexCollider collider) {
 	return {};
 }
 
+Status WorldData::add_chain(std::span<const Vec2> points, bool closed, const ConvexCollider &like) {
+	const std::size_t least = closed ? 3 : 2;
+	if (points.size() < least) {
+		return Error{ "chain", std::to_string(points.size()) + " points",
+			"must have at least " + std::to_string(least) + " points", "give the missing points" };
+	}
+	const std::size_t count = colliders_.size();
+	for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
+		ConvexCollider segment = like;
+		const std::size_t size = points.size();
+		segment.vertices = { points[i], points[(i + 1) % size] };
+		if (closed || i > 0) {
+			segment.joined_at_first = points[(i + size - 1) % size];
+		}
+		if (closed || i + 2 < size) {
+			segment.joined_at_second = points[(i + 2) % size];
+		}
+		Status status;
+		if (segment.vertices[0] == segment.vertices[1]) {
+			status = Error{ "chain[" + std::to_string(i) + "]", "coincides with the next", "must differ from its neighbours",
+				"remove one of the two" };
+		} else {
+			status = add_collider(std::move(segment));
+		}
+		if (status) {
+			colliders_.erase(colliders_.begin() + std::ptrdiff_t(count), colliders_.end());
+			return status;
+		}
+	}
+	return {};
+}
+
 Result<std::uint32_t> WorldData::add_rigid_body(const RigidBody &body) {
 	if (Status status = check_rigid_body(body)) {
 		return *status;

@@ -63,6 +63,11 @@ public:
 	/// Refuses also a rigid body that is not there.
 	Status add_collider(ConvexCollider collider);
 
+	/// Adds a chain: a segment from each point to the next, and back to the first if `closed`, with the radius, surface and
+	/// rigid body of `like`. It holds from both sides; what is inside a closed one stays inside. Refuses fewer than two
+	/// points (three if closed), neighbours that coincide and what `add_collider` refuses, and then adds nothing.
+	Status add_chain(std::span<const Vec2> points, bool closed, const ConvexCollider &like = {});
+
 	/// Rigid bodies that own colliders. A step moves them: after it they are where its end found them, with the
 	/// velocities that contacts left them.
 	std::span<const RigidBody> rigid_bodies() const { return rigid_bodies_; }
