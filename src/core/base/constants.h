@@ -92,6 +92,10 @@ inline constexpr Real RESTITUTION_SUBSTEPS = 2;
 /// to rest leaps when it is nudged. Shorter: the turning point of a slow landing costs it its bounce.
 inline constexpr Real BOUNCE_MEMORY = Real(0.3);
 
+/// How often the contacts with rigid bodies that can be pushed are gone through in each substep [1]. Fewer: a box on
+/// several bodies rocks longer.
+inline constexpr int RIGID_CONTACT_PASSES = 4;
+
 /// Least mobility of a place on a hull edge, as a share of its lighter end's [1]. An end is moved by at
 /// most 1 / sqrt of this, 5 times, what the place must move.
 inline constexpr Real LEAST_EDGE_MOBILITY = Real(0.04);
