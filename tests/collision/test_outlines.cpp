@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Claims about chains and concave polygons: bodies slide over their joints, lie in their dents, and come out by the way in.
+#include "core/collision/collider_contact.h"
 #include "core/collision/collision_handling.h"
 #include "core/collision/convex_query.h"
 #include "core/dynamics/simulator.h"
@@ -10,6 +11,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <vector>
 
 using namespace softbody;
@@ -204,6 +206,39 @@ TEST_CASE("a body slides over the joints of a chain, or of an outline, as over o
 		CHECK(distance(jointed.centre, smooth.centre) < 1); // of 1333 px; roundings grow in a wobbling body
 		CHECK(std::abs(double(jointed.velocity.x) - 400) < 0.1); // nothing brakes it
 	}
+}
+
+TEST_CASE("a link of a chain leaves a point beside the next link to that, and keeps one that is beside neither") {
+	WorldData world;
+	ConvexCollider like;
+	like.radius = 1;
+	// A level link, one that goes on level, and one that turns down (y up here) by a right angle.
+	REQUIRE_FALSE(world.add_chain(std::vector<Vec2>{ { 0, 0 }, { 10, 0 }, { 20, 0 }, { 20, -10 } }, false, like));
+	const auto touches = [&](std::size_t link, Vec2 p) {
+		return find_point_contact(world.colliders()[link], p, p, SLOP).has_value();
+	};
+	CHECK_FALSE(touches(0, { Real(10.5), Real(0.5) }));
+	CHECK(touches(1, { Real(10.5), Real(0.5) }));
+	CHECK(touches(0, { Real(9.5), Real(0.5) }));
+	CHECK_FALSE(touches(1, { Real(9.5), Real(0.5) }));
+	CHECK(touches(1, { Real(20.5), Real(0.5) })); // round the corner: beside neither
+	CHECK(touches(2, { Real(20.5), Real(0.5) }));
+	CHECK(touches(0, { Real(-0.5), Real(0.5) })); // the free end is round
+	CHECK(touches(2, { Real(20.5), Real(-10.5) }));
+	// Closed, it has no free end.
+	world.clear_surroundings();
+	REQUIRE_FALSE(world.add_chain(std::vector<Vec2>{ { 0, 0 }, { 10, 0 }, { 10, 10 }, { -10, 10 }, { -10, 0 } }, true, like));
+	CHECK_FALSE(touches(0, { Real(-0.5), Real(0.5) }));
+	CHECK(touches(4, { Real(-0.5), Real(0.5) }));
+}
+
+TEST_CASE("the bottom of a dent does not push what has sunk over it; the polygon's points do") {
+	const ConvexCollider shape = tub();
+	const std::vector<Vec2> hull = box_collider({ -70, -10 }, { 30, 30 }).vertices;
+	const Aabb box = bounding_box(hull);
+	CHECK_FALSE(find_contact_of_corner({ hull, hull }, box, shape, 2, {}).has_value()); // (-80, 0), inside the hull
+	ConvexCollider solid = box_collider({ -80, 20 }, { 20, 20 });
+	CHECK(find_contact_of_corner({ hull, hull }, box, solid, 1, {}).has_value()); // (-60, 0), likewise
 }
 
 TEST_CASE("a closed chain keeps what is inside in and what is outside out") {

@@ -455,6 +455,23 @@ TEST_CASE("what a body does not notice, it does not push") {
 	CHECK(double(length(measure_frame(world.soft_bodies()[0]).velocity)) <= 1e-3); // roundings of its shape matching
 }
 
+TEST_CASE("bodies that have ceased to notice one another do not touch because a rigid body is near") {
+	WorldData world = pixel_world();
+	world.set_gravity({});
+	world.add_soft_body(jelly_circle({ 0, 0 }));
+	world.add_soft_body(jelly_circle({ 60, 0 })); // overlapping
+	add_box(world, { 30, -80 }, 1, { 100, 20 });
+	Simulator simulator(world);
+	CHECK(simulator.simulate(FRAME).pair_contacts > 0);
+	BodySettings settings = jelly_settings();
+	settings.collision_layer = 2;
+	settings.collision_mask = 1; // the box's layer
+	for (SoftBodyData &body : world.soft_bodies()) {
+		REQUIRE_FALSE(body.set_settings(settings));
+	}
+	CHECK(simulator.simulate(FRAME).pair_contacts == 0);
+}
+
 TEST_CASE("a body that goes out of all numbers does not take a rigid body along") {
 	WorldData world = pixel_world();
 	world.add_soft_body(jelly_circle({ 0, 0 }));
