@@ -149,7 +149,6 @@ void SoftBody2D::reset() {
 Transform2D SoftBody2D::body_transform() const {
 	const softbody::SoftBodyData &data = *body();
 	const softbody::BodyFrame frame = softbody::measure_frame(data);
-	body()->set_rotation_memory(frame.rotation);
 	const softbody::Vec2 origin = frame.centre - frame.rotation.apply(data.shape().origin_offset());
 	Transform2D transform = Transform2D(frame.rotation.angle(), Vector2()) * built_scale_;
 	transform.set_origin(to_godot(origin));

@@ -218,6 +218,22 @@ void Simulator::find_pairs(Real dt) {
 	}
 }
 
+void Simulator::wake_by_surroundings() {
+	watch_.update(surroundings_);
+	if (asleep_count_ == 0 || (!watch_.has_border_changed() && watch_.changed_boxes().empty())) {
+		return;
+	}
+	for (std::uint32_t row = 0; row < places_.size(); ++row) {
+		// What it rests on touches its box at most.
+		const Aabb box = touching_[row].box.grown(touching_[row].radius / 8);
+		if (asleep_[row] && (watch_.has_border_changed() ||
+									std::ranges::any_of(watch_.changed_boxes(), [&](const Aabb &b) { return b.overlaps(box); }))) {
+			world_.soft_bodies()[places_[row]].wake();
+		}
+	}
+	wake_bodies(false);
+}
+
 // Which bodies may meet a rigid body that they push back. None of them sleeps: what rests on it would sink in.
 void Simulator::find_rigid_contacts(Real dt) {
 	rigid_contacts_.begin_step(world_, surroundings_);
@@ -262,6 +278,9 @@ StepReport Simulator::simulate(Real dt) {
 	std::ranges::fill(pair_contacts_, 0);
 	free_crews_.clear();
 	coupled_crews_.clear();
+	if (world_.has_sleeping()) {
+		wake_by_surroundings();
+	}
 	find_rigid_contacts(dt);
 	if (asleep_count_ < touching_.size()) {
 		plan_pressure(dt);

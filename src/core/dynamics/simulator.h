@@ -8,6 +8,7 @@
 #include "core/collision/collision_handling.h"
 #include "core/collision/pair_handling.h"
 #include "core/collision/rigid_contacts.h"
+#include "core/collision/surroundings_watch.h"
 #include "core/dynamics/body_stepper.h"
 #include "core/dynamics/islands.h"
 #include "core/dynamics/roster.h"
@@ -82,6 +83,7 @@ private:
 	void resist_rolling_between_bodies();
 	void wake_bodies(bool is_rearranged);
 	void set_awake(std::uint32_t row, bool awake);
+	void wake_by_surroundings();
 	void let_sleep();
 	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
@@ -92,6 +94,7 @@ private:
 	ParallelFor parallel_for_;
 	Roster roster_;
 	SurroundingsIndex surroundings_;
+	SurroundingsWatch watch_;
 	BroadPhase broad_phase_;
 	RigidContacts rigid_contacts_;
 	std::uint64_t rigid_contact_count_ = 0;
