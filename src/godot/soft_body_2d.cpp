@@ -222,6 +222,7 @@ void SoftBody2D::finish_step() {
 	moving_ = body()->is_active();
 	previous_ = current_;
 	if (moving_) {
+		body()->set_rotation_memory(softbody::measure_frame(*body()).rotation); // for a body that may collapse later
 		set_global_transform(body_transform());
 		// Read back rather than remembered: under a transformed parent it may differ in the last digit,
 		// and such a digit must not look like a move by the user.
