@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// A pile of thesis bodies, and how well and how fast an engine holds it.
+#include "pile_scene.h"
+
+#include "bodies.h"
+
+#include "core/geometry/polygon.h"
+#include "core/geometry/polygon_overlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+
+namespace bench {
+
+namespace {
+
+using softbody::Aabb;
+using softbody::Real;
+using softbody::Vec2;
+
+constexpr std::uint64_t SEED = 20150703;
+constexpr double GAP = 0.05; // between neighbours at the start, over R; they are out of place by a third of it at most
+constexpr double OVERLAP_LIMIT = 0.05; // over R
+constexpr int TURN = 20; // steps of one engine before the next has its turn
+
+double depth_in_surroundings(const PileScene &scene, const Hull &hull) {
+	double depth = 0;
+	for (const Vec2 p : hull) {
+		depth = std::max({ depth, -double(p.y), -double(p.x), double(p.x) - scene.width });
+	}
+	return depth;
+}
+
+// Pairs of bodies whose boxes meet, by sweeping along x.
+template <typename Visit>
+void for_each_near_pair(const std::vector<Aabb> &boxes, Visit visit) {
+	std::vector<std::size_t> order(boxes.size());
+	for (std::size_t i = 0; i < order.size(); ++i) {
+		order[i] = i;
+	}
+	std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return boxes[a].min.x < boxes[b].min.x; });
+	for (std::size_t i = 0; i < order.size(); ++i) {
+		const Aabb &box = boxes[order[i]];
+		for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].min.x <= box.max.x; ++j) {
+			if (box.overlaps(boxes[order[j]])) {
+				visit(order[i], order[j]);
+			}
+		}
+	}
+}
+
+double median(std::vector<double> values) {
+	std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+	return values[values.size() / 2];
+}
+
+double mean(const std::vector<double> &values) {
+	double sum = 0;
+	for (const double value : values) {
+		sum += value;
+	}
+	return sum / double(values.size());
+}
+
+} // namespace
+
+PileScene pile_scene(std::size_t bodies, int rows) {
+	PileScene scene;
+	scene.rows = rows;
+	Random random(SEED);
+	const double pitch = (2 + GAP) * scene.radius;
+	const std::size_t columns = (bodies + std::size_t(rows) - 1) / std::size_t(rows);
+	// Half a body more than the columns need, for the shifted rows.
+	scene.width = (double(columns) + 0.5) * pitch;
+	for (std::size_t i = 0; i < bodies; ++i) {
+		const std::size_t row = i / columns;
+		const double shift = row % 2 == 0 ? 0.5 : 1.0;
+		const auto jitter = [&] { return random.uniform(-1, 1) * GAP * scene.radius / 6; };
+		const double x = (double(i % columns) + shift) * pitch + jitter();
+		const double y = (double(row) + 0.5) * pitch + jitter();
+		scene.bodies.push_back({ { Real(x), Real(y) }, random.uniform(0, 2 * std::numbers::pi) });
+	}
+	return scene;
+}
+
+PileQuality judge_pile(const PileScene &scene, const std::vector<Hull> &hulls) {
+	PileQuality quality;
+	std::vector<Aabb> boxes;
+	std::vector<double> deepest;
+	const double n = scene.hull_points;
+	const double whole_area = n / 2 * scene.radius * scene.radius * std::sin(2 * std::numbers::pi / n);
+	for (const Hull &hull : hulls) {
+		const double area = double(softbody::signed_area(hull));
+		const Vec2 centre = softbody::area_centroid(hull);
+		const bool inside = centre.x >= 0 && double(centre.x) <= scene.width && centre.y >= 0;
+		quality.escaped += inside ? 0 : 1; // one that is not finite is not inside either
+		quality.folded += softbody::is_folded(hull) ? 1 : 0;
+		quality.mean_area += area / whole_area / double(hulls.size());
+		boxes.push_back(softbody::bounding_box(hull));
+		quality.height = std::max(quality.height, double(boxes.back().max.y));
+		deepest.push_back(depth_in_surroundings(scene, hull));
+	}
+	for_each_near_pair(boxes, [&](std::size_t a, std::size_t b) {
+		const double depth = softbody::penetration_depth(hulls[a], hulls[b]);
+		quality.overlapping += depth > OVERLAP_LIMIT * scene.radius ? 1 : 0;
+		deepest[a] = std::max(deepest[a], depth);
+		deepest[b] = std::max(deepest[b], depth);
+	});
+	quality.mean_penetration = mean(deepest) / scene.radius;
+	quality.worst_penetration = *std::max_element(deepest.begin(), deepest.end()) / scene.radius;
+	return quality;
+}
+
+std::vector<PileRun> run_piles(const PileScene &scene, const std::vector<PileEngine *> &engines, int steps) {
+	std::vector<std::vector<double>> times(engines.size());
+	for (int done = 0; done < steps; done += TURN) {
+		for (std::size_t e = 0; e < engines.size(); ++e) {
+			for (int i = done; i < std::min(done + TURN, steps); ++i) {
+				const std::clock_t begin = std::clock();
+				engines[e]->step();
+				const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
+				times[e].push_back(1e9 * seconds / double(scene.bodies.size()));
+			}
+		}
+	}
+	std::vector<PileRun> runs;
+	for (std::size_t e = 0; e < engines.size(); ++e) {
+		const std::vector<double> settled(times[e].begin() + steps / 2, times[e].end());
+		PileRun run;
+		run.median = median(settled);
+		run.mean = mean(settled);
+		run.median_whole = median(times[e]);
+		run.mean_whole = mean(times[e]);
+		run.worst = *std::max_element(times[e].begin(), times[e].end());
+		run.hulls = engines[e]->hulls();
+		run.quality = judge_pile(scene, run.hulls);
+		runs.push_back(std::move(run));
+	}
+	return runs;
+}
+
+} // namespace bench

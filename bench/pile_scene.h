@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// A pile of thesis bodies that any engine can be asked to hold, and how well and how fast it does.
+#pragma once
+
+#include "core/base/vec2.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+/// Bodies over a ground at y = 0 between upright walls at x = 0 and `width`, y up; all in metres, kilogrammes and
+/// seconds. They start apart, in `rows` rows that fall a little, every second row shifted by half a body, each body
+/// turned by an angle of its own and a little out of its place, as nothing that is perfectly straight tells much.
+struct PileScene {
+	struct Place {
+		softbody::Vec2 centre;
+		double angle = 0;
+	};
+
+	double radius = 0.5; // of a body, its hull points are that far from its centre
+	int hull_points = 8; // and a centre point; hull springs join neighbours, centre springs all with the centre
+	double mass = 1; // of a body, a ninth on every point
+	double gravity = 9.81; // downwards
+	double friction = 0.4;
+	double time_step = 1.0 / 60;
+	int rows = 10;
+	double width = 0;
+	std::vector<Place> bodies;
+
+	/// Load that the lowest body of a column carries [N].
+	double load() const { return rows * mass * gravity; }
+};
+
+/// The scene with that many bodies, alike for every engine and on every machine.
+PileScene pile_scene(std::size_t bodies, int rows = 10);
+
+using Hull = std::vector<softbody::Vec2>;
+
+/// Something that holds such a pile. Its construction is not timed.
+class PileEngine {
+public:
+	virtual ~PileEngine() = default;
+	/// One time step of the scene.
+	virtual void step() = 0;
+	/// Of every body the outline by which it touches others, of positive winding.
+	virtual std::vector<Hull> hulls() const = 0;
+};
+
+/// State of a pile, by the outlines alone.
+struct PileQuality {
+	std::size_t folded = 0; ///< bodies turned over, flat, or whose outline meets itself
+	std::size_t overlapping = 0; ///< pairs deeper in each other than 5 % of R
+	std::size_t escaped = 0; ///< bodies whose centre is behind the ground or a wall, or not finite
+	double mean_penetration = 0; ///< over bodies, of the deepest each is in another, the ground or a wall; over R
+	double worst_penetration = 0; ///< of any body, over R
+	double mean_area = 0; ///< over that of the regular outline of R
+	double height = 0; ///< of the highest point [m]
+};
+PileQuality judge_pile(const PileScene &scene, const std::vector<Hull> &hulls);
+
+/// Times of one engine's steps, over the number of bodies [ns], and what became of the pile.
+struct PileRun {
+	double median = 0; ///< over the second half of the steps, in which the pile has come to rest
+	double mean = 0; ///< over the same
+	double median_whole = 0;
+	double mean_whole = 0;
+	double worst = 0; ///< the dearest step of all
+	PileQuality quality; ///< at the end
+	std::vector<Hull> hulls; ///< at the end
+};
+
+/// Steps all engines for that many steps, some steps of each in turn, so that whatever disturbs the machine disturbs
+/// them alike. Times are those of the processor: one thread works, and what else the machine does is not counted.
+std::vector<PileRun> run_piles(const PileScene &scene, const std::vector<PileEngine *> &engines, int steps);
+
+/// The pile in our own simulator, one thread.
+std::unique_ptr<PileEngine> make_softbody_pile(const PileScene &scene);
+/// How our bodies are made for it, in words.
+std::string softbody_pile_settings(const PileScene &scene);
+
+} // namespace bench
