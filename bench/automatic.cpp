@@ -266,7 +266,7 @@ Rest drop(Integrator integrator, int hull_points, double stiffness, double dampi
 		simulator.simulate(Real(1) / RATE);
 		double fastest = 0;
 		for (const softbody::Vec2 v : world.soft_bodies()[0].velocities()) {
-			fastest = std::max(fastest, double(softbody::length(v)));
+			fastest = std::max(fastest, double(length(v)));
 		}
 		rest.last_moving = fastest > AT_REST ? i + 1 : rest.last_moving;
 		rest.end_speed = i >= REST_TICKS - 2 * RATE ? std::max(rest.end_speed, fastest) : 0;

@@ -108,6 +108,7 @@ SoftBodyData block(double friction) {
 // How far the block has moved in the last second of three on a slope; gravity turns instead of the ground.
 double slide(Ground ground, double friction, double angle, double *acceleration = nullptr) {
 	softbody::WorldData world;
+	world.set_sleeping(false);
 	softbody::Simulator simulator(world);
 	add_ground(world, ground, friction);
 	const softbody::BodyId id = world.add_soft_body(block(friction));
@@ -181,6 +182,7 @@ json restitutions() {
 	for (const Ground ground : GROUNDS) {
 		for (const double restitution : { 0.0, 0.25, 0.5, 0.75, 1.0 }) {
 			softbody::WorldData world;
+			world.set_sleeping(false);
 			softbody::Simulator simulator(world);
 			world.set_gravity({ 0, -Real(GRAVITY) });
 			add_ground(world, ground, 0.4);
@@ -216,6 +218,7 @@ json bounces() {
 		for (const double offset : { 0.0, 0.25 }) { // of the centres across the motion [m]
 			for (const double restitution : { 0.0, 0.5, 1.0 }) {
 				softbody::WorldData world;
+				world.set_sleeping(false);
 				softbody::Simulator simulator(world);
 				// The values of both bodies add up.
 				world.add_soft_body(ball(1, restitution, 0.4, { -1, Real(offset / 2) }, { Real(SPEED), 0 }));

@@ -30,9 +30,34 @@ struct Case {
 	int seconds;
 };
 
+SoftPileSettings settings_of(const Case &c, const PileScene &scene) {
+	SoftPileSettings settings = default_settings(carrying_stiffness(scene, (1 + c.heavy) / 2));
+	settings.heavy = c.heavy;
+	return settings;
+}
+
+// The same pile once more, in which bodies may fall asleep: after what time most have, and what a step then costs.
+json run_to_sleep(const Case &c) {
+	const PileScene scene = centred(pile_scene(c.bodies, c.rows));
+	SoftPileSettings settings = settings_of(c, scene);
+	settings.may_sleep = true;
+	SoftPile pile(scene, settings);
+	std::size_t most = 0;
+	for (int i = 0; i < c.seconds * RATE; ++i) {
+		pile.step();
+		most = std::max(most, pile.report().sleeping_bodies);
+		if (double(pile.report().sleeping_bodies) >= REST_SHARE * double(c.bodies)) {
+			const StepTimes asleep = pile.run(REST_STEPS);
+			return { { "seconds_to_sleep", double(i + 1) / RATE }, { "most_asleep", most },
+				{ "asleep_ns", asleep.cpu.median * 1e9 / double(c.bodies) } };
+		}
+	}
+	return { { "seconds_to_sleep", nullptr }, { "most_asleep", most }, { "asleep_ns", nullptr } };
+}
+
 json run_case(const Case &c) {
 	const PileScene scene = centred(pile_scene(c.bodies, c.rows));
-	const SoftPileSettings settings = default_settings(carrying_stiffness(scene, (1 + c.heavy) / 2));
+	const SoftPileSettings settings = settings_of(c, scene);
 	SoftPile pile(scene, settings);
 	std::vector<Duration> times;
 	int slow_steps = 0;
@@ -56,7 +81,8 @@ json run_case(const Case &c) {
 		{ "ns_per_body_step", whole.cpu.mean * ns }, { "worst_ns", whole.cpu.worst * ns },
 		{ "settled_median_ns", settled.cpu.median * ns }, { "settled_least_ns", settled.cpu.least * ns },
 		{ "settled_wall_ns", settled.wall.median * ns }, { "energy_at_rest", energy_at_rest }, { "resets", pile.resets() },
-		{ "seconds_to_rest", seconds_to_rest }, { "seconds_to_sleep", nullptr } };
+		{ "seconds_to_rest", seconds_to_rest } };
+	row.update(run_to_sleep(c));
 	row.update(to_json(pile.quality()));
 	std::fprintf(stderr, "  %s\n", row.dump().c_str());
 	return row;

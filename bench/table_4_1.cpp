@@ -83,10 +83,27 @@ PileScene strewn_scene(std::size_t bodies) {
 	return scene;
 }
 
+// A heap on open ground, each row narrower than the one below by two bodies at each end. From the corners of an upright
+// end bodies would fall ten high and spin, and explicit Euler spins whatever spins fast up until it bursts: its
+// gain, h ω²/2 a second, outgrows friction.
 PileScene open_pile_scene(std::size_t bodies) {
-	PileScene scene = centred(pile_scene(bodies));
+	constexpr std::size_t NARROWER = 4; // bodies a row
+	PileScene scene;
+	const std::size_t rows = std::size_t(scene.rows);
+	const std::size_t missing = NARROWER * rows * (rows - 1) / 2;
+	const std::size_t columns = std::max((bodies + missing + rows - 1) / rows, NARROWER * rows);
+	scene = pile_scene(columns * rows, scene.rows);
 	scene.has_walls = false;
-	return scene;
+	std::vector<PileScene::Place> heap;
+	for (std::size_t i = 0; i < scene.bodies.size() && heap.size() < bodies; ++i) {
+		const std::size_t row = i / columns;
+		const std::size_t column = i % columns;
+		if (column >= NARROWER / 2 * row && column + NARROWER / 2 * row < columns) {
+			heap.push_back(scene.bodies[i]);
+		}
+	}
+	scene.bodies = std::move(heap);
+	return centred(scene);
 }
 
 struct Measured {
