@@ -87,7 +87,7 @@ TEST_CASE("a body that moves does not sleep, nor one that may not, nor what touc
 	Scene moving;
 	moving.world.set_gravity({}); // a slow flight, just faster than what counts as rest
 	for (std::uint32_t i = 0; i < moving.body(2).point_count(); ++i) {
-		moving.body(2).set_point(i, moving.body(2).positions()[i], { 0, SLEEP_SPEED * Real(1.5) });
+		moving.body(2).set_point(i, moving.body(2).positions()[i], { 0, SLEEP_SPEED_WEIGHTLESS * Real(1.5) });
 	}
 	moving.step(300);
 	CHECK_FALSE(moving.body(2).is_asleep());

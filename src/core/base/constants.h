@@ -30,6 +30,10 @@ inline constexpr int MAX_CONTACT_SUBSTEPS = 16;
 /// still tremble a little never sleep.
 inline constexpr Real SLEEP_SPEED = Real(0.05);
 
+/// The same for a body that no gravity acts on [length/s, times WorldData::length_unit]: what drifts is not at rest, however
+/// slow. In pixels it is the default of Godot's own bodies.
+inline constexpr Real SLEEP_SPEED_WEIGHTLESS = Real(0.02);
+
 /// Time [s] that an island of touching bodies must have been at rest before it falls asleep.
 inline constexpr Real SLEEP_TIME = Real(0.5);
 

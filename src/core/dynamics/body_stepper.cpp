@@ -75,7 +75,8 @@ void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPl
 
 void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
 	const std::span<const Real> masses = crew.shape->masses();
-	const Real slow = SLEEP_SPEED * world_->length_unit();
+	const bool is_weightless = world_->gravity() * crew.settings->gravity_scale == Vec2{};
+	const Real slow = (is_weightless ? SLEEP_SPEED_WEIGHTLESS : SLEEP_SPEED) * world_->length_unit();
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		if (!(lanes >> lane & 1)) {
 			continue;

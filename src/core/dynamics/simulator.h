@@ -43,7 +43,7 @@ struct StepReport {
 /// dynamic rigid bodies. Owns nothing but
 /// scratch memory, which grows with the world and then stays: a step allocates nothing once warm.
 ///
-/// Sleep: bodies that touch form an island. When all its bodies have hardly moved (SLEEP_SPEED) for SLEEP_TIME, they fall
+/// Sleep: bodies that touch form an island. When all its bodies have hardly moved (SLEEP_SPEED, SLEEP_SPEED_WEIGHTLESS) for SLEEP_TIME, they fall
 /// asleep together, and wake together.
 class Simulator {
 public:
