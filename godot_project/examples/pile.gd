@@ -34,6 +34,7 @@ func _add(place: Vector2) -> void:
 		2:
 			body.hull = SoftBody2D.make_circle_hull(42, 6)
 	body.stiffness = 400
+	body.damping = 0.3
 	body.color = COLOURS[_count % COLOURS.size()]
 	body.position = place
 	body.rotation = _count * 0.7
