@@ -26,7 +26,7 @@ Hull ParticleRing::outline(const std::vector<Vec2> &centres) const {
 	Hull hull;
 	for (std::size_t i = 0; i < count; ++i) {
 		const Vec2 along = centres[(i + 1) % count] - centres[(i + count - 1) % count];
-		const Real size = softbody::length(along);
+		const Real size = length(along);
 		const Vec2 outward = size > 0 ? Vec2{ along.y, -along.x } * (1 / size) : Vec2{};
 		hull.push_back(centres[i] + outward * reach);
 	}
