@@ -14,6 +14,7 @@ from typing import Callable
 import machine
 import tables_b
 import tables_c
+import tables_peers
 import work_precision
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -29,6 +30,7 @@ class Bench:
     summarize: Callable  # {precision: result of the program} -> the section of the result file
     print_table: Callable  # the same section -> None
     timed: bool = False  # measures time: its programs run one after the other
+    program: str = "softbody_bench"  # with _PRECISION
 
 
 def per_precision(summarize):
@@ -52,6 +54,9 @@ BENCHES = {
     "pile": Bench(("float",), per_precision(tables_c.summarize_pile), tables_c.print_pile, timed=True),
     "scaling": Bench(("float",), per_precision(tables_c.summarize_scaling), tables_c.print_scaling, timed=True),
     "contact-accuracy": Bench(("float",), per_precision(tables_c.summarize_contacts), tables_c.print_contacts, timed=True),
+    "peers": Bench(
+        ("float",), tables_peers.summarize, tables_peers.print_table, timed=True, program="softbody_peers"
+    ),
 }
 
 
@@ -59,7 +64,7 @@ def measure(name, precision, quick):
     """Runs the program of that precision and returns what it wrote."""
     output = BUILD / f"{name}_{precision}.json"
     output.unlink(missing_ok=True)
-    command = [BUILD / f"softbody_bench_{precision}", name, output] + (["--quick"] if quick else [])
+    command = [BUILD / f"{BENCHES[name].program}_{precision}", name, output] + (["--quick"] if quick else [])
     subprocess.run(command, check=True, stdout=sys.stderr)
     return json.loads(output.read_text(encoding="utf-8"))
 
@@ -98,7 +103,8 @@ def main():
     begin = time.monotonic()
     with ThreadPoolExecutor(max_workers=1 if bench.timed else len(bench.precisions)) as pool:
         measured = list(pool.map(lambda precision: measure(name, precision, quick), bench.precisions))
-    section = machine.head(f"scripts/bench.sh {name}{' --quick' if quick else ''}", BUILD, bench.precisions[0])
+    program = BUILD / f"{bench.program}_{bench.precisions[0]}"
+    section = machine.head(f"scripts/bench.sh {name}{' --quick' if quick else ''}", program)
     section.update(bench.summarize(dict(zip(bench.precisions, measured))))
     bench.print_table(section)
     file = keep(section, name, quick)

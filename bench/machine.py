@@ -43,18 +43,18 @@ def commit():
     return name + ("-dirty" if output_of("git", "status", "--porcelain", "--", *SOURCES) else "")
 
 
-def build_of(build, precision):
-    """Compiler and flags, as the build noted them beside the program."""
+def build_of(measuring):
+    """Compiler and flags of a program, as the build noted them beside it."""
     try:
-        program, *flags = (build / f"softbody_bench_{precision}.flags").read_text(encoding="utf-8").split()
+        program, *flags = measuring.with_suffix(".flags").read_text(encoding="utf-8").split()
     except OSError:
         return "unknown", "unknown"
     return output_of(program, "--version").partition("\n")[0] or program, " ".join(flags)
 
 
-def head(command, build, precision):
+def head(command, measuring):
     """What every section begins with."""
-    compiler, flags = build_of(build, precision)
+    compiler, flags = build_of(measuring)
     now = datetime.datetime.now(datetime.timezone.utc)
     return {
         "commit": commit(),

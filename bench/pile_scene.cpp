@@ -21,7 +21,7 @@ using softbody::Real;
 using softbody::Vec2;
 
 constexpr std::uint64_t SEED = 20150703;
-constexpr double GAP = 0.05; // between neighbours at the start, over R; they are out of place by a third of it at most
+constexpr double GAP = 0.05; // between neighbours at the start, over R; a body is out of place by a sixth of it at most, in x and y
 constexpr double OVERLAP_LIMIT = 0.05; // over R
 constexpr int TURN = 20; // steps of one engine before the next has its turn
 

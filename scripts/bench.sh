@@ -8,10 +8,11 @@
 #   energy          the energy of a wobbling body over time
 #   recovery        which models find back to their shape from strong deformations
 #   auto            random bodies under the automatic choice of integrator and substeps
-#   table-4-1  the thesis's table: how many of its bodies a step of 1/60 s holds, with and without collisions
-#   pile     piles between walls: time, penetration, folded bodies, rest
-#   scaling  step time from 100 to 100,000 bodies, by phase, and what a second thread saves
-#   contact-accuracy  friction, restitution and momentum against theory; penetration against time
+#   table-4-1       the thesis's table: how many of its bodies a step of 1/60 s holds, with and without collisions
+#   pile            piles between walls: time, penetration, folded bodies, rest
+#   scaling         step time from 100 to 100,000 bodies, by phase, and what a second thread saves
+#   contact-accuracy friction, restitution and momentum against theory; penetration against time
+#   peers           a pile in other engines, Box2D and Chipmunk, against ours
 #   --json   with the result as one JSON object in the last line
 #   --quick  fewer cases, within 40 s; its result goes to build/bench/quick_results and leaves the full one alone
 set -euo pipefail
@@ -19,7 +20,7 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/bench.sh"
 
-names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy)
+names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy peers)
 name=
 for argument in "$@"; do
 	case $argument in
@@ -37,7 +38,12 @@ fi
 
 need_packages scons g++ nlohmann-json3-dev
 need_bench_python
+target=bench
+if [[ $name == peers ]]; then
+	need_packages libbox2d-dev libchipmunk-dev
+	target=peers
+fi
 step "Building the benchmarks"
-run_scons bench || problem "the core or its benchmarks do not compile"
+run_scons "$target" || problem "the core or its benchmarks do not compile"
 step "Measuring $name"
 exec "$BENCH_PYTHON" "$REPO_DIR/bench/bench.py" "$@"

@@ -72,6 +72,7 @@ func test_points_are_in_the_order_of_the_hull_then_the_centre() -> void:
 			mean += point / hull.size()
 		check_near(body.get_point_positions()[hull.size()], mean, 0.05, "the centre point")
 		check_points_near(body.get_interpolated_hull(1), expected, 0.01, "interpolated hull and hull")
+		body.free()
 
 
 func test_negative_winding_moves_like_positive_winding() -> void:

@@ -78,6 +78,7 @@ func test_a_central_impulse_changes_the_velocity_by_j_over_m() -> void:
 		check_near(body.get_linear_velocity(), Vector2(40, -24) / mass, 0.01, "velocity a second later")
 		check_near(body.get_angular_velocity(), 0.0, 0.001, "spin")
 		check_near(body.get_kinetic_energy(), Vector2(40, -24).length_squared() / (2 * mass), 1, "kinetic energy")
+		body.free()
 
 
 func test_a_central_force_acts_for_one_tick_and_is_forgotten() -> void:

@@ -195,13 +195,13 @@ func test_a_hundred_bodies_come_and_go() -> void:
 	for round_number in 4:
 		var bodies: Array[SoftBody2D] = []
 		for i in 25:
-			bodies.append(add_body(Vector2(-900 + 75 * i, 20)))
+			bodies.append(add_body(Vector2(-1500 + 125 * i, 20)))
 		await ticks(10)
 		for i in range(24, -1, -2):
 			bodies[i].free()
 		await ticks(5)
 		for i in range(1, 25, 2):
-			check_near(bodies[i].get_center_of_mass_position().x, -900.0 + 75 * i, 1, "x of a survivor")
+			check_near(bodies[i].get_center_of_mass_position().x, -1500.0 + 125 * i, 1, "x of a survivor")
 			bodies[i].free()
 		check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies of the server")
 

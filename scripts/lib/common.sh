@@ -26,6 +26,8 @@ has_package() {
 		g++) command -v "${CXX:-g++}" >/dev/null ;;
 		doctest-dev) echo '#include <doctest/doctest.h>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;
 		nlohmann-json3-dev) echo '#include <nlohmann/json.hpp>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;
+		libbox2d-dev) echo '#include <box2d/box2d.h>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;
+		libchipmunk-dev) echo '#include <chipmunk/chipmunk.h>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;
 		python3-venv) command -v python3 >/dev/null && python3 -c 'import ensurepip, venv' 2>/dev/null ;;
 		ca-certificates) [[ -e /etc/ssl/certs/ca-certificates.crt ]] || ! command -v apt-get >/dev/null ;;
 		debian-archive-keyring) [[ -e /usr/share/keyrings/debian-archive-keyring.gpg ]] ;;

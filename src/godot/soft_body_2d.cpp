@@ -149,7 +149,6 @@ void SoftBody2D::reset() {
 Transform2D SoftBody2D::body_transform() const {
 	const softbody::SoftBodyData &data = *body();
 	const softbody::BodyFrame frame = softbody::measure_frame(data);
-	body()->set_rotation_memory(frame.rotation);
 	const softbody::Vec2 origin = frame.centre - frame.rotation.apply(data.shape().origin_offset());
 	Transform2D transform = Transform2D(frame.rotation.angle(), Vector2()) * built_scale_;
 	transform.set_origin(to_godot(origin));
@@ -223,6 +222,7 @@ void SoftBody2D::finish_step() {
 	moving_ = body()->is_active();
 	previous_ = current_;
 	if (moving_) {
+		body()->set_rotation_memory(softbody::measure_frame(*body()).rotation); // for a body that may collapse later
 		set_global_transform(body_transform());
 		// Read back rather than remembered: under a transformed parent it may differ in the last digit,
 		// and such a digit must not look like a move by the user.

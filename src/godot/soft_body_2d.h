@@ -76,7 +76,7 @@ public:
 	Integrator get_integrator() const { return integrator_; }
 	void set_substeps(int p_substeps);
 	int get_substeps() const { return substeps_; }
-	void set_collision_layer(uint32_t p_layer) { collision_layer_ = p_layer; }
+	void set_collision_layer(uint32_t p_layer);
 	uint32_t get_collision_layer() const { return collision_layer_; }
 	void set_collision_mask(uint32_t p_mask);
 	uint32_t get_collision_mask() const { return collision_mask_; }

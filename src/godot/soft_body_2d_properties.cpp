@@ -162,6 +162,11 @@ void SoftBody2D::set_substeps(int p_substeps) {
 	}
 }
 
+void SoftBody2D::set_collision_layer(uint32_t p_layer) {
+	collision_layer_ = p_layer;
+	apply_settings();
+}
+
 void SoftBody2D::set_collision_mask(uint32_t p_mask) {
 	collision_mask_ = p_mask;
 	apply_settings();
@@ -194,6 +199,7 @@ softbody::BodySettings SoftBody2D::make_settings() const {
 	settings.gravity_scale = softbody::Real(gravity_scale_);
 	settings.integrator = softbody::Integrator(integrator_);
 	settings.substeps = substeps_;
+	settings.collision_layer = collision_layer_;
 	settings.collision_mask = collision_mask_;
 	return settings;
 }

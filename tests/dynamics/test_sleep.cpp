@@ -87,7 +87,7 @@ TEST_CASE("a body that moves does not sleep, nor one that may not, nor what touc
 	Scene moving;
 	moving.world.set_gravity({}); // a slow flight, just faster than what counts as rest
 	for (std::uint32_t i = 0; i < moving.body(2).point_count(); ++i) {
-		moving.body(2).set_point(i, moving.body(2).positions()[i], { 0, SLEEP_SPEED * Real(1.5) });
+		moving.body(2).set_point(i, moving.body(2).positions()[i], { 0, SLEEP_SPEED_WEIGHTLESS * Real(1.5) });
 	}
 	moving.step(300);
 	CHECK_FALSE(moving.body(2).is_asleep());
@@ -136,6 +136,59 @@ TEST_CASE("gravity that changes wakes all, and the same gravity nobody") {
 	CHECK(scene.step() == 3);
 	scene.world.set_gravity({ 1, -9 });
 	CHECK(scene.step() == 0);
+}
+
+TEST_CASE("surroundings that come, go, change or move wake what they touch, and a fresh list of the same ones nobody") {
+	const ConvexCollider block{ { { 49, -1 }, { 51, -1 }, { 51, 0 }, { 49, 0 } }, 0, {} };
+	const ConvexCollider far_block{ { { 80, -1 }, { 81, -1 }, { 81, 0 }, { 80, 0 } }, 0, {} };
+	const Border ground{ { { 0, 0 }, { 0, 1 } }, {} };
+	const auto surround = [&](Scene &scene, std::vector<ConvexCollider> colliders, const Border &border) {
+		scene.world.clear_surroundings();
+		REQUIRE_FALSE(scene.world.add_border(border));
+		for (const ConvexCollider &collider : colliders) {
+			REQUIRE_FALSE(scene.world.add_collider(collider));
+		}
+	};
+	Scene scene;
+	surround(scene, { block, far_block }, ground);
+	scene.sleep();
+	surround(scene, { far_block, block }, ground);
+	CHECK(scene.step() == 3);
+	surround(scene, { block }, ground); // one went, far from all
+	CHECK(scene.step() == 3);
+	surround(scene, {}, ground); // one went that the third lies on
+	CHECK(scene.step() == 2);
+	CHECK(scene.asleep() == Asleep{ true, true, false });
+	scene.sleep();
+	ConvexCollider belt = block;
+	surround(scene, { belt }, ground);
+	CHECK(scene.step() == 2);
+	scene.sleep();
+	belt.surface.linear_velocity = { 1, 0 };
+	surround(scene, { belt }, ground);
+	CHECK(scene.step() == 2);
+	Border lower = ground;
+	lower.plane.position.y = Real(-0.01);
+	surround(scene, {}, lower);
+	CHECK(scene.step() == 0);
+
+	Scene pushed;
+	RigidBody piston;
+	piston.pose.position = { 45, Real(0.5) };
+	piston.linear_velocity = { 0, 0 };
+	const std::uint32_t body = pushed.world.add_rigid_body(piston).value();
+	ConvexCollider head{ { { 0, 0 } }, Real(0.4), {} };
+	head.rigid_body = body;
+	REQUIRE_FALSE(pushed.world.add_collider(head));
+	pushed.sleep();
+	piston.linear_velocity = { 6, 0 };
+	for (int i = 0; i < 60 && pushed.body(2).is_asleep(); ++i) {
+		REQUIRE_FALSE(pushed.world.set_rigid_body(body, piston));
+		pushed.step();
+		piston.pose.position.x += Real(0.1);
+	}
+	CHECK(pushed.asleep() == Asleep{ true, true, false });
+	CHECK(piston.pose.position.x > 48.5);
 }
 
 TEST_CASE("a body that falls onto a sleeping pile wakes it, and one that flies past does not") {

@@ -8,7 +8,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 using namespace softbody;
 using namespace softbody::testing;
@@ -103,4 +105,47 @@ TEST_CASE("surroundings are taken when valid, refused when not, and forgotten to
 	CHECK(world.borders().empty());
 	CHECK(world.colliders().empty());
 	CHECK(world.find(id) != nullptr);
+}
+
+TEST_CASE("a collider may belong to a rigid body that is there, and to no other") {
+	WorldData world;
+	ConvexCollider collider = box_collider({}, { 1, 1 });
+	collider.rigid_body = 0;
+	const Status status = world.add_collider(collider);
+	REQUIRE(status.has_value());
+	CHECK(status->name == "collider.rigid_body");
+	CHECK(world.colliders().empty());
+	RigidBody body;
+	body.linear_velocity = { 3, 0 };
+	CHECK(world.add_rigid_body(body).value() == 0);
+	CHECK_FALSE(world.add_collider(collider));
+	CHECK(world.reactions().size() == 1);
+	body.inverse_mass = -1;
+	CHECK_FALSE(world.add_rigid_body(body).has_value());
+	CHECK(world.set_rigid_body(0, body));
+	CHECK(world.rigid_bodies()[0].inverse_mass == 0);
+	body.inverse_mass = 2;
+	CHECK_FALSE(world.set_rigid_body(0, body));
+	CHECK(world.rigid_bodies()[0].inverse_mass == 2);
+	CHECK(world.set_rigid_body(1, body));
+	world.clear_surroundings();
+	CHECK(world.rigid_bodies().empty());
+	CHECK(world.reactions().empty());
+	CHECK(world.add_collider(collider));
+}
+
+TEST_CASE("no two states of the surroundings share a version") {
+	WorldData a;
+	WorldData b;
+	std::vector<std::uint64_t> seen;
+	for (WorldData *world : { &a, &b }) {
+		world->add_border(floor_at(1));
+		seen.push_back(world->surroundings_version());
+		world->add_collider(box_collider({}, { 1, 1 }));
+		seen.push_back(world->surroundings_version());
+		world->clear_surroundings();
+		seen.push_back(world->surroundings_version());
+	}
+	std::ranges::sort(seen);
+	CHECK(std::ranges::adjacent_find(seen) == seen.end());
 }

@@ -30,6 +30,10 @@ inline constexpr int MAX_CONTACT_SUBSTEPS = 16;
 /// still tremble a little never sleep.
 inline constexpr Real SLEEP_SPEED = Real(0.05);
 
+/// The same for a body that no gravity acts on [length/s, times WorldData::length_unit]: what drifts is not at rest, however
+/// slow. In pixels it is the default of Godot's own bodies.
+inline constexpr Real SLEEP_SPEED_WEIGHTLESS = Real(0.02);
+
 /// Time [s] that an island of touching bodies must have been at rest before it falls asleep.
 inline constexpr Real SLEEP_TIME = Real(0.5);
 
@@ -91,6 +95,10 @@ inline constexpr Real RESTITUTION_SUBSTEPS = 2;
 /// Time [s] over which a body that hardly moves forgets how fast it landed. Longer: a body that has come
 /// to rest leaps when it is nudged. Shorter: the turning point of a slow landing costs it its bounce.
 inline constexpr Real BOUNCE_MEMORY = Real(0.3);
+
+/// How often the contacts with rigid bodies that can be pushed are gone through in each substep [1]. Fewer: a box on
+/// several bodies rocks longer.
+inline constexpr int RIGID_CONTACT_PASSES = 4;
 
 /// Least mobility of a place on a hull edge, as a share of its lighter end's [1]. An end is moved by at
 /// most 1 / sqrt of this, 5 times, what the place must move.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace softbody {
@@ -14,8 +15,8 @@ namespace {
 // Margin of a kept box, as a share of its extent. Larger: fewer rebuilds, more pairs that do not touch.
 constexpr Real BOX_MARGIN = Real(0.08);
 
-// Boxes larger than this many doublings of the smallest cells all share one level.
-constexpr std::uint32_t LEVELS = 24;
+// Level of all boxes that are larger than so many doublings of the smallest cells: everybody looks at all of them.
+constexpr std::uint32_t ALL_SIZES = 23;
 
 // Side of the cells by which pairs are grouped, in cells of level 0. Two bodies of extent up to 2 cells that touch
 // are at most 2 cells apart, so that all who share a body with a pair are within 4 cells of it: see group_pairs.
@@ -91,9 +92,12 @@ BroadPhase::Entry BroadPhase::cell_of(const Aabb &box, std::uint32_t body) const
 	Entry entry;
 	entry.body = body;
 	Real size = cell_size_;
-	while (size < extent && entry.level + 1 < LEVELS) {
+	while (size < extent && entry.level < ALL_SIZES) {
 		size *= 2;
-		++entry.level;
+		entry.level = size < std::numeric_limits<Real>::max() / 4 ? entry.level + 1 : ALL_SIZES;
+	}
+	if (entry.level == ALL_SIZES) {
+		return entry; // in no cell
 	}
 	const Vec2 centre = (box.min + box.max) * Real(0.5);
 	entry.x = cell_coordinate(centre.x, size);
@@ -140,13 +144,6 @@ void BroadPhase::find_pairs(std::span<const BroadPhaseBody> bodies) {
 		const Aabb &box = boxes_[i];
 		for (std::uint32_t levels = used_levels_ >> own_level << own_level; levels != 0; levels &= levels - 1) {
 			const std::uint32_t level = std::uint32_t(std::countr_zero(levels));
-			const Real size = std::ldexp(cell_size_, int(level));
-			// A body of this level reaches half a cell beyond its centre; those of the last level, as far as they are large.
-			const bool all_sizes = level + 1 == LEVELS;
-			const std::int32_t left = cell_coordinate(box.min.x - size / 2, size);
-			const std::int32_t right = cell_coordinate(box.max.x + size / 2, size);
-			const std::int32_t top = cell_coordinate(box.min.y - size / 2, size);
-			const std::int32_t bottom = cell_coordinate(box.max.y + size / 2, size);
 			const auto meet = [&](const Entry &other) {
 				if (level == own_level && other.body <= i) {
 					return; // found from the other side
@@ -158,7 +155,7 @@ void BroadPhase::find_pairs(std::span<const BroadPhaseBody> bodies) {
 					found_.push_back({ std::min(i, other.body), std::max(i, other.body) });
 				}
 			};
-			if (all_sizes) {
+			if (level == ALL_SIZES) {
 				for (const Entry &other : unsorted_) {
 					if (other.level == level) {
 						meet(other);
@@ -166,6 +163,12 @@ void BroadPhase::find_pairs(std::span<const BroadPhaseBody> bodies) {
 				}
 				continue;
 			}
+			// A body of this level reaches half a cell beyond its centre.
+			const Real size = std::ldexp(cell_size_, int(level));
+			const std::int32_t left = cell_coordinate(box.min.x - size / 2, size);
+			const std::int32_t right = cell_coordinate(box.max.x + size / 2, size);
+			const std::int32_t top = cell_coordinate(box.min.y - size / 2, size);
+			const std::int32_t bottom = cell_coordinate(box.max.y + size / 2, size);
 			for (std::int32_t y = top; y <= bottom; ++y) {
 				for (std::int32_t x = left; x <= right; ++x) {
 					const std::size_t bucket = bucket_of(x, y, level);

@@ -4,12 +4,10 @@
 
 #include "core/base/constants.h"
 #include "core/collision/convex_query.h"
-#include "core/geometry/triangle.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace softbody {
 
@@ -18,61 +16,6 @@ namespace {
 bool notices(const BodySettings &settings, const Surface &surface) {
 	return (settings.collision_mask & surface.layer) != 0;
 }
-
-// A collider's corner or round end against the hull: how far the hull must retreat from it.
-std::optional<SurfaceContact> find_edge_contact(std::span<const Vec2> hull, Vec2 corner, Real radius) {
-	std::size_t nearest = 0;
-	Real nearest_t = 0;
-	Real least = std::numeric_limits<Real>::max();
-	for (std::size_t i = 0; i < hull.size(); ++i) {
-		const Vec2 a = hull[i];
-		const Vec2 b = hull[(i + 1) % hull.size()];
-		const Real t = closest_parameter_on_segment(corner, a, b);
-		const Real distance = length_squared(corner - (a + (b - a) * t));
-		if (distance < least) {
-			least = distance;
-			nearest = i;
-			nearest_t = t;
-		}
-	}
-	const bool inside = point_in_polygon(corner, hull);
-	const Real distance = std::sqrt(least);
-	const Real depth = inside ? radius + distance : radius - distance;
-	if (!(depth > 0)) {
-		return {};
-	}
-	const std::size_t next = (nearest + 1) % hull.size();
-	const Vec2 edge = hull[next] - hull[nearest];
-	const Vec2 closest = hull[nearest] + edge * nearest_t;
-	const Vec2 away = (closest - corner) * (inside ? Real(-1) : Real(1));
-	// The hull must move so that the corner comes out through its nearest place: against the way from
-	// the corner to that place when inside, along it when outside. On the line itself: the inward normal.
-	Vec2 normal = perpendicular(edge);
-	if (distance > Real(1e-4) * length(edge)) {
-		normal = away;
-	}
-	const Real size = length(normal);
-	if (!(size > 0)) {
-		return {};
-	}
-	return SurfaceContact{ { nearest, next, nearest_t }, normal * (1 / size), depth };
-}
-
-} // namespace
-
-void SurroundingsIndex::update(const WorldData &world) {
-	world_ = &world;
-	bounds_.clear();
-	for (const ConvexCollider &collider : world.colliders()) {
-		bounds_.push_back(collider.bounds());
-	}
-}
-
-bool SurroundingsIndex::has_collider_in(const Aabb &box) const {
-	return std::ranges::any_of(bounds_, [&](const Aabb &bounds) { return bounds.overlaps(box); });
-}
-
-namespace {
 
 Real fastest(std::span<const Vec2> velocities) {
 	Real most = 0;
@@ -93,24 +36,22 @@ Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Rea
 	return std::isfinite(way) ? box.grown(way + std::max(size.x, size.y) / 16) : box;
 }
 
-void CollisionHandling::begin_body(const SurroundingsIndex &surroundings, const SoftBodyData &body, Real dt) {
+void CollisionHandling::begin_body(const SurroundingsIndex &surroundings, const SoftBodyData &body, Real elapsed, Real dt) {
 	surroundings_ = &surroundings;
+	elapsed_ = elapsed;
 	nearby_.clear();
-	if (!surroundings.bounds().empty()) {
+	if (surroundings.has_colliders()) {
 		margin_ = fastest(body.velocities()) * dt + body.shape().radius() / 4;
 		gather(body, margin_);
 	}
 }
 
 void CollisionHandling::gather(const SoftBodyData &body, Real margin) {
-	nearby_.clear();
 	reach_ = bounding_box(body.hull()).grown(margin);
-	const std::span<const Aabb> bounds = surroundings_->bounds();
-	for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-		if (notices(body.settings(), surroundings_->world().colliders()[i].surface) && reach_.overlaps(bounds[i])) {
-			nearby_.push_back(i);
-		}
-	}
+	surroundings_->collect(reach_, nearby_);
+	std::erase_if(nearby_, [&](std::uint32_t i) {
+		return !notices(body.settings(), surroundings_->world().colliders()[i].surface);
+	});
 }
 
 std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h) {
@@ -118,9 +59,10 @@ std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> 
 	h_ = h;
 	load_ = {};
 	handle_borders(body);
-	if (!surroundings_->bounds().empty()) {
+	if (surroundings_->has_colliders()) {
 		handle_colliders(body, before);
 	}
+	elapsed_ += h;
 	resist_rolling<Real>(lanes_of(body), load_);
 	give_back_bounce(body, load_, bounce_threshold_, h);
 	return std::size_t(load_.contacts);
@@ -136,12 +78,62 @@ void CollisionHandling::handle_colliders(SoftBodyData &body, std::span<const Vec
 		const Vec2 way = swept.max - swept.min;
 		gather(body, margin_ + std::max(way.x, way.y));
 	}
+	// Points first, of all colliders: an edge between a point that has been moved out and one that has not dips into the
+	// seam of two colliders and would be pushed back from it.
+	for (const bool corners : { false, true }) {
+		for (const std::uint32_t i : nearby_) {
+			handle_collider(body, before, swept, i, corners);
+		}
+	}
+}
+
+void CollisionHandling::handle_collider(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept,
+		std::uint32_t index, bool corners) {
 	const WorldData &world = surroundings_->world();
-	for (const std::uint32_t i : nearby_) {
-		const Aabb &bounds = surroundings_->bounds()[i];
-		if (swept.overlaps(bounds.grown(LINEAR_SLOP * world.length_unit()))) {
-			handle_points(body, world.colliders()[i], bounds, before);
-			handle_edges(body, world.colliders()[i]);
+	const Real slop = LINEAR_SLOP * world.length_unit();
+	const ConvexCollider &collider = world.colliders()[index];
+	const Aabb bounds = surroundings_->bounds(index).grown(slop);
+	if (!swept.overlaps(bounds)) {
+		return;
+	}
+	const HullMotion hull{ before, body.hull() };
+	if (collider.rigid_body == NO_RIGID_BODY) {
+		if (corners) {
+			handle_corners(body, hull, collider, collider.surface, {}, bounding_box(hull.to));
+		} else {
+			handle_points(body, hull, collider, collider.surface, {}, bounds);
+		}
+		return;
+	}
+	const RigidBody &mover = world.rigid_bodies()[collider.rigid_body];
+	const ColliderMotion motion{ mover.pose_after(elapsed_), mover.pose_after(elapsed_ + h_), false };
+	const Surface surface = surface_in_motion(collider.surface, mover, motion.to);
+	if (corners) {
+		Aabb box = bounding_box(hull.to);
+		for (std::size_t i = 0; i < hull.to.size(); ++i) {
+			box.include(hull.from[i]);
+		}
+		handle_corners(body, hull, collider, surface, motion, box);
+	} else {
+		handle_points(body, hull, collider, surface, motion, collider.bounds().grown(slop));
+	}
+}
+
+void CollisionHandling::handle_points(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
+		const Surface &surface, const ColliderMotion &motion, const Aabb &own_bounds) {
+	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
+	for (std::size_t i = 0; i < hull.to.size(); ++i) {
+		if (const auto contact = find_contact_of_point(hull, i, collider, motion, own_bounds, slop)) {
+			answer(body, *contact, surface);
+		}
+	}
+}
+
+void CollisionHandling::handle_corners(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
+		const Surface &surface, const ColliderMotion &motion, const Aabb &box) {
+	for (std::size_t corner = 0; corner < collider.vertices.size(); ++corner) {
+		if (const auto contact = find_contact_of_corner(hull, box, collider, corner, motion)) {
+			answer(body, *contact, surface);
 		}
 	}
 }
@@ -172,35 +164,6 @@ RealPack handle_borders_side_by_side(const BodyLanes<RealPack> &bodies, std::spa
 	return load.contacts;
 }
 
-void CollisionHandling::handle_points(SoftBodyData &body, const ConvexCollider &collider, const Aabb &bounds,
-		std::span<const Vec2> before) {
-	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
-	const Aabb thick = bounds.grown(slop);
-	for (std::size_t i = 0; i < body.shape().hull_count(); ++i) {
-		Aabb path;
-		path.include(before[i]);
-		path.include(body.positions()[i]);
-		if (!path.overlaps(thick)) {
-			continue;
-		}
-		if (const auto contact = find_point_contact(collider, before[i], body.positions()[i], slop)) {
-			answer(body, { { i, i, 0 }, contact->normal, contact->depth }, collider.surface);
-		}
-	}
-}
-
-void CollisionHandling::handle_edges(SoftBodyData &body, const ConvexCollider &collider) {
-	const Aabb box = bounding_box(body.hull()).grown(collider.radius);
-	for (const Vec2 corner : collider.vertices) {
-		if (!box.overlaps({ corner, corner })) {
-			continue;
-		}
-		if (const auto contact = find_edge_contact(body.hull(), corner, collider.radius)) {
-			answer(body, *contact, collider.surface);
-		}
-	}
-}
-
 Real measure_penetration(const WorldData &world, const SoftBodyData &body) {
 	Real deepest = 0;
 	for (const Border &border : world.borders()) {
@@ -212,14 +175,22 @@ Real measure_penetration(const WorldData &world, const SoftBodyData &body) {
 	}
 	const Aabb box = bounding_box(body.hull());
 	for (const ConvexCollider &collider : world.colliders()) {
-		if (!notices(body.settings(), collider.surface) || !box.overlaps(collider.bounds())) {
+		if (!notices(body.settings(), collider.surface)) {
+			continue;
+		}
+		ColliderMotion motion;
+		if (collider.rigid_body != NO_RIGID_BODY) {
+			const Pose &pose = world.rigid_bodies()[collider.rigid_body].pose;
+			motion = { pose, pose, false };
+		} else if (!box.overlaps(collider.bounds())) {
 			continue;
 		}
 		for (const Vec2 p : body.hull()) {
-			deepest = std::max(deepest, -surface_distance(collider, p).distance);
+			const Vec2 own = motion.is_still ? p : motion.to.apply_inverse(p);
+			deepest = std::max(deepest, -surface_distance(collider, own).distance);
 		}
-		for (const Vec2 corner : collider.vertices) {
-			if (const auto contact = find_edge_contact(body.hull(), corner, collider.radius)) {
+		for (std::size_t corner = 0; corner < collider.vertices.size(); ++corner) {
+			if (const auto contact = find_contact_of_corner({ body.hull(), body.hull() }, box, collider, corner, motion)) {
 				deepest = std::max(deepest, contact->depth);
 			}
 		}

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "core/base/vec2.h"
+#include "core/collision/collider_contact.h"
 #include "core/collision/surface_response.h"
+#include "core/collision/surroundings_index.h"
 #include "core/geometry/polygon.h"
 #include "core/model/world_data.h"
 
@@ -13,29 +15,16 @@
 
 namespace softbody {
 
-/// What every body asks of the surroundings, gathered once a step.
-class SurroundingsIndex {
-public:
-	/// Reads the surroundings anew. `world` must outlive this object. O(colliders).
-	void update(const WorldData &world);
-	const WorldData &world() const { return *world_; }
-	std::span<const Aabb> bounds() const { return bounds_; }
-	/// Whether any collider overlaps the box.
-	bool has_collider_in(const Aabb &box) const;
-
-private:
-	const WorldData *world_ = nullptr;
-	std::vector<Aabb> bounds_; ///< of every collider
-};
-
 /// Contacts of soft bodies with borders and colliders (thesis 4.4.2, "CollisionHandling"). Broad phase once a
 /// step: colliders whose box meets the box a body may sweep. Narrow phase in every substep: each hull point against
 /// each border and collider, and each corner (or round end) of a collider against the hull edges,
-/// so that neither can enter the other. One object serves one thread.
+/// so that neither can enter the other. A kinematic collider is met where it is at the end of each substep, and its
+/// velocity is felt; dynamic ones are left to `RigidContacts`. One object serves one thread.
 class CollisionHandling {
 public:
-	/// Broad phase for one body and the coming `dt` [s]. O(colliders).
-	void begin_body(const SurroundingsIndex &surroundings, const SoftBodyData &body, Real dt);
+	/// Broad phase for one body and the coming `dt` [s], which begins `elapsed` [s] after the step did. O(colliders near
+	/// the body).
+	void begin_body(const SurroundingsIndex &surroundings, const SoftBodyData &body, Real elapsed, Real dt);
 	/// Answers every contact of the body after a substep of `h` [s] that started at `before` (one
 	/// position a point), under the acceleration `gravity`, and resists rolling. Returns how many it
 	/// answered.
@@ -47,14 +36,18 @@ private:
 	void gather(const SoftBodyData &body, Real margin);
 	void handle_borders(SoftBodyData &body);
 	void handle_colliders(SoftBodyData &body, std::span<const Vec2> before);
-	void handle_points(SoftBodyData &body, const ConvexCollider &collider, const Aabb &bounds,
-			std::span<const Vec2> before);
-	void handle_edges(SoftBodyData &body, const ConvexCollider &collider);
+	void handle_collider(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept, std::uint32_t index,
+			bool corners);
+	void handle_points(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider, const Surface &surface,
+			const ColliderMotion &motion, const Aabb &own_bounds);
+	void handle_corners(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider, const Surface &surface,
+			const ColliderMotion &motion, const Aabb &box);
 
 	const SurroundingsIndex *surroundings_ = nullptr;
 	std::vector<std::uint32_t> nearby_; ///< colliders the current body may meet
 	Aabb reach_; ///< box for which `nearby_` is complete
 	Real margin_ = 0;
+	Real elapsed_ = 0; ///< since the step began, at the start of the coming substep [s]
 	// Of the current body and substep.
 	Real bounce_threshold_ = 0;
 	Real h_ = 0;
@@ -68,7 +61,7 @@ Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Rea
 /// bounces and no collider is near. Returns how many it answered in each lane.
 RealPack handle_borders_side_by_side(const BodyLanes<RealPack> &bodies, std::span<const Border> borders, Real h);
 
-/// How deep a body is inside its surroundings [length]: the largest depth of a hull point in a border
+/// How deep a body is inside its surroundings where they are now [length]: the largest depth of a hull point in a border
 /// or collider that it notices, or of a collider's corner or round end in the hull. 0 when apart.
 /// O(hull points × colliders).
 Real measure_penetration(const WorldData &world, const SoftBodyData &body);

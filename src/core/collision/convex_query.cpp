@@ -2,6 +2,7 @@
 // Where a point meets a rounded convex collider.
 #include "core/collision/convex_query.h"
 
+#include "core/geometry/polygon.h"
 #include "core/geometry/triangle.h"
 
 #include <algorithm>
@@ -136,6 +137,67 @@ std::optional<PointContact> polygon_contact(const ConvexCollider &collider, Vec2
 	return {};
 }
 
+// Nearest place on the outline of a concave polygon.
+SurfaceDistance outline_distance(const ConvexCollider &collider, Vec2 p) {
+	const std::vector<Vec2> &vertices = collider.vertices;
+	Real least = std::numeric_limits<Real>::max();
+	std::size_t nearest = 0;
+	for (std::size_t i = 0; i < vertices.size(); ++i) {
+		const Real distance = length_squared(p - closest_on_edge(vertices, i, p));
+		if (distance < least) {
+			least = distance;
+			nearest = i;
+		}
+	}
+	const bool inside = point_in_polygon(p, vertices);
+	const Real distance = std::sqrt(least);
+	const Vec2 edge = vertices[(nearest + 1) % vertices.size()] - vertices[nearest];
+	const Vec2 outwards = (closest_on_edge(vertices, nearest, p) - p) * (inside ? Real(1) : Real(-1));
+	// Too close to the outline for a direction, that of the face is as good.
+	const bool is_close = !(distance > Real(1e-4) * length(edge));
+	return { inside ? -distance : distance, is_close ? face_normal(vertices, nearest) : outwards * (1 / distance) };
+}
+
+// A concave polygon: out by the edge that the point came in by, else by the nearest one.
+std::optional<PointContact> outline_contact(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop) {
+	const std::vector<Vec2> &vertices = collider.vertices;
+	Real first = 2;
+	PointContact entered;
+	for (std::size_t i = 0; i < vertices.size(); ++i) {
+		const Vec2 normal = face_normal(vertices, i);
+		const Real before = dot(normal, from - vertices[i]);
+		const Real after = dot(normal, to - vertices[i]);
+		if (!(after < 0 && before >= -slop && before > after)) {
+			continue; // not from the front of this face to behind it
+		}
+		// A point that rests on a face may lie behind it by rounding and must still count as coming through it.
+		const auto crossing = segment_intersection(from + normal * slop, to, vertices[i], vertices[(i + 1) % vertices.size()]);
+		if (crossing && *crossing < first) {
+			first = *crossing;
+			entered = { normal, -after };
+		}
+	}
+	if (first <= 1) {
+		return entered;
+	}
+	if (!point_in_polygon(to, vertices)) {
+		return {};
+	}
+	const SurfaceDistance surface = outline_distance(collider, to);
+	return PointContact{ surface.normal, -surface.distance };
+}
+
+// Whether p lies beyond an end of a chain's segment and beside the segment that goes on from there.
+bool is_beside_neighbour(const ConvexCollider &collider, Vec2 p) {
+	const Vec2 a = collider.vertices[0];
+	const Vec2 b = collider.vertices[1];
+	const Real along = dot(p - a, b - a);
+	if (along < 0) {
+		return collider.joined_at_first && dot(p - a, *collider.joined_at_first - a) > 0;
+	}
+	return along > length_squared(b - a) && collider.joined_at_second && dot(p - b, *collider.joined_at_second - b) > 0;
+}
+
 } // namespace
 
 SurfaceDistance surface_distance(const ConvexCollider &collider, Vec2 p, Real least_radius) {
@@ -147,7 +209,7 @@ SurfaceDistance surface_distance(const ConvexCollider &collider, Vec2 p, Real le
 		case 2:
 			return distance_from_core(p - closest_on_edge(vertices, 0, p), face_normal(vertices, 0), radius);
 		default:
-			return polygon_distance(collider, p);
+			return collider.concave ? outline_distance(collider, p) : polygon_distance(collider, p);
 	}
 }
 
@@ -155,7 +217,9 @@ std::optional<PointContact> find_point_contact(const ConvexCollider &collider, V
 	const std::size_t count = collider.vertices.size();
 	const Real radius = count == 2 ? std::max(collider.radius, slop) : collider.radius;
 	std::optional<PointContact> contact;
-	if (count == 1) {
+	if (collider.concave) {
+		contact = outline_contact(collider, from, to, slop);
+	} else if (count == 1) {
 		contact = swept_circle(collider, from, to, slop);
 	} else if (count == 2) {
 		contact = swept_segment(collider, from, to, radius);
@@ -164,7 +228,7 @@ std::optional<PointContact> find_point_contact(const ConvexCollider &collider, V
 	}
 	if (!contact && (count < 3 || collider.radius > 0)) {
 		const SurfaceDistance surface = surface_distance(collider, to, radius);
-		if (surface.distance < 0) {
+		if (surface.distance < 0 && !(count == 2 && is_beside_neighbour(collider, to))) {
 			contact = PointContact{ surface.normal, -surface.distance };
 		}
 	}

@@ -15,8 +15,8 @@ struct SurfaceDistance {
 	Vec2 normal; ///< outward unit normal there; distance changes fastest along it
 };
 
-/// Distance of p from the surface. Exact everywhere for rounded shapes and inside polygons; outside a
-/// polygon without rounding it is the largest distance to a face line, a lower bound that has the right
+/// Distance of p from the surface. Exact everywhere for rounded and concave shapes and inside polygons; outside a
+/// convex polygon without rounding it is the largest distance to a face line, a lower bound that has the right
 /// sign. `least_radius` thickens shapes of fewer than three vertices, which have no inside. O(vertices).
 SurfaceDistance surface_distance(const ConvexCollider &collider, Vec2 p, Real least_radius = 0);
 
@@ -29,7 +29,8 @@ struct PointContact {
 /// Whether a point that moved from `from` to `to` in one substep must be pushed out of the collider,
 /// and along which normal. The face chosen is the one of least depth among those the point came
 /// from the front of: a point that sank half through a thin plate goes back the way it came, and one
-/// that slides over the seam of two tiles is not stopped by the hidden side of the second. Points
+/// that slides over the seam of two tiles is not stopped by the hidden side of the second. From a concave polygon it
+/// leaves by the edge it came in by, or by the nearest if it started inside. Points
 /// that passed right through are caught too (swept test). `slop` [length] > 0 is the half thickness
 /// of bare segments and the tolerance of "in front". O(vertices).
 std::optional<PointContact> find_point_contact(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop);

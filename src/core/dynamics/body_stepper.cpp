@@ -58,7 +58,8 @@ void BodyStepper::begin(const Crew &crew) {
 	}
 }
 
-void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration, int substeps) {
+void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
+		int substeps, const SweptFrom &swept_from) {
 	if (can_go_side_by_side(crew, lanes, plan, duration)) {
 		advance_side_by_side(crew, plan, duration, substeps);
 		counts_.substeps += std::uint64_t(substeps) * crew.count;
@@ -66,7 +67,7 @@ void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPl
 	}
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		if (lanes >> lane & 1) {
-			advance_alone(crew.bodies[lane], plan, duration, substeps);
+			advance_alone(crew.bodies[lane], plan, elapsed, duration, substeps, swept_from[lane]);
 			counts_.substeps += std::uint64_t(substeps);
 		}
 	}
@@ -74,7 +75,8 @@ void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPl
 
 void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
 	const std::span<const Real> masses = crew.shape->masses();
-	const Real slow = SLEEP_SPEED * world_->length_unit();
+	const bool is_weightless = world_->gravity() * crew.settings->gravity_scale == Vec2{};
+	const Real slow = (is_weightless ? SLEEP_SPEED_WEIGHTLESS : SLEEP_SPEED) * world_->length_unit();
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		if (!(lanes >> lane & 1)) {
 			continue;
@@ -94,7 +96,7 @@ bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, con
 		return false; // each body remembers its own bounce
 	}
 	// Thousands of bodies are many megabytes: what need not be read is left where it is.
-	if (has_forces_ || !surroundings_->bounds().empty()) {
+	if (has_forces_ || surroundings_->has_colliders()) {
 		for (const std::uint32_t place : crew.bodies) {
 			const SoftBodyData &data = body(place);
 			if (!data.external_forces().empty() || surroundings_->has_collider_in(sweep_box(data.hull(), data.velocities(), duration))) {
@@ -166,7 +168,8 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 	}
 }
 
-void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Real duration, int substeps) {
+void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
+		const Vec2 *swept_from) {
 	SoftBodyData &data = body(place);
 	const std::size_t count = data.point_count();
 	workspace_.begin_body(count);
@@ -182,9 +185,12 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 	const SubstepInput input{ world_->gravity(), external_, h };
 	const std::span<Vec2> before(before_.data(), count);
 	const Vec2 gravity = world_->gravity() * data.settings().gravity_scale;
-	collision_.begin_body(*surroundings_, data, duration);
+	collision_.begin_body(*surroundings_, data, elapsed, duration);
 	for (int i = 0; i < substeps; ++i) {
 		std::ranges::copy(data.positions(), before.begin());
+		if (i == 0 && swept_from != nullptr) {
+			std::copy_n(swept_from, data.shape().hull_count(), before.begin());
+		}
 		step(data, input, workspace_);
 		const std::size_t contacts = collision_.handle(data, before, gravity, h);
 		counts_.contacts += contacts;

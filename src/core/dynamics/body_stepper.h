@@ -9,6 +9,7 @@
 #include "core/dynamics/substep_plan.h"
 #include "core/model/world_data.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,6 +23,9 @@ struct StepCounts {
 	std::vector<std::uint32_t> non_finite; ///< places of bodies that had to be reset
 };
 
+/// For every lane the hull's points, or null.
+using SweptFrom = std::array<const Vec2 *, PACK_WIDTH>;
+
 /// Steps the bodies of a crew. One object serves one thread; it owns nothing but scratch memory, which grows to
 /// the largest body and then stays.
 class BodyStepper {
@@ -31,9 +35,13 @@ public:
 
 	/// Keeps the positions from which the step starts.
 	void begin(const Crew &crew);
-	/// Advances by `duration` [s] in `substeps` substeps of the plan's method, each ended by the contacts with the
+	/// Advances by `duration` [s], `elapsed` [s] after the step began, in `substeps` substeps of the plan's method, each
+	/// ended by the contacts with the
 	/// surroundings. Resets what is no longer finite, or whole (CREDIBLE_REACH). Bit l of `lanes` tells whether lane l takes part.
-	void advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration, int substeps);
+	/// `swept_from`: where each body's hull last had been moved out of the surroundings, if it has been pushed since;
+	/// what then lies between counts as its way. Null: where it is.
+	void advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
+			const SweptFrom &swept_from = {});
 	/// Adds `dt` [s] to the time at rest of the bodies that hardly move, and starts that of the others anew.
 	void time_rest(const Crew &crew, std::uint32_t lanes, Real dt);
 	/// Forgets external forces.
@@ -44,7 +52,8 @@ public:
 	StepCounts &counts() { return counts_; }
 
 private:
-	void advance_alone(std::uint32_t place, const SubstepPlan &plan, Real duration, int substeps);
+	void advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
+			const Vec2 *swept_from);
 	void advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
 	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration) const;
 	void reset(std::uint32_t place, Real dt);

@@ -102,9 +102,12 @@ bool Simulator::arrange(Real dt) {
 	asleep_.assign(touching_.size(), 0);
 	asleep_count_ = 0;
 	before_.resize(hull_points);
+	swept_from_.resize(hull_points);
+	first_hull_point_.resize(touching_.size());
 	std::size_t begin = 0;
 	for (std::size_t row = 0; const Crew &crew : roster_.crews()) {
 		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+			first_hull_point_[row] = begin;
 			touching_[row++].before = std::span(before_).subspan(begin, crew.shape->hull_count());
 			begin += crew.shape->hull_count();
 		}
@@ -153,16 +156,23 @@ void Simulator::plan_pressure(Real dt) {
 }
 
 // One of `parts` equal stretches of the step, each body in its share of the substeps that it needs.
-void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, Real duration, int parts) {
+void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts) {
 	const CrewState &state = crews_[crew];
+	// Other bodies may have pushed it through a thin wall since it last looked at the surroundings.
+	SweptFrom swept_from{};
+	for (std::uint32_t lane = 0; elapsed > 0 && surroundings_.has_colliders() && lane < PACK_WIDTH; ++lane) {
+		swept_from[lane] = &swept_from_[first_hull_point_[state.rows[lane]]];
+	}
 	const auto share = [&](const SubstepPlan &plan) { return (plan.substeps + parts - 1) / parts; };
 	if (state.own_plans == NO_OWN_PLANS) {
-		stepper.advance(roster_.crews()[crew], state.awake, state.plan, duration, share(state.plan));
+		stepper.advance(roster_.crews()[crew], state.awake, state.plan, elapsed, duration,
+				share(state.plan), swept_from);
 		return;
 	}
 	for (std::uint32_t lane = 0; lane < roster_.crews()[crew].count; ++lane) {
 		const SubstepPlan &own = own_plans_[state.own_plans][lane];
-		stepper.advance(roster_.crews()[crew], state.awake & 1u << lane, own, duration, share(own));
+		stepper.advance(roster_.crews()[crew], state.awake & 1u << lane, own, elapsed, duration, share(own),
+				swept_from);
 	}
 }
 
@@ -195,11 +205,58 @@ void Simulator::find_pairs(Real dt) {
 			continue;
 		}
 		bool is_coupled = false;
+		for (std::uint32_t lane = 0; !has_rigid_body_.empty() && lane < roster_.crews()[i].count; ++lane) {
+			if (has_rigid_body_[state.rows[lane]] != 0) {
+				rigid_contacts_.add_body(world_.soft_bodies()[roster_.crews()[i].bodies[lane]]);
+				is_coupled = true;
+			}
+		}
 		for (std::uint32_t lane = 0; bodies_notice_bodies_ && lane < roster_.crews()[i].count; ++lane) {
 			is_coupled |= has_pair_[state.rows[lane]] != 0;
 		}
 		(is_coupled ? coupled_crews_ : free_crews_).push_back(i);
 	}
+}
+
+void Simulator::wake_by_surroundings() {
+	watch_.update(surroundings_);
+	if (asleep_count_ == 0 || (!watch_.has_border_changed() && watch_.changed_boxes().empty())) {
+		return;
+	}
+	for (std::uint32_t row = 0; row < places_.size(); ++row) {
+		// What it rests on touches its box at most.
+		const Aabb box = touching_[row].box.grown(touching_[row].radius / 8);
+		if (asleep_[row] && (watch_.has_border_changed() ||
+									std::ranges::any_of(watch_.changed_boxes(), [&](const Aabb &b) { return b.overlaps(box); }))) {
+			world_.soft_bodies()[places_[row]].wake();
+		}
+	}
+	wake_bodies(false);
+}
+
+// Which bodies may meet a rigid body that they push back. None of them sleeps: what rests on it would sink in.
+void Simulator::find_rigid_contacts(Real dt) {
+	rigid_contacts_.begin_step(world_, surroundings_);
+	rigid_contact_count_ = 0;
+	has_rigid_body_.clear();
+	if (!surroundings_.has_dynamic_colliders()) {
+		return;
+	}
+	const std::size_t count = touching_.size();
+	has_rigid_body_.assign(count, 0);
+	const std::size_t tasks = std::clamp<std::size_t>(count / (CREWS_A_TASK * PACK_WIDTH), 1, TASKS);
+	run_tasks(parallel_for_, tasks, [&](std::size_t task) {
+		for (std::size_t i = count * task / tasks; i < count * (task + 1) / tasks; ++i) {
+			has_rigid_body_[i] =
+					surroundings_.has_dynamic_collider_in(sweep_box(touching_[i].hull(), touching_[i].velocities, dt));
+		}
+	});
+	for (std::size_t i = 0; asleep_count_ > 0 && i < count; ++i) {
+		if (has_rigid_body_[i] && asleep_[i]) {
+			world_.soft_bodies()[places_[i]].wake();
+		}
+	}
+	wake_bodies(false);
 }
 
 StepReport Simulator::simulate(Real dt) {
@@ -210,7 +267,7 @@ StepReport Simulator::simulate(Real dt) {
 	}
 	const std::uint64_t old_roster = roster_.version();
 	roster_.update(world_);
-	surroundings_.update(world_);
+	surroundings_.update(world_, dt);
 	wake_bodies(arrange(dt));
 	// Bodies that came or were activated may have brought forces along.
 	const bool has_forces = seen_forces_ != world_.change_counts().forces || roster_.version() != old_roster;
@@ -221,6 +278,10 @@ StepReport Simulator::simulate(Real dt) {
 	std::ranges::fill(pair_contacts_, 0);
 	free_crews_.clear();
 	coupled_crews_.clear();
+	if (world_.has_sleeping()) {
+		wake_by_surroundings();
+	}
+	find_rigid_contacts(dt);
 	if (asleep_count_ < touching_.size()) {
 		plan_pressure(dt);
 		find_pairs(dt);
@@ -228,7 +289,7 @@ StepReport Simulator::simulate(Real dt) {
 	for_crews(free_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
 		stepper.begin(crew);
-		advance(stepper, i, dt, 1);
+		advance(stepper, i, 0, dt, 1);
 		stepper.end(crew);
 		if (world_.has_sleeping()) {
 			stepper.time_rest(crew, crews_[i].awake, dt);
@@ -236,7 +297,10 @@ StepReport Simulator::simulate(Real dt) {
 	});
 	if (!coupled_crews_.empty()) {
 		step_coupled(dt);
+	} else {
+		move_rigid_bodies_alone(dt);
 	}
+	rigid_contacts_.end_step(dt);
 	if (world_.has_sleeping()) {
 		let_sleep();
 	}
@@ -264,6 +328,7 @@ void Simulator::step_coupled(Real dt) {
 		handling.begin_substep(world_.gravity(), duration);
 	}
 	for (int substep = 0; substep < contact_substeps; ++substep) {
+		rigid_contacts_.begin_substep(duration);
 		for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 			const Crew &crew = roster_.crews()[i];
 			const CrewState &state = crews_[i];
@@ -273,12 +338,19 @@ void Simulator::step_coupled(Real dt) {
 			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 				touching_[state.rows[lane]].begin_substep();
 			}
-			advance(stepper, i, duration, contact_substeps);
+			advance(stepper, i, Real(substep) * duration, duration, contact_substeps);
 			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-				touching_[state.rows[lane]].measure_extent();
+				TouchingBody &body = touching_[state.rows[lane]];
+				body.measure_extent();
+				if (surroundings_.has_colliders()) {
+					std::ranges::copy(body.hull(), &swept_from_[first_hull_point_[state.rows[lane]]]);
+				}
 			}
 		});
 		answer_pairs();
+		if (rigid_contacts_.has_bodies()) {
+			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
+		}
 	}
 	resist_rolling_between_bodies();
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
@@ -291,7 +363,17 @@ void Simulator::step_coupled(Real dt) {
 	});
 }
 
+// As they would among soft bodies, so that their fall does not depend on whether one is near.
+void Simulator::move_rigid_bodies_alone(Real dt) {
+	for (int substep = 0; substep < world_.contact_substeps(); ++substep) {
+		rigid_contacts_.begin_substep(dt / Real(world_.contact_substeps()));
+	}
+}
+
 void Simulator::answer_pairs() {
+	if (!bodies_notice_bodies_) {
+		return; // coupled by a rigid body alone; the pairs are of another time
+	}
 	for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
 		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(colour);
 		const bool may_share_bodies = colour + 1 == BroadPhase::COLOURS;
@@ -396,7 +478,8 @@ void Simulator::let_sleep() {
 		const SoftBodyData &body = world_.soft_bodies()[places_[row]];
 		if (!asleep_[row]) {
 			Real &least = least_rest_[islands_.find(row)];
-			least = std::min(least, body.settings().can_sleep ? body.rest_time() : Real(0));
+			const bool may_sleep = body.settings().can_sleep && (has_rigid_body_.empty() || !has_rigid_body_[row]);
+			least = std::min(least, may_sleep ? body.rest_time() : Real(0));
 		}
 	}
 	for (std::uint32_t row = 0; row < places_.size(); ++row) {
@@ -416,6 +499,7 @@ void Simulator::collect(StepReport &report) {
 	for (const std::uint64_t contacts : pair_contacts_) {
 		report.pair_contacts += contacts;
 	}
+	report.contacts += rigid_contact_count_;
 	std::vector<std::uint32_t> non_finite;
 	for (BodyStepper &stepper : steppers_) {
 		const StepCounts &counts = stepper.counts();

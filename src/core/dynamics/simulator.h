@@ -7,6 +7,8 @@
 #include "core/collision/broad_phase.h"
 #include "core/collision/collision_handling.h"
 #include "core/collision/pair_handling.h"
+#include "core/collision/rigid_contacts.h"
+#include "core/collision/surroundings_watch.h"
 #include "core/dynamics/body_stepper.h"
 #include "core/dynamics/islands.h"
 #include "core/dynamics/roster.h"
@@ -35,11 +37,13 @@ struct StepReport {
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
-/// other. Bodies that may touch one another take the world's contact substeps together: in each of them every
-/// body advances, in as many force substeps as it needs, and then contacts between bodies are answered. Owns nothing but
+/// other. Bodies that may touch one another or a
+/// dynamic rigid body take the world's contact substeps together: in each of them every
+/// body advances, in as many force substeps as it needs, and then contacts between bodies are answered, and with
+/// dynamic rigid bodies. Owns nothing but
 /// scratch memory, which grows with the world and then stays: a step allocates nothing once warm.
 ///
-/// Sleep: bodies that touch form an island. When all its bodies have hardly moved (SLEEP_SPEED) for SLEEP_TIME, they fall
+/// Sleep: bodies that touch form an island. When all its bodies have hardly moved (SLEEP_SPEED, SLEEP_SPEED_WEIGHTLESS) for SLEEP_TIME, they fall
 /// asleep together, and wake together.
 class Simulator {
 public:
@@ -70,13 +74,16 @@ private:
 	/// True when something was arranged anew.
 	bool arrange(Real dt);
 	void plan_pressure(Real dt);
+	void find_rigid_contacts(Real dt);
+	void move_rigid_bodies_alone(Real dt);
 	void find_pairs(Real dt);
-	void advance(BodyStepper &stepper, std::uint32_t crew, Real duration, int parts);
+	void advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts);
 	void step_coupled(Real dt);
 	void answer_pairs();
 	void resist_rolling_between_bodies();
 	void wake_bodies(bool is_rearranged);
 	void set_awake(std::uint32_t row, bool awake);
+	void wake_by_surroundings();
 	void let_sleep();
 	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
@@ -87,7 +94,10 @@ private:
 	ParallelFor parallel_for_;
 	Roster roster_;
 	SurroundingsIndex surroundings_;
+	SurroundingsWatch watch_;
 	BroadPhase broad_phase_;
+	RigidContacts rigid_contacts_;
+	std::uint64_t rigid_contact_count_ = 0;
 	// One a task, so that no two threads share scratch memory.
 	std::vector<BodyStepper> steppers_;
 	std::vector<PairHandling> pair_handlings_;
@@ -101,7 +111,10 @@ private:
 	std::vector<TouchingBody> touching_;
 	std::vector<BroadPhaseBody> broad_;
 	std::vector<Vec2> before_; ///< hull points of all bodies at the start of a contact substep
+	std::vector<Vec2> swept_from_; ///< hull points of all bodies when they last had looked at the surroundings
+	std::vector<std::size_t> first_hull_point_; ///< in the two above
 	std::vector<char> has_pair_;
+	std::vector<char> has_rigid_body_; ///< near it; empty when nothing can be pushed
 	std::vector<char> asleep_;
 	std::vector<std::uint32_t> places_; ///< in the world
 	std::vector<std::uint32_t> crew_of_;

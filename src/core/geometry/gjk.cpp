@@ -87,18 +87,9 @@ Simplex closest_on_edge(const Corner &p, const Corner &q) {
 	return edge;
 }
 
-bool contains_origin(const Simplex &triangle) {
-	const Vec2d p = triangle.corners[0].difference;
-	const Vec2d q = triangle.corners[1].difference;
-	const Vec2d r = triangle.corners[2].difference;
-	const double u = cross(p, q);
-	const double v = cross(q, r);
-	const double w = cross(r, p);
-	return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
-}
-
-// Keeps of two or three corners those that span the point closest to 0. 0 is not inside of a triangle. All three edges
-// are tried: on a thin triangle the signs that would rule one out are noise.
+// Keeps of two or three corners those that span the point of their edges closest to 0. All three edges are tried: on a
+// thin triangle the signs that would rule one out are noise. Where 0 is inside of the triangle, the search goes on from
+// an edge and finds soon that it gets no closer.
 Simplex reduced(const Simplex &simplex) {
 	const auto &corners = simplex.corners;
 	Simplex best = closest_on_edge(corners[0], corners[1]);
@@ -152,9 +143,6 @@ Answer search(const Search &sets, Vec2d axis, int max_iterations, double margin)
 		}
 		Simplex next = simplex;
 		next.corners[std::size_t(next.count++)] = corner;
-		if (next.count == 3 && contains_origin(next)) {
-			return answer;
-		}
 		if (next.count > 1) {
 			next = reduced(next);
 		}

@@ -32,7 +32,8 @@ struct GjkResult {
 /// first; it does not change the answer. Empty sets are apart by infinity.
 /// Precondition: finite points. No allocation, O((|A| + |B|) · iterations).
 /// Source: Gilbert, Johnson and Keerthi 1988, stopped by the bound v·w / |v| of van den Bergen 1999.
-/// The thesis stops at a count of rounds, and its sign tests lose the answer on degenerate simplices.
+/// The thesis ends when a triangle encloses the origin or can be moved no further, for sets that do not
+/// touch and points that are not in line; here only an axis that separates makes sets apart.
 GjkResult gjk(std::span<const Vec2> a, std::span<const Vec2> b, Vec2 first_axis = {},
 		int max_iterations = GJK_MAX_ITERATIONS);
 

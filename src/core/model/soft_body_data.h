@@ -6,6 +6,7 @@
 #include "core/base/vec2.h"
 #include "core/model/body_settings.h"
 #include "core/model/point2d.h"
+#include "core/model/pose.h"
 #include "core/model/soft_body_shape.h"
 
 #include <memory>
@@ -19,15 +20,6 @@ namespace softbody {
 struct ExternalForce {
 	std::uint32_t point = 0; ///< point index
 	Vec2 force; ///< [mass·length/s²]
-};
-
-/// A rigid placement: rotation about the body's origin, then translation.
-struct Pose {
-	Vec2 position; ///< [length]
-	Rotation rotation;
-
-	Vec2 apply(Vec2 local) const { return position + rotation.apply(local); }
-	Vec2 apply_inverse(Vec2 world) const { return rotation.apply_inverse(world - position); }
 };
 
 /// What a body remembers of the touch it is in, so that it can be given its bounce when it leaves.

@@ -26,6 +26,25 @@ Status check_surface(const Surface &surface) {
 	return {};
 }
 
+Status check_outline(const ConvexCollider &collider) {
+	if (collider.vertices.size() < 3) {
+		return Error{ "collider.vertices", std::to_string(collider.vertices.size()) + " points",
+			"must have at least 3 points when concave", "leave it convex" };
+	}
+	if (collider.radius != 0) {
+		return Error{ "collider.radius", number_text(collider.radius), "must be 0 when concave", "use a closed chain for a rounded outline" };
+	}
+	if (signed_area(collider.vertices) < 0) {
+		return Error{ "collider.vertices", "a negative area", "must wind from x towards y (positive signed area)",
+			"reverse the order of the points" };
+	}
+	if (is_self_intersecting(collider.vertices)) {
+		return Error{ "collider.vertices", "edges that meet", "must be the outline of a simple polygon",
+			"split it where it crosses itself" };
+	}
+	return {};
+}
+
 } // namespace
 
 Status check_border(const Border &border) {
@@ -65,9 +84,14 @@ Status check_collider(const ConvexCollider &collider) {
 		// vertex of a convex polygon the others also follow one another in order.
 		const bool wrong_turn = signed_double_area(vertices[i], vertices[(i + 1) % count], vertices[(i + 2) % count]) < 0;
 		const bool out_of_order = signed_double_area(vertices[0], vertices[i], vertices[(i + 1) % count]) < 0;
-		if (count > 2 && (wrong_turn || out_of_order)) {
+		if (count > 2 && !collider.concave && (wrong_turn || out_of_order)) {
 			return Error{ name, "a corner that turns the wrong way",
-				"must be convex and wind from x towards y (positive signed area)", "split it into convex parts" };
+				"must be convex and wind from x towards y (positive signed area)", "mark it concave, or split it" };
+		}
+	}
+	if (collider.concave) {
+		if (Status status = check_outline(collider)) {
+			return status;
 		}
 	}
 	if (count > 2 && !(signed_area(vertices) > 0)) {

@@ -8,18 +8,20 @@
 #include "core/geometry/polygon.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace softbody {
 
 /// The side of a contact that belongs to the surroundings. Values combine with the body's by the
-/// rule of Godot's PhysicsMaterial.
+/// rule of Godot's PhysicsMaterial. The velocity is that of a surface which itself stays in place, like a belt's; what
+/// moves as a whole is a `RigidBody`.
 struct Surface {
 	Real friction = 1; ///< Coulomb coefficient [1], >= 0; the smaller of body and surface counts
 	bool rough = false; ///< the surface's friction counts even where it is the larger
 	Real restitution = 0; ///< [1], 0..1; added to the body's, at most 1
 	bool absorbent = false; ///< subtracted from the body's instead, at least 0
-	Vec2 linear_velocity; ///< of the surface at `velocity_origin` [length/s] (conveyor, moving body)
+	Vec2 linear_velocity; ///< of the surface at `velocity_origin` [length/s]
 	Real angular_velocity = 0; ///< [rad/s]
 	Vec2 velocity_origin; ///< centre of that rotation [length]
 	std::uint32_t layer = 1; ///< compared with BodySettings::collision_mask
@@ -33,14 +35,26 @@ struct Border {
 	Surface surface;
 };
 
-/// A convex obstacle: the points within `radius` of the convex hull of `vertices`. One vertex is a
+/// Of a collider that belongs to no rigid body and stands still.
+inline constexpr std::uint32_t NO_RIGID_BODY = UINT32_MAX;
+
+/// An obstacle, convex unless said otherwise: the points within `radius` of the convex hull of `vertices`. One vertex is a
 /// circle (radius > 0), two are a segment or capsule, three and more a polygon (rounded if
 /// radius > 0). Vertices wind with positive signed area.
 struct ConvexCollider {
-	std::vector<Vec2> vertices;
+	std::vector<Vec2> vertices; ///< in the frame of the rigid body, or of the world without one [length]
 	Real radius = 0; ///< [length], >= 0
-	Surface surface;
+	Surface surface; ///< in the same frame; its velocity is added to that of the rigid body (conveyor)
+	std::uint32_t rigid_body = NO_RIGID_BODY; ///< with which it moves: index in `WorldData::rigid_bodies()`
+	/// The vertices are the outline of a simple polygon that may have dents; `radius` is 0. A point costs a look at every
+	/// edge: terrain of hundreds of corners is better a chain or several polygons.
+	bool concave = false;
+	/// Of a segment in a chain: the far ends of the segments that go on from its first and second vertex. What lies
+	/// beside one of them is left to that one, so that nothing stumbles over the round end at the joint.
+	std::optional<Vec2> joined_at_first = {};
+	std::optional<Vec2> joined_at_second = {};
 
+	/// In the frame of the vertices.
 	Aabb bounds() const { return bounding_box(vertices).grown(radius); }
 };
 
@@ -48,7 +62,8 @@ struct ConvexCollider {
 Status check_border(const Border &border);
 
 /// Refuses no vertices, non-finite ones, a negative radius, a single point without radius, coincident
-/// vertices, a polygon that is not convex or winds negatively, and bad surface values.
+/// vertices, a polygon that is not convex (or, if it may be concave, crosses itself) or winds negatively, rounded concave
+/// ones, and bad surface values. O(vertices), O(vertices²) if concave.
 Status check_collider(const ConvexCollider &collider);
 
 } // namespace softbody

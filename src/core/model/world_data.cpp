@@ -2,10 +2,20 @@
 // Storage of bodies under stable ids, and of their surroundings.
 #include "core/model/world_data.h"
 
+#include <atomic>
 #include <string>
 #include <utility>
 
 namespace softbody {
+
+namespace {
+
+std::uint64_t next_version() {
+	static std::atomic<std::uint64_t> last = 0;
+	return ++last;
+}
+
+} // namespace
 
 Status WorldData::set_gravity(Vec2 gravity) {
 	if (!is_finite(gravity)) {
@@ -102,6 +112,7 @@ Status WorldData::add_border(const Border &border) {
 		return status;
 	}
 	borders_.push_back(border);
+	surroundings_version_ = next_version();
 	return {};
 }
 
@@ -109,13 +120,74 @@ Status WorldData::add_collider(ConvexCollider collider) {
 	if (Status status = check_collider(collider)) {
 		return status;
 	}
+	if (collider.rigid_body != NO_RIGID_BODY && collider.rigid_body >= rigid_bodies_.size()) {
+		return Error{ "collider.rigid_body", std::to_string(collider.rigid_body),
+			"must be below " + std::to_string(rigid_bodies_.size()), "add the rigid body before its colliders" };
+	}
 	colliders_.push_back(std::move(collider));
+	surroundings_version_ = next_version();
+	return {};
+}
+
+Status WorldData::add_chain(std::span<const Vec2> points, bool closed, const ConvexCollider &like) {
+	const std::size_t least = closed ? 3 : 2;
+	if (points.size() < least) {
+		return Error{ "chain", std::to_string(points.size()) + " points",
+			"must have at least " + std::to_string(least) + " points", "give the missing points" };
+	}
+	const std::size_t count = colliders_.size();
+	for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
+		ConvexCollider segment = like;
+		const std::size_t size = points.size();
+		segment.vertices = { points[i], points[(i + 1) % size] };
+		if (closed || i > 0) {
+			segment.joined_at_first = points[(i + size - 1) % size];
+		}
+		if (closed || i + 2 < size) {
+			segment.joined_at_second = points[(i + 2) % size];
+		}
+		Status status;
+		if (segment.vertices[0] == segment.vertices[1]) {
+			status = Error{ "chain[" + std::to_string(i) + "]", "coincides with the next", "must differ from its neighbours",
+				"remove one of the two" };
+		} else {
+			status = add_collider(std::move(segment));
+		}
+		if (status) {
+			colliders_.erase(colliders_.begin() + std::ptrdiff_t(count), colliders_.end());
+			return status;
+		}
+	}
+	return {};
+}
+
+Result<std::uint32_t> WorldData::add_rigid_body(const RigidBody &body) {
+	if (Status status = check_rigid_body(body)) {
+		return *status;
+	}
+	rigid_bodies_.push_back(body);
+	reactions_.emplace_back();
+	return std::uint32_t(rigid_bodies_.size() - 1);
+}
+
+Status WorldData::set_rigid_body(std::uint32_t index, const RigidBody &body) {
+	if (index >= rigid_bodies_.size()) {
+		return Error{ "index", std::to_string(index), "must be below " + std::to_string(rigid_bodies_.size()),
+			"use the index that add_rigid_body returned" };
+	}
+	if (Status status = check_rigid_body(body)) {
+		return status;
+	}
+	rigid_bodies_[index] = body;
 	return {};
 }
 
 void WorldData::clear_surroundings() {
 	borders_.clear();
 	colliders_.clear();
+	rigid_bodies_.clear();
+	reactions_.clear();
+	surroundings_version_ = next_version();
 }
 
 } // namespace softbody

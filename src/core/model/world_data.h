@@ -5,6 +5,7 @@
 #include "core/base/constants.h"
 #include "core/base/error.h"
 #include "core/base/vec2.h"
+#include "core/model/rigid_body.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/surroundings.h"
 
@@ -69,9 +70,32 @@ public:
 	const std::vector<Border> &borders() const { return borders_; }
 	const std::vector<ConvexCollider> &colliders() const { return colliders_; }
 	Status add_border(const Border &border);
+	/// Refuses also a rigid body that is not there.
 	Status add_collider(ConvexCollider collider);
-	/// Forgets borders and colliders, for callers that hand over fresh ones every step.
+
+	/// Adds a chain: a segment from each point to the next, and back to the first if `closed`, with the radius, surface and
+	/// rigid body of `like`. It holds from both sides; what is inside a closed one stays inside. Refuses fewer than two
+	/// points (three if closed), neighbours that coincide and what `add_collider` refuses, and then adds nothing.
+	Status add_chain(std::span<const Vec2> points, bool closed, const ConvexCollider &like = {});
+
+	/// Rigid bodies that own colliders. A step moves them: after it they are where its end found them, with the
+	/// velocities that contacts left them.
+	std::span<const RigidBody> rigid_bodies() const { return rigid_bodies_; }
+	/// Returns its index, by which colliders refer to it; indices hold until the surroundings are cleared.
+	Result<std::uint32_t> add_rigid_body(const RigidBody &body);
+	/// Puts it elsewhere or changes its values. Refuses an index out of range.
+	Status set_rigid_body(std::uint32_t index, const RigidBody &body);
+	/// What the last step gave each rigid body: zero for a kinematic one.
+	std::span<const Reaction> reactions() const { return reactions_; }
+
+	/// Forgets borders, colliders and rigid bodies, for callers that hand over fresh ones every step.
 	void clear_surroundings();
+	/// Another number whenever borders or colliders come or go; no two worlds share one, unless one is the other's copy.
+	std::uint64_t surroundings_version() const { return surroundings_version_; }
+
+	// Access of the step; not for users of the core.
+	std::span<RigidBody> mutable_rigid_bodies() { return rigid_bodies_; }
+	std::span<Reaction> mutable_reactions() { return reactions_; }
 
 private:
 	struct Slot {
@@ -91,6 +115,9 @@ private:
 	std::vector<std::uint32_t> free_slots_;
 	std::vector<Border> borders_;
 	std::vector<ConvexCollider> colliders_;
+	std::vector<RigidBody> rigid_bodies_;
+	std::vector<Reaction> reactions_; ///< one a rigid body
+	std::uint64_t surroundings_version_ = 0;
 };
 
 } // namespace softbody

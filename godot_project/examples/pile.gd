@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+extends Node2D
+## A pile of soft bodies of several shapes, firm enough to carry those above them.
+
+const COLUMNS := 8
+const ROWS := 5
+const MOST_BODIES := 60
+const COLOURS: Array[Color] = [
+	Color("ff6b6b"), Color("ffb347"), Color("a8d86e"), Color("4ecdc4"), Color("b388eb"), Color("ffd93d"),
+]
+
+var _count := 0
+
+
+func _ready() -> void:
+	(%DropTimer as Timer).timeout.connect(_drop)
+	for row in ROWS:
+		for column in COLUMNS:
+			_add(Vector2(310 + 92 * column + 10 * (row % 2), 560 - 95 * row))
+
+
+func _drop() -> void:
+	if _count < MOST_BODIES:
+		_add(Vector2(400 + 60 * (_count % 9), 60))
+
+
+func _add(place: Vector2) -> void:
+	var body := SoftBody2D.new()
+	match _count % 3:
+		0:
+			body.hull = SoftBody2D.make_circle_hull(38, 12)
+		1:
+			body.hull = SoftBody2D.make_box_hull(Vector2(66, 66), 24)
+		2:
+			body.hull = SoftBody2D.make_circle_hull(42, 6)
+	body.stiffness = 400
+	body.damping = 0.3
+	body.color = COLOURS[_count % COLOURS.size()]
+	body.position = place
+	body.rotation = _count * 0.7
+	_count += 1
+	add_child(body)

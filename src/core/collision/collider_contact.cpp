@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Contacts between a hull and one collider.
+#include "core/collision/collider_contact.h"
+
+#include "core/collision/convex_query.h"
+#include "core/geometry/triangle.h"
+
+#include <cmath>
+#include <limits>
+
+namespace softbody {
+
+namespace {
+
+struct NearestEdge {
+	std::size_t edge = 0;
+	Real t = 0;
+	Real distance = 0;
+};
+
+NearestEdge find_nearest_edge(std::span<const Vec2> hull, Vec2 p) {
+	NearestEdge nearest;
+	Real least = std::numeric_limits<Real>::max();
+	for (std::size_t i = 0; i < hull.size(); ++i) {
+		const Vec2 a = hull[i];
+		const Vec2 b = hull[(i + 1) % hull.size()];
+		const Real t = closest_parameter_on_segment(p, a, b);
+		const Real distance = length_squared(p - (a + (b - a) * t));
+		if (distance < least) {
+			least = distance;
+			nearest = { i, t, 0 };
+		}
+	}
+	nearest.distance = std::sqrt(least);
+	return nearest;
+}
+
+// A collider's corner or round end at rest against the hull.
+std::optional<SurfaceContact> find_edge_contact(std::span<const Vec2> hull, Vec2 corner, Real radius, bool inside) {
+	const NearestEdge nearest = find_nearest_edge(hull, corner);
+	const Real depth = inside ? radius + nearest.distance : radius - nearest.distance;
+	if (!(depth > 0)) {
+		return {};
+	}
+	const std::size_t next = (nearest.edge + 1) % hull.size();
+	const Vec2 edge = hull[next] - hull[nearest.edge];
+	const Vec2 closest = hull[nearest.edge] + edge * nearest.t;
+	const Vec2 away = (closest - corner) * (inside ? Real(-1) : Real(1));
+	// The hull must move so that the corner comes out through its nearest place: against the way from
+	// the corner to that place when inside, along it when outside. On the line itself: the inward normal.
+	Vec2 normal = perpendicular(edge);
+	if (nearest.distance > Real(1e-4) * length(edge)) {
+		normal = away;
+	}
+	const Real size = length(normal);
+	if (!(size > 0)) {
+		return {};
+	}
+	return SurfaceContact{ { nearest.edge, next, nearest.t }, normal * (1 / size), depth };
+}
+
+// The first edge that a corner met on its way into the hull.
+std::optional<SurfaceContact> find_entered_edge(const HullMotion &hull, Vec2 from, Vec2 to, Real radius) {
+	std::size_t entered = 0;
+	Real first = 2;
+	const std::size_t count = hull.to.size();
+	for (std::size_t i = 0; i < count; ++i) {
+		const std::size_t next = (i + 1) % count;
+		const auto impact =
+				point_segment_impact({ from, to }, { hull.from[i], hull.to[i] }, { hull.from[next], hull.to[next] });
+		if (impact && impact->time < first) {
+			first = impact->time;
+			entered = i;
+		}
+	}
+	if (first > 1) {
+		return {};
+	}
+	const std::size_t next = (entered + 1) % count;
+	const Vec2 edge = hull.to[next] - hull.to[entered];
+	const Real size = length(edge);
+	const Vec2 normal = perpendicular(edge) * (1 / size); // inwards, as hulls wind positively
+	const Real depth = radius + dot(normal, to - hull.to[entered]);
+	if (!(depth > 0)) { // also where the edge has no length
+		return {};
+	}
+	return SurfaceContact{ { entered, next, closest_parameter_on_segment(to, hull.to[entered], hull.to[next]) }, normal,
+		depth };
+}
+
+} // namespace
+
+std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std::size_t point,
+		const ConvexCollider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop) {
+	Vec2 from = hull.from[point];
+	Vec2 to = hull.to[point];
+	if (!motion.is_still) {
+		from = motion.from.apply_inverse(from);
+		to = motion.to.apply_inverse(to);
+	}
+	Aabb path;
+	path.include(from);
+	path.include(to);
+	if (!path.overlaps(bounds)) {
+		return {};
+	}
+	const auto contact = find_point_contact(collider, from, to, slop);
+	if (!contact) {
+		return {};
+	}
+	const Vec2 normal = motion.is_still ? contact->normal : motion.to.rotation.apply(contact->normal);
+	return SurfaceContact{ { point, point, 0 }, normal, contact->depth };
+}
+
+std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &box,
+		const ConvexCollider &collider, std::size_t corner, const ColliderMotion &motion) {
+	const Vec2 vertex = collider.vertices[corner];
+	if (collider.concave) {
+		const std::size_t count = collider.vertices.size();
+		const Vec2 last = collider.vertices[(corner + count - 1) % count];
+		if (signed_double_area(last, vertex, collider.vertices[(corner + 1) % count]) <= 0) {
+			return {}; // the bottom of a dent, where nothing can come in
+		}
+	}
+	const Vec2 now = motion.is_still ? vertex : motion.to.apply(vertex);
+	const Vec2 before = motion.is_still ? vertex : motion.from.apply(vertex);
+	Aabb path;
+	path.include(before);
+	path.include(now);
+	if (!box.grown(collider.radius).overlaps(path)) {
+		return {};
+	}
+	const bool inside = point_in_polygon(now, hull.to);
+	if (!motion.is_still && !point_in_polygon(before, hull.from.first(hull.to.size()))) {
+		// It may be past the middle of a thin body by now, or past all of it.
+		if (const auto contact = find_entered_edge(hull, before, now, collider.radius)) {
+			return contact;
+		}
+	}
+	return find_edge_contact(hull.to, now, collider.radius, inside);
+}
+
+} // namespace softbody

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Contacts of soft bodies with rigid bodies that they push back.
+#include "core/collision/rigid_contacts.h"
+
+#include "core/base/constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softbody {
+
+namespace {
+
+constexpr std::size_t BODIES_A_TASK = 8;
+
+} // namespace
+
+void RigidContacts::begin_step(WorldData &world, const SurroundingsIndex &surroundings) {
+	world_ = &world;
+	surroundings_ = &surroundings;
+	bodies_.clear();
+	before_.clear();
+	from_.resize(world.rigid_bodies().size());
+	std::ranges::fill(world.mutable_reactions(), Reaction{});
+}
+
+void RigidContacts::add_body(SoftBodyData &body) {
+	bodies_.push_back({ &body, before_.size() });
+	before_.resize(before_.size() + body.hull().size());
+}
+
+void RigidContacts::begin_substep(Real h) {
+	h_ = h;
+	const std::span<RigidBody> rigid_bodies = world_->mutable_rigid_bodies();
+	Real pull = length(world_->gravity());
+	for (std::size_t i = 0; i < rigid_bodies.size(); ++i) {
+		RigidBody &rigid = rigid_bodies[i];
+		if (rigid.is_dynamic()) {
+			from_[i] = rigid.pose;
+			rigid.pose = rigid.pose_after(h);
+			rigid.linear_velocity += rigid.acceleration * h;
+			pull = std::max(pull, length(rigid.acceleration));
+		}
+	}
+	bounce_threshold_ = RESTITUTION_SUBSTEPS * pull * h;
+	for (const NearBody &near : bodies_) {
+		std::ranges::copy(near.body->hull(), before_.begin() + std::ptrdiff_t(near.first_before));
+	}
+}
+
+void RigidContacts::find(const NearBody &near, Task &task) const {
+	SoftBodyData &body = *near.body;
+	const HullMotion hull{ std::span(before_).subspan(near.first_before, body.hull().size()), body.hull() };
+	Aabb swept = bounding_box(hull.to);
+	for (const Vec2 p : hull.from) {
+		swept.include(p);
+	}
+	surroundings_->collect_dynamic(swept, task.colliders);
+	const Real slop = LINEAR_SLOP * world_->length_unit();
+	for (const std::uint32_t i : task.colliders) {
+		const ConvexCollider &collider = world_->colliders()[i];
+		if ((body.settings().collision_mask & collider.surface.layer) == 0) {
+			continue;
+		}
+		const RigidBody &rigid = world_->rigid_bodies()[collider.rigid_body];
+		const ColliderMotion motion{ from_[collider.rigid_body], rigid.pose, false };
+		const Aabb bounds = collider.bounds().grown(slop);
+		const auto note = [&](const SurfaceContact &at) {
+			Contact &contact = task.contacts.emplace_back();
+			contact.body = &body;
+			contact.at = at;
+			contact.rigid_body = collider.rigid_body;
+			contact.place = hull.to[at.place.a] * (1 - at.place.t) + hull.to[at.place.b] * at.place.t;
+			contact.belt = motion.to.rotation.apply(collider.surface.velocity_at(motion.to.apply_inverse(contact.place)));
+			contact.friction = combined_friction(body.settings(), collider.surface);
+			contact.restitution = combined_restitution(body.settings(), collider.surface);
+		};
+		for (std::size_t point = 0; point < hull.to.size(); ++point) {
+			if (const auto at = find_contact_of_point(hull, point, collider, motion, bounds, slop)) {
+				note(*at);
+			}
+		}
+		for (std::size_t corner = 0; corner < collider.vertices.size(); ++corner) {
+			if (const auto at = find_contact_of_corner(hull, swept, collider, corner, motion)) {
+				note(*at);
+			}
+		}
+	}
+}
+
+std::uint64_t RigidContacts::answer(const ParallelFor &parallel_for) {
+	const std::size_t tasks = std::clamp<std::size_t>(bodies_.size() / BODIES_A_TASK, 1, TASKS);
+	run_tasks(parallel_for, tasks, [&](std::size_t task) {
+		tasks_[task].contacts.clear();
+		for (std::size_t i = bodies_.size() * task / tasks; i < bodies_.size() * (task + 1) / tasks; ++i) {
+			find(bodies_[i], tasks_[task]);
+		}
+	});
+	contacts_.clear();
+	for (std::size_t task = 0; task < tasks; ++task) {
+		contacts_.insert(contacts_.end(), tasks_[task].contacts.begin(), tasks_[task].contacts.end());
+	}
+	for (Contact &contact : contacts_) {
+		prepare(contact);
+	}
+	// Each contact spoils the others a little; going through them again, there and back, leaves less of that.
+	for (int pass = 0; pass < RIGID_CONTACT_PASSES; ++pass) {
+		for (std::size_t i = 0; i < contacts_.size(); ++i) {
+			push(contacts_[pass % 2 == 0 ? i : contacts_.size() - 1 - i]);
+		}
+	}
+	for (Contact &contact : contacts_) {
+		move_out(contact);
+	}
+	return contacts_.size();
+}
+
+// An impulse J n on the place and its opposite on the rigid body change their relative normal velocity by J k with
+// k = w + 1/m + (r × n)² / I; w = w_a (1-t)² + w_b t² as in `answer_contact`.
+void RigidContacts::prepare(Contact &contact) {
+	const auto [a, b, t] = contact.at.place;
+	const RigidBody &rigid = world_->rigid_bodies()[contact.rigid_body];
+	const std::span<const Real> inverse_masses = contact.body->inverse_masses();
+	const Real share_a = 1 - t;
+	const Real share_b = a == b ? Real(0) : t;
+	contact.mobility_a = inverse_masses[a] * share_a;
+	contact.mobility_b = inverse_masses[b] * share_b;
+	contact.mobility = std::max(contact.mobility_a * share_a + contact.mobility_b * share_b,
+			LEAST_EDGE_MOBILITY * std::max(inverse_masses[a], inverse_masses[b]));
+	contact.arm = contact.place - rigid.centre();
+	const Real lever = cross(contact.arm, contact.at.normal);
+	const Real side_lever = cross(contact.arm, perpendicular(contact.at.normal));
+	const Real straight = contact.mobility + rigid.inverse_mass;
+	contact.normal_response = straight + rigid.inverse_inertia * lever * lever;
+	contact.tangent_response = straight + rigid.inverse_inertia * side_lever * side_lever;
+	const Real approach = -dot(relative_velocity(contact), contact.at.normal);
+	contact.wanted = approach > bounce_threshold_ ? contact.restitution * approach : Real(0);
+	// What is about to be reset must not take the rigid body along.
+	if (!std::isfinite(approach)) {
+		contact.normal_response = 0;
+	}
+}
+
+Vec2 RigidContacts::relative_velocity(const Contact &contact) const {
+	const auto [a, b, t] = contact.at.place;
+	const RigidBody &rigid = world_->rigid_bodies()[contact.rigid_body];
+	const std::span<const Vec2> v = contact.body->velocities();
+	return v[a] * (1 - t) + v[b] * t -
+			(rigid.linear_velocity + perpendicular(contact.arm) * rigid.angular_velocity + contact.belt);
+}
+
+void RigidContacts::push(Contact &contact) {
+	if (!(contact.normal_response > 0)) {
+		return; // neither can move
+	}
+	const Vec2 normal = contact.at.normal;
+	const Real missing = contact.wanted - dot(relative_velocity(contact), normal);
+	const Real pressing = std::max(contact.normal_impulse + missing / contact.normal_response, Real(0));
+	apply(contact, normal * (pressing - contact.normal_impulse));
+	contact.normal_impulse = pressing;
+
+	const Vec2 tangent = perpendicular(normal);
+	const Real slide = dot(relative_velocity(contact), tangent);
+	const Real most = contact.friction * pressing;
+	const Real braking = std::clamp(contact.tangent_impulse - slide / contact.tangent_response, -most, most);
+	apply(contact, tangent * (braking - contact.tangent_impulse));
+	contact.tangent_impulse = braking;
+}
+
+void RigidContacts::apply(Contact &contact, Vec2 impulse) {
+	const HullPlace &place = contact.at.place;
+	const std::span<Vec2> v = contact.body->mutable_velocities();
+	v[place.a] += impulse * contact.mobility_a;
+	if (place.a != place.b) {
+		v[place.b] += impulse * contact.mobility_b;
+	}
+	RigidBody &rigid = world_->mutable_rigid_bodies()[contact.rigid_body];
+	Reaction &reaction = world_->mutable_reactions()[contact.rigid_body];
+	const Real turning = cross(contact.arm, impulse);
+	rigid.linear_velocity -= impulse * rigid.inverse_mass;
+	rigid.angular_velocity -= turning * rigid.inverse_inertia;
+	reaction.impulse -= impulse;
+	reaction.angular_impulse -= turning;
+}
+
+// With the way slid that friction takes back, as in `answer_contact`. Other contacts may have moved the place already.
+void RigidContacts::move_out(Contact &contact) {
+	if (!(contact.mobility > 0) || !(contact.normal_response > 0)) {
+		return;
+	}
+	const auto [a, b, t] = contact.at.place;
+	const std::span<Vec2> x = contact.body->mutable_positions();
+	const Vec2 moved = x[a] * (1 - t) + x[b] * t - contact.place;
+	const Real depth = std::max(contact.at.depth - dot(moved, contact.at.normal), Real(0));
+	const Real braked = contact.tangent_impulse * contact.tangent_response * h_;
+	const Vec2 shift = (contact.at.normal * depth + perpendicular(contact.at.normal) * braked) * (1 / contact.mobility);
+	x[a] += shift * contact.mobility_a;
+	if (a != b) {
+		x[b] += shift * contact.mobility_b;
+	}
+}
+
+void RigidContacts::end_step(Real dt) {
+	for (RigidBody &rigid : world_->mutable_rigid_bodies()) {
+		if (!rigid.is_dynamic()) {
+			rigid.pose = rigid.pose_after(dt);
+		}
+	}
+}
+
+} // namespace softbody

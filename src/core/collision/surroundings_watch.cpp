@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// What has changed around sleeping bodies.
+#include "core/collision/surroundings_watch.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace softbody {
+
+namespace {
+
+/// FNV-1a over the bits of values.
+class Hash {
+public:
+	void add(std::uint64_t bits) { state_ = (state_ ^ bits) * 0x100000001b3u; }
+	void add(Real value) { add(std::uint64_t(std::bit_cast<std::uint64_t>(double(value)))); }
+	void add(Vec2 value) {
+		add(value.x);
+		add(value.y);
+	}
+	void add(const Surface &surface) {
+		add(surface.friction);
+		add(std::uint64_t(surface.rough) | std::uint64_t(surface.absorbent) << 1);
+		add(surface.restitution);
+		add(surface.linear_velocity);
+		add(surface.angular_velocity);
+		add(surface.velocity_origin);
+		add(std::uint64_t(surface.layer));
+	}
+	std::uint64_t value() const { return state_ ^ state_ >> 32; }
+
+private:
+	std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+std::uint64_t hash_of(const ConvexCollider &collider) {
+	Hash hash;
+	for (const Vec2 vertex : collider.vertices) {
+		hash.add(vertex);
+	}
+	hash.add(collider.radius);
+	hash.add(collider.surface);
+	hash.add(std::uint64_t(collider.concave));
+	return hash.value();
+}
+
+bool moves(const RigidBody &body) {
+	return body.linear_velocity != Vec2{} || body.angular_velocity != 0;
+}
+
+} // namespace
+
+void SurroundingsWatch::update(const SurroundingsIndex &index) {
+	const WorldData &world = index.world();
+	const bool has_rigid_bodies = !world.rigid_bodies().empty();
+	changed_.clear();
+	border_changed_ = false;
+	if (version_ == world.surroundings_version() && !has_rigid_bodies && !had_rigid_bodies_) {
+		return;
+	}
+	version_ = world.surroundings_version();
+	had_rigid_bodies_ = has_rigid_bodies;
+
+	Hash borders;
+	for (const Border &border : world.borders()) {
+		borders.add(border.plane.position);
+		borders.add(border.plane.normal);
+		borders.add(border.surface);
+	}
+	border_changed_ = borders.value() != border_hash_;
+	border_hash_ = borders.value();
+
+	std::swap(seen_, last_);
+	seen_.clear();
+	for (std::uint32_t i = 0; i < world.colliders().size(); ++i) {
+		const ConvexCollider &collider = world.colliders()[i];
+		Hash hash;
+		hash.add(hash_of(collider));
+		if (collider.rigid_body != NO_RIGID_BODY) {
+			const RigidBody &body = world.rigid_bodies()[collider.rigid_body];
+			hash.add(body.pose.position);
+			hash.add(body.pose.rotation.c);
+			hash.add(body.pose.rotation.s);
+			if (moves(body)) {
+				changed_.push_back(index.bounds(i));
+			}
+		}
+		seen_.push_back({ hash.value(), index.bounds(i) });
+	}
+	std::ranges::sort(seen_, {}, &Seen::hash);
+	// Both lists side by side: what only one of them has.
+	std::size_t a = 0;
+	std::size_t b = 0;
+	while (a < last_.size() || b < seen_.size()) {
+		if (b == seen_.size() || (a < last_.size() && last_[a].hash < seen_[b].hash)) {
+			changed_.push_back(last_[a++].box);
+		} else if (a == last_.size() || seen_[b].hash < last_[a].hash) {
+			changed_.push_back(seen_[b++].box);
+		} else {
+			++a;
+			++b;
+		}
+	}
+}
+
+} // namespace softbody

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What has changed around sleeping bodies.
+#pragma once
+
+#include "core/collision/surroundings_index.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Compares the surroundings with those of the last step: colliders are told apart by what they are, not by their place
+/// in the list, as many callers hand over a fresh list every step.
+class SurroundingsWatch {
+public:
+	/// `index` must be up to date for the coming step. O(1) while nothing was added or removed and no rigid body moves,
+	/// else O(n log n) in the number of colliders.
+	void update(const SurroundingsIndex &index);
+	/// Whether a border came, went or changed: then it may be anywhere.
+	bool has_border_changed() const { return border_changed_; }
+	/// Boxes of the colliders that came, went, changed or move.
+	std::span<const Aabb> changed_boxes() const { return changed_; }
+
+private:
+	struct Seen {
+		std::uint64_t hash = 0;
+		Aabb box;
+	};
+	std::vector<Seen> seen_; ///< by hash
+	std::vector<Seen> last_;
+	std::vector<Aabb> changed_;
+	std::uint64_t border_hash_ = 0;
+	std::uint64_t version_ = UINT64_MAX;
+	bool border_changed_ = false;
+	bool had_rigid_bodies_ = false;
+};
+
+} // namespace softbody

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Motion and validator of rigid bodies of the surroundings.
+#include "core/model/rigid_body.h"
+
+#include <cmath>
+
+namespace softbody {
+
+namespace {
+
+Rotation turned(Rotation by, Rotation rotation) {
+	return { by.c * rotation.c - by.s * rotation.s, by.s * rotation.c + by.c * rotation.s };
+}
+
+} // namespace
+
+Pose RigidBody::pose_after(Real time) const {
+	Pose result = pose;
+	if (angular_velocity != 0) {
+		result.rotation = turned(Rotation::from_angle(angular_velocity * time), pose.rotation);
+		const Real size = std::sqrt(result.rotation.c * result.rotation.c + result.rotation.s * result.rotation.s);
+		result.rotation = { result.rotation.c / size, result.rotation.s / size }; // or it would drift, step by step
+		result.position += pose.rotation.apply(centre_of_mass) - result.rotation.apply(centre_of_mass);
+	}
+	result.position += linear_velocity * time;
+	return result;
+}
+
+RigidBody kinematic_between(const Pose &from, const Pose &to, Real dt) {
+	RigidBody body;
+	body.pose = from;
+	body.linear_velocity = (to.position - from.position) * (1 / dt);
+	body.angular_velocity = turned(to.rotation, { from.rotation.c, -from.rotation.s }).angle() / dt;
+	return body;
+}
+
+// The velocities of a turning body and of its belt are both linear in the place, so that their sum is one about any
+// origin.
+Surface surface_in_motion(const Surface &surface, const RigidBody &body, const Pose &at) {
+	Surface result = surface;
+	result.velocity_origin = at.apply(body.centre_of_mass);
+	result.linear_velocity = body.linear_velocity + at.rotation.apply(surface.velocity_at(body.centre_of_mass));
+	result.angular_velocity = body.angular_velocity + surface.angular_velocity;
+	return result;
+}
+
+Status check_rigid_body(const RigidBody &body) {
+	const auto refuse = [](const char *name) {
+		return Error{ name, "non-finite", "must be finite", "check the computation that produced this value" };
+	};
+	if (!is_finite(body.pose.position)) {
+		return refuse("rigid_body.position");
+	}
+	const Real size = length(Vec2{ body.pose.rotation.c, body.pose.rotation.s });
+	if (!(std::abs(size - 1) <= Real(1e-3))) { // NaN compares false
+		return Error{ "rigid_body.rotation", "length " + number_text(size), "must have unit length",
+			"make it with Rotation::from_angle, and leave scale out of it" };
+	}
+	if (!is_finite(body.centre_of_mass)) {
+		return refuse("rigid_body.centre_of_mass");
+	}
+	if (!is_finite(body.linear_velocity)) {
+		return refuse("rigid_body.linear_velocity");
+	}
+	if (Status status = check_finite("rigid_body.angular_velocity", body.angular_velocity, "rad/s")) {
+		return status;
+	}
+	if (!is_finite(body.acceleration)) {
+		return refuse("rigid_body.acceleration");
+	}
+	if (Status status = check_at_least("rigid_body.inverse_mass", body.inverse_mass, 0, "")) {
+		return status;
+	}
+	return check_at_least("rigid_body.inverse_inertia", body.inverse_inertia, 0, "");
+}
+
+} // namespace softbody
