@@ -358,6 +358,7 @@ def chart_recovery(section):
 
 # --- Contacts
 
+STEPPED_BY_DEFAULT = "semi_implicit_euler"  # beside others
 CONTACT_LABELS = {"automatic": "automatic: as many as the springs need, and more", "xpbd": "XPBD"}
 CONTACT_PANELS = (
     ("while it falls and settles", "mean_penetration", "worst_penetration"),
@@ -371,7 +372,7 @@ def chart_contacts(section):
     figure, grid = plt.subplots(1, len(CONTACT_PANELS), figsize=(13, 4.9), sharex=True, sharey=True, layout="constrained")
     for axes, (title, mean, worst) in zip(grid, CONTACT_PANELS):
         for name in dict.fromkeys(row["integrator"] for row in rows):
-            style = STYLES[DEFAULT if name == "automatic" else name]
+            style = STYLES[STEPPED_BY_DEFAULT if name == "automatic" else name]
             curve = sorted((row for row in rows if row["integrator"] == name), key=lambda row: row["contact_substeps"])
             times = [row["ms_per_step"] for row in curve]
             axes.plot(times, [100 * row[mean] for row in curve], color=style["color"], marker=style["marker"], ms=5, lw=1.6)
@@ -393,7 +394,7 @@ def chart_contacts(section):
         axes.set_xlabel(f"time of a step of {rows[0]['bodies']} bodies, one thread [ms]")
     grid[0].set_ylabel("penetration / radius [%]")
     names = dict.fromkeys(row["integrator"] for row in rows)
-    styles = {name: STYLES[DEFAULT if name == "automatic" else name] for name in names}
+    styles = {name: STYLES[STEPPED_BY_DEFAULT if name == "automatic" else name] for name in names}
     handles = [Line2D([], [], color=styles[name]["color"], marker=styles[name]["marker"], ms=5, label=CONTACT_LABELS[name])
                for name in names]
     handles += [Line2D([], [], color="#333333", marker="o", ms=5, label="mean over bodies"),
