@@ -66,6 +66,7 @@ bool Simulator::arrange(Real dt) {
 	arranged_dt_ = dt;
 	arranged_with_contacts_ = has_contacts;
 	crews_.clear();
+	pressed_crews_.clear();
 	touching_.clear();
 	broad_.clear();
 	places_.clear();
@@ -76,6 +77,9 @@ bool Simulator::arrange(Real dt) {
 	for (const Crew &crew : roster_.crews()) {
 		CrewState &state = crews_.emplace_back();
 		state.plan = plan(world_.soft_bodies()[crew.bodies[0]], dt);
+		if (crew.settings->pressure_stiffness > 0) {
+			pressed_crews_.push_back(std::uint32_t(crews_.size() - 1));
+		}
 		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 			SoftBodyData &body = world_.soft_bodies()[crew.bodies[lane]];
 			const BodySettings &settings = body.settings();
@@ -135,10 +139,10 @@ void Simulator::for_crews(std::span<const std::uint32_t> crews, const Work &work
 // Pressure on a stretched hull needs more substeps than at rest, so that bodies of one crew may differ from step to step.
 void Simulator::plan_pressure(Real dt) {
 	own_plans_.clear();
-	for (std::uint32_t i = 0; i < crews_.size(); ++i) {
+	for (const std::uint32_t i : pressed_crews_) {
 		const Crew &crew = roster_.crews()[i];
 		CrewState &state = crews_[i];
-		if (!(crew.settings->pressure_stiffness > 0) || state.awake == 0) {
+		if (state.awake == 0) {
 			continue;
 		}
 		std::array<SubstepPlan, PACK_WIDTH> plans;

@@ -105,6 +105,7 @@ private:
 
 	std::vector<CrewState> crews_; ///< one a crew of the roster
 	std::vector<std::array<SubstepPlan, PACK_WIDTH>> own_plans_;
+	std::vector<std::uint32_t> pressed_crews_; ///< those with pressure
 	std::vector<std::uint32_t> free_crews_;
 	std::vector<std::uint32_t> coupled_crews_;
 	// One an active body.
