@@ -6,7 +6,7 @@
 //   fold, at 10 Hz the pile lies flat; 25 and 30 Hz hold as well at the same cost, and the time step allows no more than
 //   30. Less damping makes no difference to quality or cost.
 // - Iterations: 8/3 are the manual's. The fastest that hold the pile are 5/1 for 1000 bodies and 6/1 for 5000, of which
-//   5/1 leave three pairs inside each other; with 2/1 dozens are.
+//   5/1 leave one folded or a few inside each other; with 2/1 dozens are.
 // - Continuous collision costs a twentieth and is not needed here: nothing is fast.
 // - Its margins are made for bodies of 0.1 to 10 m; that around a moving circle is as wide as the circle. At 2 units a
 //   metre fewer pairs are looked at, a tenth is saved; at 4 and 10 the pile gets worse.

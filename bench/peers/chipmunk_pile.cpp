@@ -6,7 +6,7 @@
 //   600 a hundredth. They are explicit, so there is a limit: with 15 N s/m the pile explodes.
 // - Two steps of 1/120 s with stiffer springs, or slide joints of 0.9 to 1.1 of the length around softer springs: hold as
 //   well, but are a third dearer.
-// - Iterations: 10 are its default. 7 hold 1000 bodies, but leave two pairs of 5000 inside each other, as 8 do.
+// - Iterations: 10 are its default. 7 hold 1000 bodies, but leave a few pairs of 5000 inside each other, as 8 do.
 // - The spatial hash in place of the tree saves a tenth; its manual recommends it for many shapes of like size.
 // - Particles of one body that collide: not better here.
 // - The Debian package is built with assertions; a build of the same version without was 6 to 10 % faster.
