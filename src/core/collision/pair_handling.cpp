@@ -48,8 +48,7 @@ bool PairHandling::handle_crossing(TouchingBody &a, TouchingBody &b) {
 	const Vec2 way = middle_a - middle_b;
 	const Real distance = length(way);
 	const Real most = std::min(a.radius, b.radius);
-	part_bodies(a, b, distance > DEGENERATE_LENGTH * most ? way * (1 / distance) : Vec2{ 1, 0 }, most);
-	return a.inverse_mass + b.inverse_mass > 0;
+	return part_bodies(a, b, distance > DEGENERATE_LENGTH * most ? way * (1 / distance) : Vec2{ 1, 0 }, most);
 }
 
 std::size_t PairHandling::handle_points(TouchingBody &body, TouchingBody &other, bool are_fast) {
@@ -123,9 +122,14 @@ bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::ui
 		return false;
 	}
 	const std::uint32_t end = found->edge + 1 == other.before.size() ? 0 : found->edge + 1;
-	impulse_ += answer_pair_contact(body, other, { point, found->edge, end, found->t, found->normal, found->depth, is_fresh },
-			bounce_threshold_, h_);
-	has_edges_ = false;
+	const PairAnswer answer = answer_pair_contact(body, other,
+			{ point, found->edge, end, found->t, found->normal, found->depth, is_fresh }, bounce_threshold_, h_);
+	impulse_ += answer.normal_impulse;
+	has_edges_ = has_edges_ && !answer.has_parted_bodies;
+	if (has_edges_) {
+		edges_.update(other.hull(), found->edge);
+		edges_.update(other.hull(), end);
+	}
 	return true;
 }
 

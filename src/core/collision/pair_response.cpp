@@ -96,18 +96,19 @@ void move(TouchingBody &body, Vec2 shift) {
 
 } // namespace
 
-void part_bodies(TouchingBody &body, TouchingBody &other, Vec2 direction, Real distance) {
+bool part_bodies(TouchingBody &body, TouchingBody &other, Vec2 direction, Real distance) {
 	const Real mobility = body.inverse_mass + other.inverse_mass;
 	if (!(mobility > 0)) {
-		return;
+		return false;
 	}
 	const Real most = DEEP_OVERLAP * std::min(body.radius, other.radius);
 	const Vec2 shift = direction * (std::min(distance, most) / mobility);
 	move(body, shift * body.inverse_mass);
 	move(other, -shift * other.inverse_mass);
+	return true;
 }
 
-Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
+PairAnswer answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
 		Real h) {
 	const auto [p, a, b, t, normal, depth, is_fresh] = contact;
 	const Real share_a = 1 - t;
@@ -118,18 +119,19 @@ Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairCont
 	// An impulse J on the point and -J on the edge change their distance by J w, w = w_p + w_a (1-t)² + w_b t².
 	const Real mobility = mobility_p + mobility_a * share_a + mobility_b * share_b;
 	if (!(mobility > 0)) {
-		return 0; // both pinned
+		return {}; // both pinned
 	}
 	const Vec2 relative =
 			body.velocities[p] - (other.velocities[a] * share_a + other.velocities[b] * share_b);
 	const Real approach = -dot(relative, normal);
 	Real push = depth;
+	PairAnswer answer;
 	if (!is_fresh && body.inverse_mass + other.inverse_mass > 0) {
 		const Real size = std::min(body.radius, other.radius);
 		const Vec2 edge_way = (other.positions[a] - other.before[a]) * share_a + (other.positions[b] - other.before[b]) * share_b;
 		const Real fresh = std::max(-dot(body.positions[p] - body.before[p] - edge_way, normal), Real(0));
 		if (depth > fresh + DEEP_OVERLAP * size) {
-			part_bodies(body, other, normal, depth - fresh);
+			answer.has_parted_bodies = part_bodies(body, other, normal, depth - fresh);
 		}
 		push = std::min(depth, fresh + OLD_OVERLAP_PUSH * size);
 	}
@@ -163,7 +165,8 @@ Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairCont
 	other.velocities[a] -= velocity_change * mobility_a;
 	other.positions[b] -= shift * mobility_b;
 	other.velocities[b] -= velocity_change * mobility_b;
-	return normal_change / mobility;
+	answer.normal_impulse = normal_change / mobility;
+	return answer;
 }
 
 } // namespace softbody

@@ -17,7 +17,7 @@ struct TouchingBody {
 	std::span<const Real> inverse_masses;
 	std::span<Vec2> before; ///< where the hull's points were at the start of the substep
 	Real inverse_mass = 0; ///< of the body as a whole; 0 when a point is pinned
-	Real width = 0; ///< of its thinner part: twice the rest area over the perimeter [length]
+	Real width = 0; ///< of its thinner part (SoftBodyShape::width) [length]
 	Real friction = 0;
 	Real restitution = 0;
 	Real rolling_resistance = 0;
@@ -55,6 +55,12 @@ struct PairContact {
 	bool is_fresh = false; ///< the point is known to have come in during this substep, so that all of it is pushed out
 };
 
+/// What came of a contact.
+struct PairAnswer {
+	Real normal_impulse = 0; ///< [mass·length/s]
+	bool has_parted_bodies = false; ///< all points have moved, not only the three of the contact
+};
+
 /// Answers one contact between two bodies: moves point and edge apart along the normal, takes from their approach
 /// what brought them so deep within this substep `h` [s], or returns it times the restitution if faster than
 /// `bounce_threshold` [length/s], and takes from the sliding speed what Coulomb's law allows, with the way slid.
@@ -62,9 +68,9 @@ struct PairContact {
 /// All changes are shared out by inverse mass, with impulses equal and opposite in one place, so that linear and
 /// angular momentum stay. Friction: the smaller coefficient; restitution: the sum, at most 1 (as Godot combines them).
 /// What is deeper than the way of this substep and DEEP_OVERLAP of the smaller body explain is not the points' doing:
-/// the bodies part as a whole, which strains no spring; what is older than the substep is undone by and by. Returns the normal impulse [mass·length/s]. O(1), or O(points)
-/// where it is deep.
-Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
+/// the bodies part as a whole, which strains no spring; what is older than the substep is undone by and by.
+/// O(1), or O(points) where it is deep.
+PairAnswer answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
 		Real h);
 
 /// Brakes the spin of two bodies relative to each other, which pressed on each other with a summed normal impulse J
@@ -73,8 +79,8 @@ Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairCont
 void resist_pair_rolling(TouchingBody &a, TouchingBody &b, Real normal_impulse);
 
 /// Moves two bodies that lie across each other apart as wholes, along the unit `direction` from the second to the
-/// first, by at most DEEP_OVERLAP of the smaller one. Their velocities stay, and so do bodies with pinned points.
-/// O(points).
-void part_bodies(TouchingBody &body, TouchingBody &other, Vec2 direction, Real distance);
+/// first, by at most DEEP_OVERLAP of the smaller one. Their velocities stay, and so do bodies with pinned points:
+/// false when both are. O(points).
+bool part_bodies(TouchingBody &body, TouchingBody &other, Vec2 direction, Real distance);
 
 } // namespace softbody

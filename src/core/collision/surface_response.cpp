@@ -132,7 +132,7 @@ void answer_border(const BodyLanes<T> &body, const Border &border, Real bounce_t
 		if (!any(is_inside) || body.inverse_masses[i] == 0) {
 			continue;
 		}
-		const BasicVec2<T> relative = v - BasicContactLoad<T>::surface_velocity_at(surface, x);
+		const BasicVec2<T> relative = v - surface.velocity_at(x);
 		const T approach = -dot(relative, normal);
 		const auto is_pressing = both(is_inside, approach > T(0));
 		const T normal_change = approach * select(approach > T(bounce_threshold), T(1 + restitution), T(1));
@@ -160,13 +160,9 @@ void resist_rolling(const BodyLanes<T> &body, const BasicContactLoad<T> &load) {
 	}
 	const BasicBodyFrame<T> frame =
 			measure_frame<T>(shape, body.model.rotation_memory, body.positions, body.velocities);
-	T inertia = T(0);
-	for (std::size_t i = 0; i < shape.point_count(); ++i) {
-		inertia += T(shape.masses()[i]) * length_squared(body.positions[i] - frame.centre);
-	}
 	const T spin = frame.angular_velocity - load.surface_spin / load.normal_impulse;
-	const T most = T(resistance * shape.radius()) * load.normal_impulse / inertia;
-	const T change = select(both(is_loaded, inertia > T(0)), -greater(-most, lesser(spin, most)), T(0));
+	const T most = T(resistance * shape.radius()) * load.normal_impulse / frame.inertia;
+	const T change = select(both(is_loaded, frame.inertia > T(0)), -greater(-most, lesser(spin, most)), T(0));
 	for (std::size_t i = 0; i < shape.point_count(); ++i) {
 		if (body.inverse_masses[i] > 0) {
 			body.velocities[i] += perpendicular(body.positions[i] - frame.centre) * change;

@@ -52,12 +52,7 @@ struct BasicContactLoad {
 		impulse += normal * size;
 		surface_spin += size * T(surface.angular_velocity);
 		restitution += size * T(combined_restitution);
-		surface_velocity += surface_velocity_at(surface, place) * size;
-	}
-
-	static BasicVec2<T> surface_velocity_at(const Surface &surface, BasicVec2<T> p) {
-		const BasicVec2<T> arm = p - in_all_lanes<T>(surface.velocity_origin);
-		return in_all_lanes<T>(surface.linear_velocity) + perpendicular(arm) * T(surface.angular_velocity);
+		surface_velocity += surface.velocity_at(place) * size;
 	}
 };
 using ContactLoad = BasicContactLoad<Real>;

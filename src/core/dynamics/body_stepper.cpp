@@ -116,7 +116,7 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 	}
 	BodyLanes<RealPack> lanes{ { shape, *crew.settings, {} }, shape.inverse_masses(), { pack_positions_.data(), count },
 		{ pack_velocities_.data(), count } };
-	const bool matches_shape = crew.settings->shape_stiffness > 0 || crew.settings->shape_damping > 0;
+	const bool matches_shape = crew.settings->matches_shape();
 	if (matches_shape) {
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
 			const Rotation memory = body(crew.bodies[lane]).rotation_memory();
@@ -203,7 +203,7 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 		std::ranges::copy(std::span(start_).last(count), data.mutable_velocities().begin());
 		reset(place, duration);
 	}
-	if (data.settings().shape_stiffness > 0 || data.settings().shape_damping > 0) {
+	if (data.settings().matches_shape()) {
 		data.set_rotation_memory(measure_frame(data).rotation); // the memory itself where it is not defined
 	}
 }

@@ -67,7 +67,7 @@ void evaluate_forces(const BodyModel<T> &body, Vec2 gravity, std::span<const Bas
 	if (settings.pressure_stiffness > 0) {
 		add_pressure_forces<T>(shape, settings, positions, forces);
 	}
-	if (settings.shape_stiffness > 0 || settings.shape_damping > 0) {
+	if (settings.matches_shape()) {
 		add_shape_forces<T>(body, positions, velocities, forces);
 	}
 }

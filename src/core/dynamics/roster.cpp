@@ -77,7 +77,6 @@ void Roster::update(WorldData &world) {
 	seen_arrangement_ = world.change_counts().arrangement;
 	++version_;
 	crews_.clear();
-	active_.clear();
 	inactive_.clear();
 	Openings openings;
 	const std::span<SoftBodyData> bodies = world.soft_bodies();
@@ -87,7 +86,6 @@ void Roster::update(WorldData &world) {
 			inactive_.push_back(i);
 			continue;
 		}
-		active_.push_back(i);
 		if (!can_share_a_crew(body)) {
 			crews_.push_back(alone(i, body));
 			continue;

@@ -34,15 +34,13 @@ public:
 	/// Does nothing while the world has not changed. O(bodies).
 	void update(WorldData &world);
 	std::span<const Crew> crews() const { return crews_; }
-	/// Active bodies, in the order of the world's storage.
-	std::span<const std::uint32_t> active_bodies() const { return active_; }
+	/// Bodies in no crew, in the order of the world's storage.
 	std::span<const std::uint32_t> inactive_bodies() const { return inactive_; }
 	/// Moves with every division made.
 	std::uint64_t version() const { return version_; }
 
 private:
 	std::vector<Crew> crews_;
-	std::vector<std::uint32_t> active_;
 	std::vector<std::uint32_t> inactive_;
 	std::uint64_t seen_arrangement_ = 0;
 	std::uint64_t version_ = 0;

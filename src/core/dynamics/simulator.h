@@ -37,14 +37,12 @@ struct StepReport {
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
-/// other. Bodies that may touch one another or a
-/// dynamic rigid body take the world's contact substeps together: in each of them every
-/// body advances, in as many force substeps as it needs, and then contacts between bodies are answered, and with
-/// dynamic rigid bodies. Owns nothing but
-/// scratch memory, which grows with the world and then stays: a step allocates nothing once warm.
+/// other. Bodies that may touch one another or a dynamic rigid body take the world's contact substeps together: in each
+/// of them every body advances, in as many force substeps as it needs, and then contacts between bodies are answered,
+/// and with dynamic rigid bodies. Owns nothing but scratch memory, which grows with the world.
 ///
-/// Sleep: bodies that touch form an island. When all its bodies have hardly moved (SLEEP_SPEED, SLEEP_SPEED_WEIGHTLESS) for SLEEP_TIME, they fall
-/// asleep together, and wake together.
+/// Sleep: bodies that touch form an island. When all its bodies have hardly moved (SLEEP_SPEED, SLEEP_SPEED_WEIGHTLESS)
+/// for SLEEP_TIME, they fall asleep together, and wake together.
 class Simulator {
 public:
 	/// `world` must outlive the simulator. With `parallel_for` the work of a step is divided; its results are the
@@ -60,7 +58,7 @@ public:
 
 private:
 	static constexpr std::uint32_t NO_OWN_PLANS = UINT32_MAX;
-	/// Where a crew's bodies stand in the lists below, and whether they take their substeps together with others.
+	/// Where a crew's bodies stand in the lists below, how they are stepped, and which of them are awake.
 	struct CrewState {
 		SubstepPlan plan;
 		std::array<std::uint32_t, PACK_WIDTH> rows{}; ///< of `touching_`
@@ -85,6 +83,10 @@ private:
 	void set_awake(std::uint32_t row, bool awake);
 	void wake_by_surroundings();
 	void let_sleep();
+	/// Calls `work(task, begin, end)` for slices of [0, count), each of at least `least` unless it is the only one. How
+	/// they are cut depends on the count alone.
+	template <class Work>
+	void for_slices(std::size_t count, std::size_t least, const Work &work);
 	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
 	void for_crews(std::span<const std::uint32_t> crews, const Work &work);

@@ -111,6 +111,14 @@ Real signed_area(std::span<const Vec2> polygon) {
 	return Real(moments(polygon).double_area / 2);
 }
 
+Real perimeter(std::span<const Vec2> polygon) {
+	Real sum = 0;
+	for (std::size_t i = 0; i < polygon.size(); ++i) {
+		sum += length(polygon[i] - polygon[i == 0 ? polygon.size() - 1 : i - 1]);
+	}
+	return sum;
+}
+
 Vec2 area_centroid(std::span<const Vec2> polygon) {
 	if (polygon.empty()) {
 		return {};

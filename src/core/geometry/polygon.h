@@ -26,6 +26,9 @@ Aabb bounding_box(std::span<const Vec2> points);
 /// Source: thesis Alg. 4.8 (shoelace), with its winding stated.
 Real signed_area(std::span<const Vec2> polygon);
 
+/// Length of the closed outline [length]. O(n).
+Real perimeter(std::span<const Vec2> polygon);
+
 /// Centre of area [length]; the mean of the points when the area is zero. O(n).
 Vec2 area_centroid(std::span<const Vec2> polygon);
 

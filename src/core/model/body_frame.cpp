@@ -27,21 +27,20 @@ BasicBodyFrame<T> measure_frame(const SoftBodyShape &shape, const BasicRotation<
 	T along = T(0); // sum m q·r, proportional to the cosine
 	T across = T(0); // sum m q×r, proportional to the sine
 	T spin = T(0);
-	T inertia = T(0);
 	for (std::size_t i = 0; i < positions.size(); ++i) {
 		const BasicVec2<T> arm = positions[i] - frame.centre;
 		const BasicVec2<T> q = in_all_lanes<T>(rest[i] * masses[i]);
 		along += dot(q, arm);
 		across += cross(q, arm);
 		spin += T(masses[i]) * cross(arm, velocities[i] - frame.velocity);
-		inertia += T(masses[i]) * length_squared(arm);
+		frame.inertia += T(masses[i]) * length_squared(arm);
 	}
 	const T size = sqrt(along * along + across * across);
 	const T least(DEGENERATE_LENGTH * shape.rest_inertia());
 	frame.rotation_defined = both(size > least, size < T(std::numeric_limits<Real>::max()));
 	frame.rotation.c = select(frame.rotation_defined, along / size, memory.c);
 	frame.rotation.s = select(frame.rotation_defined, across / size, memory.s);
-	frame.angular_velocity = select(inertia > least, spin / inertia, T(0));
+	frame.angular_velocity = select(frame.inertia > least, spin / frame.inertia, T(0));
 	return frame;
 }
 

@@ -16,7 +16,8 @@ struct BasicBodyFrame {
 	BasicVec2<T> velocity; ///< of the centre of mass [length/s]
 	BasicRotation<T> rotation; ///< of the rest shape onto the points, least squares
 	MaskOf<T> rotation_defined; ///< false when the points fit every rotation equally well
-	T angular_velocity = T(0); ///< angular momentum over current inertia [rad/s]
+	T inertia = T(0); ///< about the centre, as the points lie [mass·length²]
+	T angular_velocity = T(0); ///< angular momentum over `inertia` [rad/s]
 };
 using BodyFrame = BasicBodyFrame<Real>;
 

@@ -47,6 +47,9 @@ struct BodySettings {
 	/// Which surroundings and bodies the body notices: those whose layer shares a bit with this mask.
 	std::uint32_t collision_mask = 0xffffffffu;
 
+	/// Whether shape matching takes part at all.
+	bool matches_shape() const { return shape_stiffness > 0 || shape_damping > 0; }
+
 	friend bool operator==(const BodySettings &, const BodySettings &) = default;
 };
 

@@ -129,6 +129,7 @@ void SoftBodyShape::derive() {
 	rest_inertia_ = Real(inertia);
 	radius_ = std::sqrt(reach_squared);
 	rest_area_ = signed_area(rest_hull());
+	width_ = 2 * rest_area_ / perimeter(rest_hull());
 
 	area_mobility_ = 0;
 	least_hull_mass_ = masses_[0];

@@ -46,6 +46,8 @@ public:
 	Real total_mass() const { return total_mass_; }
 	Real rest_area() const { return rest_area_; } ///< area inside the hull at rest [length²], > 0
 	Real rest_inertia() const { return rest_inertia_; } ///< about the centre of mass [mass·length²]
+	/// Of its thinner part, roughly: twice the rest area over the hull's perimeter [length]. A disk's is its radius.
+	Real width() const { return width_; }
 	Real radius() const { return radius_; } ///< largest distance of a point from the centre of mass
 
 	/// Upper bound of the highest squared angular frequency of the springs [1/s²] in any
@@ -81,6 +83,7 @@ private:
 	Real rest_area_ = 0;
 	Real rest_inertia_ = 0;
 	Real radius_ = 0;
+	Real width_ = 0;
 	Real spring_frequency_squared_ = 0;
 	Real spring_damping_rate_ = 0;
 	Real area_mobility_ = 0;

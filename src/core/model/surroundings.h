@@ -26,7 +26,12 @@ struct Surface {
 	Vec2 velocity_origin; ///< centre of that rotation [length]
 	std::uint32_t layer = 1; ///< compared with BodySettings::collision_mask
 
-	Vec2 velocity_at(Vec2 p) const { return linear_velocity + perpendicular(p - velocity_origin) * angular_velocity; }
+	/// At one place, or at several side by side.
+	template <class T = Real>
+	BasicVec2<T> velocity_at(BasicVec2<T> p) const {
+		const BasicVec2<T> arm = p - in_all_lanes<T>(velocity_origin);
+		return in_all_lanes<T>(linear_velocity) + perpendicular(arm) * T(angular_velocity);
+	}
 };
 
 /// A border of the world: everything behind the plane is solid (thesis 4.4.2, "borders").

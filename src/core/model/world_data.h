@@ -69,6 +69,8 @@ public:
 
 	const std::vector<Border> &borders() const { return borders_; }
 	const std::vector<ConvexCollider> &colliders() const { return colliders_; }
+	/// Whether there is anything to touch but other bodies.
+	bool has_surroundings() const { return !borders_.empty() || !colliders_.empty(); }
 	Status add_border(const Border &border);
 	/// Refuses also a rigid body that is not there.
 	Status add_collider(ConvexCollider collider);

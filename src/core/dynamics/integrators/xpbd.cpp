@@ -197,7 +197,7 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 	if (body.settings().pressure_stiffness > 0) {
 		solve_pressure(body, input.h, x, scratch);
 	}
-	if (body.settings().shape_stiffness > 0 || body.settings().shape_damping > 0) {
+	if (body.settings().matches_shape()) {
 		solve_shape(body, before, input.h, x, scratch);
 	}
 	for (std::size_t i = 0; i < x.size(); ++i) {
