@@ -161,6 +161,14 @@ inline std::uint32_t bits(PackMask mask) {
 #endif
 }
 
+/// The smallest of the lanes; of lanes that are no number, none or one.
+inline Real least_lane(RealPack a) {
+	return std::min(std::min(a[0], a[1]), std::min(a[2], a[3]));
+}
+inline Real greatest_lane(RealPack a) {
+	return std::max(std::max(a[0], a[1]), std::max(a[2], a[3]));
+}
+
 // The same for a single scalar, so that code for any T compiles for `Real`.
 inline Real select(bool mask, Real yes, Real no) {
 	return mask ? yes : no;

@@ -5,10 +5,12 @@
 #include "core/base/pack.h"
 #include "core/base/real.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace softbody {
 
@@ -131,6 +133,21 @@ inline void scatter(const BasicVec2<RealPack> &pack, const std::array<Vec2 *, PA
 /// The PACK_WIDTH vectors that begin at `first`.
 inline BasicVec2<RealPack> consecutive(const Vec2 *first) {
 	return gather<const Vec2>({ first, first + 1, first + 2, first + 3 }, 0);
+}
+
+/// How many packs hold so many vectors.
+inline std::size_t packs_for(std::size_t count) {
+	return (count + PACK_WIDTH - 1) / PACK_WIDTH;
+}
+
+/// Pack i of `all`, for questions that may count a vector twice: the last pack holds the last PACK_WIDTH vectors, also
+/// those of the pack before it, and the last vector several times where there are fewer.
+inline BasicVec2<RealPack> pack_of(std::span<const Vec2> all, std::size_t i) {
+	if (all.size() >= PACK_WIDTH) {
+		return consecutive(&all[std::min(i * PACK_WIDTH, all.size() - PACK_WIDTH)]);
+	}
+	const auto at = [&](std::size_t lane) { return &all[std::min(lane, all.size() - 1)]; };
+	return gather<const Vec2>({ at(0), at(1), at(2), at(3) }, 0);
 }
 
 /// The same vector in every lane.

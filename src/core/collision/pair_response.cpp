@@ -3,6 +3,7 @@
 #include "core/collision/pair_response.h"
 
 #include "core/base/constants.h"
+#include "core/base/pack.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +15,28 @@ void TouchingBody::begin_substep() {
 }
 
 void TouchingBody::measure_extent() {
-	box = bounding_box(hull());
-	Real longest = 0;
-	for (std::size_t i = 0; i < before.size(); ++i) {
-		box.include(before[i]);
-		longest = std::max(longest, length_squared(positions[i] - before[i]));
+	const std::span<const Vec2> now = hull();
+	const std::span<const Vec2> old = before;
+	const std::size_t packs = packs_for(now.size());
+	PackedAabb around;
+	RealPack longest(0);
+	for (std::size_t i = 0; i < packs; ++i) {
+		const BasicVec2<RealPack> here = pack_of(now, i);
+		const BasicVec2<RealPack> there = pack_of(old, i);
+		around.include(here);
+		around.include(there);
+		longest = greater(length_squared(here - there), longest);
 	}
-	way = std::sqrt(longest);
+	box = around.joined();
+	way = std::sqrt(greatest_lane(longest));
 	centre = (box.min + box.max) * Real(0.5);
-	Real farthest = 0;
-	for (std::size_t i = 0; i < before.size(); ++i) {
-		farthest = std::max(farthest, length_squared(positions[i] - centre));
-		farthest = std::max(farthest, length_squared(before[i] - centre));
+	const BasicVec2<RealPack> middle = in_all_lanes<RealPack>(centre);
+	RealPack farthest(0);
+	for (std::size_t i = 0; i < packs; ++i) {
+		farthest = greater(length_squared(pack_of(now, i) - middle), farthest);
+		farthest = greater(length_squared(pack_of(old, i) - middle), farthest);
 	}
-	radius = std::sqrt(farthest);
+	radius = std::sqrt(greatest_lane(farthest));
 }
 
 void TouchingBody::measure_spin() {

@@ -82,31 +82,6 @@ std::string edge_text(std::size_t i, std::size_t count) {
 
 } // namespace
 
-void Aabb::include(Vec2 p) {
-	min = { std::min(min.x, p.x), std::min(min.y, p.y) };
-	max = { std::max(max.x, p.x), std::max(max.y, p.y) };
-}
-
-Aabb Aabb::grown(Real margin) const {
-	return { { min.x - margin, min.y - margin }, { max.x + margin, max.y + margin } };
-}
-
-bool Aabb::overlaps(const Aabb &other) const {
-	return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y && other.min.y <= max.y;
-}
-
-bool Aabb::contains(const Aabb &other) const {
-	return min.x <= other.min.x && other.max.x <= max.x && min.y <= other.min.y && other.max.y <= max.y;
-}
-
-Aabb bounding_box(std::span<const Vec2> points) {
-	Aabb box;
-	for (const Vec2 p : points) {
-		box.include(p);
-	}
-	return box;
-}
-
 Real signed_area(std::span<const Vec2> polygon) {
 	return Real(moments(polygon).double_area / 2);
 }

@@ -4,23 +4,11 @@
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
+#include "core/geometry/aabb.h"
 
 #include <span>
 
 namespace softbody {
-
-/// Axis-aligned bounding box. Empty (min > max) when default constructed.
-struct Aabb {
-	Vec2 min{ Real(1e30), Real(1e30) };
-	Vec2 max{ Real(-1e30), Real(-1e30) };
-
-	void include(Vec2 p);
-	Aabb grown(Real margin) const;
-	bool overlaps(const Aabb &other) const;
-	bool contains(const Aabb &other) const;
-};
-
-Aabb bounding_box(std::span<const Vec2> points);
 
 /// Signed area of the closed polygon [length²]: positive when it winds from x towards y. O(n).
 /// Source: thesis Alg. 4.8 (shoelace), with its winding stated.
