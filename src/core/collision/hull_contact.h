@@ -26,27 +26,29 @@ class HullEdges {
 public:
 	/// Reads the hull. O(hull points).
 	void assign(std::span<const Vec2> hull);
-	/// Reads again what hull point `index` is part of.
+	/// Reads again what hull point `index` is part of. O(1).
 	void update(std::span<const Vec2> hull, std::uint32_t index);
 
 	/// Whether the hull winds around p (nonzero winding rule). Points on the border may fall on either side.
 	bool contains(Vec2 p) const;
 
-	/// The contact of the point p, or none when the hull does not contain it. It comes out through the nearest edge that faces it: one on whose inner side it
-	/// is, and whose outward normal opposes `outward`, the direction out of the body that p belongs to. A point that was pushed through a thin body so finds its way
-	/// back rather than on. Where no edge faces it (or `outward` is 0), the nearest of all. O(hull points).
+	/// The contact of the point p, or none when the hull does not contain it. It comes out through the nearest edge that
+	/// faces it: one on whose inner side it is, and whose outward normal opposes `outward`, the direction out of the body
+	/// that p belongs to. A point that was pushed through a thin body so finds its way back rather than on. Where no edge
+	/// faces it (or `outward` is 0), the nearest of all. O(hull points).
 	std::optional<HullContact> find(Vec2 p, Vec2 outward) const;
 
 private:
+	// Both ends as they are, not a start and a way: two edges must agree to the bit about the point they share.
 	struct Edges {
 		BasicVec2<RealPack> start;
-		BasicVec2<RealPack> way; ///< to the end
-		RealPack end_y; ///< not `start.y + way.y`, which rounds: two edges must agree about the point they share
-		RealPack inverse_length_squared; ///< 0 for an edge without length
+		BasicVec2<RealPack> end;
 	};
-	void set(std::span<const Vec2> hull, std::uint32_t edge);
+	void read(std::span<const Vec2> hull, std::uint32_t pack);
 
-	std::vector<Edges> edges_;
+	// Room for 32 edges at once, so that the buffers of threads that work beside each other are lines of the cache apart
+	// from the start (two threads answered the contacts of 6,000 bodies in 1.8 times less time so, 1.3 without).
+	std::vector<Edges> edges_ = std::vector<Edges>(8);
 	std::uint32_t count_ = 0;
 };
 

@@ -18,7 +18,7 @@ namespace softbody {
 /// Where two bodies move far in a substep (SWEEP_SHARE), each point is also followed on its way through the moving
 /// edges, so that nothing passes through. Bodies that lie across each other, the middles of both inside both, are
 /// parted as wholes before any point is looked at.
-class PairHandling {
+class alignas(128) PairHandling {
 public:
 	/// Of the coming substep: acceleration by gravity [length/s²] and length [s].
 	void begin_substep(Vec2 gravity, Real h);
