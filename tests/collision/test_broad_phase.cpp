@@ -2,6 +2,7 @@
 // The broad phase finds every pair that a comparison of all boxes finds, and groups them for threads.
 #include "core/collision/broad_phase.h"
 #include "support/random.h"
+#include "support/threads.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -117,6 +118,49 @@ TEST_CASE("pairs hold while bodies stay within their margins, and are complete w
 	bodies.pop_back();
 	broad_phase.update(bodies, 3);
 	check_complete(broad_phase, bodies);
+}
+
+TEST_CASE("where a few bodies move, of any size, their new pairs come and their old ones go") {
+	Random random(14);
+	for (const double largest : { 2.0, 40.0 }) {
+		Bodies bodies = random_bodies(random, 300, 15, 0.5, largest);
+		BroadPhase broad_phase;
+		broad_phase.update(bodies, 1);
+		for (int step = 0; step < 150; ++step) {
+			for (int k = 0; k < 12; ++k) {
+				BroadPhaseBody &body = bodies[std::size_t(random.integer(0, 299))];
+				const Vec2 way = random.vector(k < 10 ? 1 : 30);
+				body.box = { body.box.min + way, body.box.max + way };
+			}
+			broad_phase.update(bodies, 1);
+			check_complete(broad_phase, bodies);
+			for (const BodyPair pair : broad_phase.pairs()) {
+				const auto reach = [&](std::uint32_t i) { // of a margin on either side, in a box that kept its size
+					const Vec2 size = bodies[i].box.max - bodies[i].box.min;
+					return bodies[i].box.grown(Real(0.17) * std::max(size.x, size.y));
+				};
+				CHECK(reach(pair.a).overlaps(reach(pair.b)));
+			}
+		}
+		CHECK(broad_phase.rebuild_count() > 140);
+		CHECK(broad_phase.sought_bodies() < 300 + 150 * 12 + 1); // never all again
+	}
+}
+
+TEST_CASE("pairs and groups are the same for any number of threads") {
+	Random random(15);
+	const Bodies bodies = random_bodies(random, 3000, 40, 0.5, 3);
+	BroadPhase alone;
+	alone.update(bodies, 1);
+	for (const std::size_t threads : { 2u, 3u, 8u }) {
+		BroadPhase divided;
+		divided.update(bodies, 1, on_threads(threads));
+		CHECK(std::ranges::equal(alone.pairs(), divided.pairs()));
+		for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
+			CHECK(std::ranges::equal(alone.groups(colour), divided.groups(colour), {}, &BroadPhase::Group::end,
+					&BroadPhase::Group::end));
+		}
+	}
 }
 
 TEST_CASE("no two groups of one colour share a body, and the groups hold each pair once") {

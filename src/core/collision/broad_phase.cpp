@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <unordered_map>
 
 namespace softbody {
 
@@ -14,6 +14,12 @@ namespace {
 
 // Margin of a kept box, as a share of its extent. Larger: fewer rebuilds, more pairs that do not touch.
 constexpr Real BOX_MARGIN = Real(0.08);
+
+// Above this share of bodies that have left their boxes, all pairs are sought anew.
+constexpr Real MOST_MOVED = Real(0.3);
+
+constexpr std::size_t BODIES_A_TASK = 256;
+constexpr std::size_t TASKS = 32;
 
 // Level of all boxes that are larger than so many doublings of the smallest cells: everybody looks at all of them.
 constexpr std::uint32_t ALL_SIZES = 23;
@@ -42,35 +48,34 @@ std::uint64_t mix(std::uint64_t key) {
 
 } // namespace
 
-void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t version) {
-	if (still_holds(bodies, version)) {
-		return;
-	}
-	const bool same_bodies = version == version_ && boxes_.size() == bodies.size();
+void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for) {
+	const bool same_bodies = version == version_ && boxes_.size() == bodies.size() && rebuild_count_ > 0;
 	version_ = version;
-	++rebuild_count_;
 	boxes_.resize(bodies.size());
-	for (std::size_t i = 0; i < bodies.size(); ++i) {
+	has_moved_.assign(bodies.size(), 0);
+	moved_.clear();
+	for (std::uint32_t i = 0; i < bodies.size(); ++i) {
 		if (!same_bodies || !boxes_[i].contains(bodies[i].box)) {
 			boxes_[i] = bodies[i].box.grown(BOX_MARGIN * extent_of(bodies[i].box));
+			has_moved_[i] = 1;
+			moved_.push_back(i);
 		}
 	}
-	choose_cell_size();
-	fill_grid();
-	find_pairs(bodies);
+	if (same_bodies && moved_.empty()) {
+		return;
+	}
+	++rebuild_count_;
+	if (!same_bodies || moved_.size() > std::size_t(MOST_MOVED * Real(bodies.size()))) {
+		sought_bodies_ += bodies.size();
+		choose_cell_size();
+		fill_grid();
+		find_all_pairs(bodies, parallel_for);
+	} else {
+		sought_bodies_ += moved_.size();
+		fill_grid();
+		replace_pairs_of_moved(bodies);
+	}
 	group_pairs();
-}
-
-bool BroadPhase::still_holds(std::span<const BroadPhaseBody> bodies, std::uint64_t version) const {
-	if (version != version_ || bodies.size() != boxes_.size() || rebuild_count_ == 0) {
-		return false;
-	}
-	for (std::size_t i = 0; i < bodies.size(); ++i) {
-		if (!boxes_[i].contains(bodies[i].box)) {
-			return false;
-		}
-	}
-	return true;
 }
 
 void BroadPhase::choose_cell_size() {
@@ -114,21 +119,21 @@ std::size_t BroadPhase::bucket_of(std::int32_t x, std::int32_t y, std::uint32_t 
 void BroadPhase::fill_grid() {
 	const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(2 * boxes_.size(), 2));
 	bucket_starts_.assign(buckets + 1, 0);
-	unsorted_.clear();
+	cells_.clear();
 	used_levels_ = 0;
 	for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
-		unsorted_.push_back(cell_of(boxes_[i], i));
-		const Entry &entry = unsorted_.back();
+		cells_.push_back(cell_of(boxes_[i], i));
+		const Entry &entry = cells_.back();
 		used_levels_ |= 1u << entry.level;
 		++bucket_starts_[bucket_of(entry.x, entry.y, entry.level) + 1];
 	}
 	for (std::size_t i = 1; i < bucket_starts_.size(); ++i) {
 		bucket_starts_[i] += bucket_starts_[i - 1];
 	}
-	entries_.resize(unsorted_.size());
+	entries_.resize(cells_.size());
 	// Filled from the back, each start moves to where its bucket begins, and bodies stay in order.
-	for (std::size_t i = unsorted_.size(); i-- > 0;) {
-		const Entry &entry = unsorted_[i];
+	for (std::size_t i = cells_.size(); i-- > 0;) {
+		const Entry &entry = cells_[i];
 		entries_[--bucket_starts_[bucket_of(entry.x, entry.y, entry.level) + 1]] = entry;
 	}
 	for (std::size_t i = 0; i + 1 < bucket_starts_.size(); ++i) {
@@ -137,51 +142,109 @@ void BroadPhase::fill_grid() {
 	bucket_starts_.back() = std::uint32_t(entries_.size());
 }
 
-void BroadPhase::find_pairs(std::span<const BroadPhaseBody> bodies) {
-	found_.clear();
-	for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
-		const std::uint32_t own_level = unsorted_[i].level;
-		const Aabb &box = boxes_[i];
-		for (std::uint32_t levels = used_levels_ >> own_level << own_level; levels != 0; levels &= levels - 1) {
-			const std::uint32_t level = std::uint32_t(std::countr_zero(levels));
-			const auto meet = [&](const Entry &other) {
-				if (level == own_level && other.body <= i) {
-					return; // found from the other side
+void BroadPhase::find_pairs_of(std::uint32_t i, std::span<const BroadPhaseBody> bodies, bool moved_only,
+		std::vector<BodyPair> &found) const {
+	const std::uint32_t own_level = cells_[i].level;
+	const Aabb &box = boxes_[i];
+	const auto meet = [&](const Entry &other) {
+		// Every pair is found once: by the finer level, within a level by the lower number; where only those that have
+		// moved ask, also by whoever meets one that has not.
+		const bool is_found_by_other = other.level < own_level || (other.level == own_level && other.body <= i);
+		if (is_found_by_other && (!moved_only || has_moved_[other.body])) {
+			return;
+		}
+		const BroadPhaseBody &a = bodies[i];
+		const BroadPhaseBody &b = bodies[other.body];
+		const bool notice = ((a.mask & b.layer) | (b.mask & a.layer)) != 0;
+		if (notice && box.overlaps(boxes_[other.body])) {
+			found.push_back({ std::min(i, other.body), std::max(i, other.body) });
+		}
+	};
+	const std::uint32_t first_level = moved_only ? 0 : own_level;
+	for (std::uint32_t levels = used_levels_ >> first_level << first_level; levels != 0; levels &= levels - 1) {
+		const std::uint32_t level = std::uint32_t(std::countr_zero(levels));
+		// A body of this level reaches half a cell beyond its centre.
+		const Real size = std::ldexp(cell_size_, int(std::min(level, ALL_SIZES - 1)));
+		const std::int32_t left = cell_coordinate(box.min.x - size / 2, size);
+		const std::int32_t right = cell_coordinate(box.max.x + size / 2, size);
+		const std::int32_t top = cell_coordinate(box.min.y - size / 2, size);
+		const std::int32_t bottom = cell_coordinate(box.max.y + size / 2, size);
+		const Real cells = (Real(right) - Real(left) + 1) * (Real(bottom) - Real(top) + 1);
+		if (level == ALL_SIZES || cells > Real(cells_.size())) {
+			for (const Entry &other : cells_) {
+				if (other.level == level) {
+					meet(other);
 				}
-				const BroadPhaseBody &a = bodies[i];
-				const BroadPhaseBody &b = bodies[other.body];
-				const bool notice = ((a.mask & b.layer) | (b.mask & a.layer)) != 0;
-				if (notice && box.overlaps(boxes_[other.body])) {
-					found_.push_back({ std::min(i, other.body), std::max(i, other.body) });
-				}
-			};
-			if (level == ALL_SIZES) {
-				for (const Entry &other : unsorted_) {
-					if (other.level == level) {
-						meet(other);
-					}
-				}
-				continue;
 			}
-			// A body of this level reaches half a cell beyond its centre.
-			const Real size = std::ldexp(cell_size_, int(level));
-			const std::int32_t left = cell_coordinate(box.min.x - size / 2, size);
-			const std::int32_t right = cell_coordinate(box.max.x + size / 2, size);
-			const std::int32_t top = cell_coordinate(box.min.y - size / 2, size);
-			const std::int32_t bottom = cell_coordinate(box.max.y + size / 2, size);
-			for (std::int32_t y = top; y <= bottom; ++y) {
-				for (std::int32_t x = left; x <= right; ++x) {
-					const std::size_t bucket = bucket_of(x, y, level);
-					for (std::uint32_t k = bucket_starts_[bucket]; k < bucket_starts_[bucket + 1]; ++k) {
-						const Entry &other = entries_[k];
-						if (other.x == x && other.y == y && other.level == level) {
-							meet(other);
-						}
+			continue;
+		}
+		for (std::int32_t y = top; y <= bottom; ++y) {
+			for (std::int32_t x = left; x <= right; ++x) {
+				const std::size_t bucket = bucket_of(x, y, level);
+				for (std::uint32_t k = bucket_starts_[bucket]; k < bucket_starts_[bucket + 1]; ++k) {
+					const Entry &other = entries_[k];
+					if (other.x == x && other.y == y && other.level == level) {
+						meet(other);
 					}
 				}
 			}
 		}
 	}
+}
+
+void BroadPhase::find_all_pairs(std::span<const BroadPhaseBody> bodies, const ParallelFor &parallel_for) {
+	const std::size_t count = boxes_.size();
+	const std::size_t tasks = std::clamp<std::size_t>(count / BODIES_A_TASK, 1, TASKS);
+	found_by_task_.resize(TASKS);
+	run_tasks(parallel_for, tasks, [&](std::size_t task) {
+		std::vector<BodyPair> &found = found_by_task_[task];
+		found.clear();
+		for (std::size_t i = count * task / tasks; i < count * (task + 1) / tasks; ++i) {
+			find_pairs_of(std::uint32_t(i), bodies, false, found);
+		}
+	});
+	// Into order: counted by the first body, then by the second among the few of one first body.
+	starts_.assign(count + 1, 0);
+	std::size_t pairs = 0;
+	for (std::size_t task = 0; task < tasks; ++task) {
+		pairs += found_by_task_[task].size();
+		for (const BodyPair pair : found_by_task_[task]) {
+			++starts_[pair.a + 1];
+		}
+	}
+	for (std::size_t i = 1; i < starts_.size(); ++i) {
+		starts_[i] += starts_[i - 1];
+	}
+	found_.resize(pairs);
+	for (std::size_t task = tasks; task-- > 0;) {
+		const std::vector<BodyPair> &found = found_by_task_[task];
+		for (std::size_t k = found.size(); k-- > 0;) {
+			found_[--starts_[found[k].a + 1]] = found[k];
+		}
+	}
+	for (std::size_t begin = 0; begin < found_.size();) {
+		std::size_t end = begin + 1;
+		while (end < found_.size() && found_[end].a == found_[begin].a) {
+			++end;
+		}
+		std::sort(found_.begin() + std::ptrdiff_t(begin), found_.begin() + std::ptrdiff_t(end));
+		begin = end;
+	}
+}
+
+void BroadPhase::replace_pairs_of_moved(std::span<const BroadPhaseBody> bodies) {
+	found_by_task_.resize(TASKS);
+	std::vector<BodyPair> &fresh = found_by_task_[0];
+	fresh.clear();
+	for (const std::uint32_t i : moved_) {
+		find_pairs_of(i, bodies, true, fresh);
+	}
+	std::ranges::sort(fresh);
+	kept_.clear();
+	std::ranges::copy_if(found_, std::back_inserter(kept_),
+			[&](BodyPair pair) { return !has_moved_[pair.a] && !has_moved_[pair.b]; });
+	found_.resize(kept_.size() + fresh.size());
+	std::ranges::merge(kept_, fresh, found_.begin());
 }
 
 // The plane is divided into squares of four cells, coloured like the points (even, even), (odd, even), ... Each pair
@@ -190,48 +253,61 @@ void BroadPhase::find_pairs(std::span<const BroadPhaseBody> bodies) {
 // same group or of different colours. Pairs with a larger body form one last group.
 void BroadPhase::group_pairs() {
 	const Real size = GROUP_CELLS * cell_size_;
-	std::unordered_map<std::uint64_t, std::uint32_t> known;
-	struct Square {
-		std::uint32_t colour;
-		std::uint32_t count;
+	constexpr std::uint64_t LARGE = UINT64_MAX; // no square has this key: coordinates stop at 2^30
+	constexpr std::uint32_t NONE = UINT32_MAX;
+	squares_.clear();
+	square_at_.assign(std::bit_ceil(2 * boxes_.size() + 2), NONE); // at most half of it is taken
+	const auto square_of = [&](std::uint64_t key, std::uint32_t colour) {
+		std::size_t slot = std::size_t(mix(key)) & (square_at_.size() - 1);
+		while (square_at_[slot] != NONE && squares_[square_at_[slot]].key != key) {
+			slot = (slot + 1) & (square_at_.size() - 1);
+		}
+		if (square_at_[slot] == NONE) {
+			square_at_[slot] = std::uint32_t(squares_.size());
+			squares_.push_back({ key, colour, 0 });
+		}
+		return square_at_[slot];
 	};
-	std::vector<Square> squares;
-	group_of_pair_.clear();
-	for (const BodyPair pair : found_) {
-		std::uint64_t key = UINT64_MAX; // no square has this key: coordinates stop at 2^30
-		std::uint32_t colour = COLOURS - 1;
-		if (unsorted_[pair.a].level < GROUPED_LEVELS && unsorted_[pair.b].level < GROUPED_LEVELS) {
+	square_of_pair_.resize(found_.size());
+	std::uint32_t last_body = NONE;
+	std::uint32_t last_square = NONE;
+	for (std::size_t i = 0; i < found_.size(); ++i) {
+		const BodyPair pair = found_[i];
+		std::uint32_t square = NONE;
+		if (cells_[pair.a].level >= GROUPED_LEVELS || cells_[pair.b].level >= GROUPED_LEVELS) {
+			square = square_of(LARGE, COLOURS - 1);
+		} else if (pair.a == last_body) {
+			square = last_square;
+		} else {
 			const Vec2 centre = (boxes_[pair.a].min + boxes_[pair.a].max) * Real(0.5);
 			const std::int32_t x = cell_coordinate(centre.x, size);
 			const std::int32_t y = cell_coordinate(centre.y, size);
-			key = (std::uint64_t(std::uint32_t(x)) << 32) | std::uint32_t(y);
-			colour = std::uint32_t(x & 1) | (std::uint32_t(y & 1) << 1);
+			square = square_of((std::uint64_t(std::uint32_t(x)) << 32) | std::uint32_t(y),
+					std::uint32_t(x & 1) | (std::uint32_t(y & 1) << 1));
+			last_body = pair.a;
+			last_square = square;
 		}
-		const auto [entry, is_new] = known.try_emplace(key, std::uint32_t(squares.size()));
-		if (is_new) {
-			squares.push_back({ colour, 0 });
-		}
-		++squares[entry->second].count;
-		group_of_pair_.push_back(entry->second);
+		++squares_[square].count;
+		square_of_pair_[i] = square;
 	}
 	// Squares by colour, in the order in which pairs first fell into them; then each pair to its place.
 	groups_.clear();
-	std::vector<std::uint32_t> place(squares.size());
 	std::uint32_t begin = 0;
 	for (std::uint32_t colour = 0; colour < COLOURS; ++colour) {
 		first_group_[colour] = groups_.size();
-		for (std::size_t i = 0; i < squares.size(); ++i) {
-			if (squares[i].colour == colour) {
-				place[i] = begin;
-				groups_.push_back({ begin, begin + squares[i].count });
-				begin += squares[i].count;
+		for (Square &square : squares_) {
+			if (square.colour == colour) {
+				const std::uint32_t end = begin + square.count;
+				groups_.push_back({ begin, end });
+				square.count = begin;
+				begin = end;
 			}
 		}
 	}
 	first_group_[COLOURS] = groups_.size();
 	pairs_.resize(found_.size());
 	for (std::size_t i = 0; i < found_.size(); ++i) {
-		pairs_[place[group_of_pair_[i]]++] = found_[i];
+		pairs_[squares_[square_of_pair_[i]].count++] = found_[i];
 	}
 }
 

@@ -2,9 +2,11 @@
 // Which bodies may touch: all pairs whose boxes overlap, found in time that grows with the number of bodies.
 #pragma once
 
-#include "core/geometry/polygon.h"
+#include "core/base/parallel_for.h"
+#include "core/geometry/aabb.h"
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,22 +24,23 @@ struct BroadPhaseBody {
 struct BodyPair {
 	std::uint32_t a = 0;
 	std::uint32_t b = 0;
-	friend bool operator==(BodyPair, BodyPair) = default;
+	friend auto operator<=>(BodyPair, BodyPair) = default;
 };
 
 /// Finds pairs with a hashed grid of several cell sizes: each body lies in one cell of the level whose cells are as
-/// large as its box, and asks the neighbouring cells of its own and all coarser levels. Boxes are kept with a margin;
-/// as long as every body stays within its own, the pairs of the last time hold and only that is checked.
+/// large as its box, and asks the neighbouring cells of its own and all other levels. Boxes are kept with a margin: as
+/// long as every body stays within its own, the pairs of the last time hold and only that is checked; of a few bodies
+/// that have left theirs, only the pairs are sought anew.
 ///
 /// The pairs come in groups that several threads may work on at once: no two groups of one colour share a body.
-/// Groups and their order depend only on the boxes.
+/// Pairs, groups and their order depend only on the boxes.
 class BroadPhase {
 public:
 	/// How many colours there are; the groups of the last one may share bodies and must be worked on in order.
 	static constexpr std::size_t COLOURS = 5;
 
 	/// `version` tells whether the list still means the same bodies. O(bodies) expected.
-	void update(std::span<const BroadPhaseBody> bodies, std::uint64_t version);
+	void update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for = {});
 
 	std::span<const BodyPair> pairs() const { return pairs_; }
 	/// The groups of a colour, each a run of `pairs()`.
@@ -46,8 +49,10 @@ public:
 		std::uint32_t end = 0;
 	};
 	std::span<const Group> groups(std::size_t colour) const;
-	/// How often the pairs were sought anew.
+	/// How often pairs were sought anew, of all bodies or of some.
 	std::uint64_t rebuild_count() const { return rebuild_count_; }
+	/// Of how many bodies they were, all in all.
+	std::uint64_t sought_bodies() const { return sought_bodies_; }
 
 private:
 	struct Entry {
@@ -57,10 +62,12 @@ private:
 		std::uint32_t body = 0;
 	};
 
-	bool still_holds(std::span<const BroadPhaseBody> bodies, std::uint64_t version) const;
 	void choose_cell_size();
 	void fill_grid();
-	void find_pairs(std::span<const BroadPhaseBody> bodies);
+	/// Those that body `i` is part of, and whose other body has a higher number or, with `moved_only`, has not moved.
+	void find_pairs_of(std::uint32_t i, std::span<const BroadPhaseBody> bodies, bool moved_only, std::vector<BodyPair> &found) const;
+	void find_all_pairs(std::span<const BroadPhaseBody> bodies, const ParallelFor &parallel_for);
+	void replace_pairs_of_moved(std::span<const BroadPhaseBody> bodies);
 	void group_pairs();
 	Entry cell_of(const Aabb &box, std::uint32_t body) const;
 	std::size_t bucket_of(std::int32_t x, std::int32_t y, std::uint32_t level) const;
@@ -71,16 +78,29 @@ private:
 	std::array<std::size_t, COLOURS + 1> first_group_{}; ///< of each colour, and the end
 	std::uint64_t version_ = 0;
 	std::uint64_t rebuild_count_ = 0;
+	std::uint64_t sought_bodies_ = 0;
 
 	Real cell_size_ = 1; ///< of level 0; every further level doubles it
 	std::uint32_t used_levels_ = 0; ///< a bit each
 	std::vector<Entry> entries_; ///< by bucket
 	std::vector<std::uint32_t> bucket_starts_;
+	std::vector<Entry> cells_; ///< by body
+	std::vector<BodyPair> found_; ///< in order
 	// Scratch.
-	std::vector<Entry> unsorted_;
+	std::vector<std::uint32_t> moved_;
+	std::vector<char> has_moved_;
 	std::vector<Real> extents_;
-	std::vector<BodyPair> found_;
-	std::vector<std::uint32_t> group_of_pair_;
+	std::vector<std::vector<BodyPair>> found_by_task_;
+	std::vector<BodyPair> kept_;
+	std::vector<std::uint32_t> starts_;
+	struct Square {
+		std::uint64_t key;
+		std::uint32_t colour;
+		std::uint32_t count; ///< of pairs, then the place of the next one
+	};
+	std::vector<Square> squares_;
+	std::vector<std::uint32_t> square_at_; ///< a hash table
+	std::vector<std::uint32_t> square_of_pair_;
 };
 
 } // namespace softbody

@@ -188,7 +188,7 @@ void Simulator::find_pairs(Real dt) {
 				broad_[i].box = sweep_box(touching_[i].hull(), touching_[i].velocities, dt);
 			}
 		});
-		broad_phase_.update(broad_, roster_.version());
+		broad_phase_.update(broad_, roster_.version(), parallel_for_);
 		has_pair_.assign(count, 0);
 		for (const BodyPair pair : broad_phase_.pairs()) {
 			const char is_near = !(asleep_[pair.a] && asleep_[pair.b]);
@@ -377,6 +377,7 @@ void Simulator::answer_pairs() {
 		const bool may_share_bodies = colour + 1 == BroadPhase::COLOURS;
 		const std::size_t least = may_share_bodies ? groups.size() + 1 : GROUPS_A_TASK;
 		for_slices(groups.size(), least, [&](std::size_t task, std::size_t begin, std::size_t end) {
+			std::uint64_t all_contacts = 0;
 			for (std::size_t i = begin; i < end; ++i) {
 				for (std::uint32_t k = groups[i].begin; k < groups[i].end; ++k) {
 					const BodyPair pair = broad_phase_.pairs()[k];
@@ -384,11 +385,12 @@ void Simulator::answer_pairs() {
 						continue;
 					}
 					const std::size_t contacts = pair_handlings_[task].handle(touching_[pair.a], touching_[pair.b]);
-					pair_contacts_[task] += contacts;
+					all_contacts += contacts;
 					pair_touched_[k] |= char(contacts > 0);
 					pair_impulses_[k] += pair_handlings_[task].last_impulse();
 				}
 			}
+			pair_contacts_[task] += all_contacts;
 		});
 	}
 }
