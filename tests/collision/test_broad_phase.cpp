@@ -178,6 +178,8 @@ TEST_CASE("no two groups of one colour share a body, and the groups hold each pa
 			std::vector<int> group_of(bodies.size(), -1);
 			int number = 0;
 			for (const BroadPhase::Group group : broad_phase.groups(colour)) {
+				const auto pairs = broad_phase.pairs().subspan(group.begin, group.end - group.begin);
+				CHECK(std::ranges::is_sorted(pairs)); // so that their order does not tell how they were found
 				for (std::uint32_t i = group.begin; i < group.end; ++i) {
 					++seen[i];
 					for (const std::uint32_t body : { broad_phase.pairs()[i].a, broad_phase.pairs()[i].b }) {

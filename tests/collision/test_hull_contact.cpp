@@ -132,30 +132,6 @@ TEST_CASE("a point that was pushed through a thin body goes back the way it came
 	CHECK(without->edge == 0);
 }
 
-TEST_CASE("edges that were read again are those of the moved hull") {
-	Random random(23);
-	for (int round = 0; round < 200; ++round) {
-		auto hull = random_hull(random, random.integer(3, 13));
-		HullEdges edges;
-		edges.assign(hull);
-		const int index = random.integer(0, int(hull.size()) - 1);
-		hull[std::size_t(index)] *= Real(0.7);
-		edges.update(hull, std::uint32_t(index));
-		HullEdges fresh;
-		fresh.assign(hull);
-		for (int i = 0; i < 20; ++i) {
-			const Vec2 p = random.vector(0.8);
-			const auto found = edges.find(p, {});
-			const auto expected = fresh.find(p, {});
-			REQUIRE(found.has_value() == expected.has_value());
-			if (found) {
-				CHECK(found->edge == expected->edge);
-				CHECK(found->depth == expected->depth);
-			}
-		}
-	}
-}
-
 TEST_CASE("a hull without area or with coincident points contains nothing that is not near it, and gives finite answers") {
 	HullEdges edges;
 	const std::vector<Vec2> flat = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 1, 0 } };

@@ -61,8 +61,7 @@ struct Meeting {
 			upper_before[i] = upper[i] + Vec2{ 0, fresh_share * depth };
 			lower_before[i] = lower[i];
 		}
-		return answer_pair_contact(a, b, { 0, 0, 1, t, { 0, 1 }, depth }, bounce_threshold, H)
-				.normal_impulse;
+		return answer_pair_contact(a, b, { 0, 0, 1, t, { 0, 1 }, depth }, bounce_threshold, H);
 	}
 	Vec2 place_velocity() const {
 		return lower_velocities[0] * (1 - t) + lower_velocities[1] * t;

@@ -16,100 +16,106 @@ namespace {
 constexpr std::array<std::int8_t, 16> BIT_COUNT = { 0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4 };
 static_assert(PACK_WIDTH == 4);
 
-} // namespace
+constexpr std::size_t FEW_PACKS = 3;
 
-void HullEdges::read(std::span<const Vec2> hull, std::uint32_t pack) {
-	Edges &edges = edges_[pack];
-	const std::uint32_t first = pack * std::uint32_t(PACK_WIDTH);
-	if (first + PACK_WIDTH < hull.size()) {
-		edges.start = consecutive(&hull[first]);
-		edges.end = consecutive(&hull[first + 1]);
-		return;
-	}
-	// Lanes beyond the last edge: edges without length at the hull's first point, never crossed nor alone the nearest.
-	const auto point = [&](std::uint32_t i) { return first + i < hull.size() ? &hull[first + i] : hull.data(); };
-	edges.start = gather<const Vec2>({ point(0), point(1), point(2), point(3) }, 0);
-	edges.end = gather<const Vec2>({ point(1), point(2), point(3), point(4) }, 0);
-}
+} // namespace
 
 void HullEdges::assign(std::span<const Vec2> hull) {
 	count_ = std::uint32_t(hull.size());
-	const std::uint32_t packs = std::uint32_t(packs_for(count_));
+	const std::size_t packs = packs_for(hull.size());
 	if (edges_.size() < packs) {
 		edges_.resize(packs);
 	}
-	for (std::uint32_t i = 0; i < packs; ++i) {
-		read(hull, i);
+	const std::size_t last = packs - 1;
+	for (std::size_t i = 0; i < last; ++i) {
+		edges_[i].start = consecutive(&hull[i * PACK_WIDTH]);
+		edges_[i].end = consecutive(&hull[i * PACK_WIDTH + 1]);
 	}
+	const Vec2 *tail = &hull[last * PACK_WIDTH];
+	const Vec2 *home = hull.data();
+	if (last * PACK_WIDTH + PACK_WIDTH == hull.size()) {
+		edges_[last].start = consecutive(tail);
+		edges_[last].end = gather<const Vec2>({ tail + 1, tail + 2, tail + 3, home }, 0);
+		return;
+	}
+	// Lanes beyond the last edge: edges without length at the hull's first point, never crossed nor alone the nearest.
+	const auto point = [&](std::size_t i) { return tail + i < home + hull.size() ? tail + i : home; };
+	edges_[last].start = gather<const Vec2>({ tail, point(1), point(2), home }, 0);
+	edges_[last].end = gather<const Vec2>({ point(1), point(2), home, home }, 0);
 }
 
-void HullEdges::update(std::span<const Vec2> hull, std::uint32_t index) {
-	const std::uint32_t pack = index / PACK_WIDTH;
-	const std::uint32_t pack_before = (index == 0 ? count_ - 1 : index - 1) / PACK_WIDTH;
-	read(hull, pack);
-	if (pack_before != pack) {
-		read(hull, pack_before);
-	}
+// The ray from p towards +x: an edge that passes it upwards with p on its inner side counts +1, one that passes it
+// downwards with p on the other side -1.
+int HullEdges::winding_of(const Edges &edges, const BasicVec2<RealPack> &p) {
+	const RealPack side = cross(edges.end - edges.start, p - edges.start);
+	const PackMask starts_above = p.y < edges.start.y;
+	const PackMask ends_above = p.y < edges.end.y;
+	const PackMask rises = both(both(!starts_above, ends_above), side > RealPack(0));
+	const PackMask falls = both(both(starts_above, !ends_above), side < RealPack(0));
+	return BIT_COUNT[bits(rises)] - BIT_COUNT[bits(falls)];
 }
 
 bool HullEdges::contains(Vec2 p) const {
 	const BasicVec2<RealPack> point = in_all_lanes<RealPack>(p);
-	const std::uint32_t packs = std::uint32_t(packs_for(count_));
+	const std::size_t packs = packs_for(count_);
 	int winding = 0;
-	for (std::uint32_t i = 0; i < packs; ++i) {
-		const Edges &edges = edges_[i];
-		// The ray from p towards +x: an edge that passes it upwards with p on its inner side counts +1, one that
-		// passes it downwards with p on the other side -1.
-		const RealPack side = cross(edges.end - edges.start, point - edges.start);
-		const PackMask starts_above = point.y < edges.start.y;
-		const PackMask ends_above = point.y < edges.end.y;
-		const PackMask rises = both(both(!starts_above, ends_above), side > RealPack(0));
-		const PackMask falls = both(both(starts_above, !ends_above), side < RealPack(0));
-		winding += BIT_COUNT[bits(rises)] - BIT_COUNT[bits(falls)];
+	for (std::size_t i = 0; i < packs; ++i) {
+		winding += winding_of(edges_[i], point);
 	}
 	return winding != 0;
 }
 
 std::optional<HullContact> HullEdges::find(Vec2 p, Vec2 outward) const {
-	if (!contains(p)) {
+	const std::size_t packs = packs_for(count_);
+	// Of a few edges both questions are asked at once: most points that come here are inside.
+	if (packs > FEW_PACKS && !contains(p)) {
 		return {};
 	}
 	constexpr Real FAR = std::numeric_limits<Real>::max();
 	const BasicVec2<RealPack> point = in_all_lanes<RealPack>(p);
 	const BasicVec2<RealPack> out = in_all_lanes<RealPack>(outward);
-	const std::uint32_t packs = std::uint32_t(packs_for(count_));
-	struct Nearest {
-		RealPack distance{ FAR }; // squared
-		RealPack pack{ 0 };
-		void consider(RealPack other_distance, PackMask counts, std::uint32_t other_pack) {
-			const PackMask nearer = both(other_distance < distance, counts);
-			distance = select(nearer, other_distance, distance);
-			pack = select(nearer, RealPack(Real(other_pack)), pack);
-		}
-	};
-	Nearest of_all;
-	Nearest of_facing;
-	for (std::uint32_t i = 0; i < packs; ++i) {
+	RealPack nearest(FAR); // squared distances
+	RealPack nearest_number(0);
+	RealPack facing(FAR);
+	RealPack facing_number(0);
+	RealPack number(0); // of the pack
+	int winding = 0;
+	for (std::size_t i = 0; i < packs; ++i) {
 		const Edges &edges = edges_[i];
+		winding += winding_of(edges, point);
 		const BasicVec2<RealPack> way = edges.end - edges.start;
 		const BasicVec2<RealPack> offset = point - edges.start;
 		// Without length: 0/0, of which `lesser` makes 1; both ends are one place.
 		const RealPack t = greater(RealPack(0), lesser(dot(offset, way) / length_squared(way), RealPack(1)));
 		const RealPack distance = length_squared(offset - way * t);
-		of_all.consider(distance, distance < RealPack(FAR), i);
+		const PackMask is_nearer = distance < nearest;
+		nearest = select(is_nearer, distance, nearest);
+		nearest_number = select(is_nearer, number, nearest_number);
 		// The outward normal of an edge is its way turned by -90 degrees; its product with `out` is cross(out, way).
 		// Where p lies beyond an edge, the way to it leads through others first.
 		const PackMask faces = both(cross(out, way) < RealPack(0), !(cross(way, offset) < RealPack(0)));
-		of_facing.consider(distance, faces, i);
+		const PackMask is_nearer_facing = both(distance < facing, faces);
+		facing = select(is_nearer_facing, distance, facing);
+		facing_number = select(is_nearer_facing, number, facing_number);
+		number += RealPack(1);
 	}
-	Real least = least_lane(of_facing.distance);
-	const Nearest &nearest = least < FAR ? of_facing : of_all;
-	least = least < FAR ? least : least_lane(of_all.distance);
-	if (!(least < FAR)) {
+	if (winding == 0) {
 		return {};
 	}
-	const std::size_t lane = std::size_t(std::countr_zero(bits(!(nearest.distance > RealPack(least)))));
-	const std::size_t pack = std::size_t(nearest.pack[lane]);
+	Real least = least_lane(facing);
+	if (!(least < FAR)) {
+		least = least_lane(nearest);
+		facing = nearest;
+		facing_number = nearest_number;
+		if (!(least < FAR)) {
+			return {};
+		}
+	}
+	const std::size_t lane = std::size_t(std::countr_zero(bits(!(facing > RealPack(least)))));
+	return contact_at(std::size_t(facing_number[lane]), lane, p);
+}
+
+std::optional<HullContact> HullEdges::contact_at(std::size_t pack, std::size_t lane, Vec2 p) const {
 	HullContact contact;
 	contact.edge = std::uint32_t(pack * PACK_WIDTH + lane);
 	if (contact.edge >= count_) {

@@ -51,6 +51,9 @@ bool PairHandling::handle_crossing(TouchingBody &a, TouchingBody &b) {
 	return part_bodies(a, b, distance > DEGENERATE_LENGTH * most ? way * (1 / distance) : Vec2{ 1, 0 }, most);
 }
 
+// How many points are looked at before those that are near are handled.
+constexpr std::uint32_t NEAR_BITS = 32;
+
 std::size_t PairHandling::handle_points(TouchingBody &body, TouchingBody &other, bool are_fast) {
 	// Few points are near the other body: the others are left out several at a time.
 	std::size_t contacts = 0;
@@ -59,16 +62,19 @@ std::size_t PairHandling::handle_points(TouchingBody &body, TouchingBody &other,
 	const std::uint32_t count = std::uint32_t(hull.size());
 	const Real reach = other.radius + (are_fast ? body.way : Real(0));
 	const BasicVec2<RealPack> centre = in_all_lanes<RealPack>(other.centre);
-	std::uint32_t first = 0;
-	for (; first + PACK_WIDTH <= count; first += PACK_WIDTH) {
-		const RealPack distance = length_squared(consecutive(&hull[first]) - centre);
-		for (std::uint32_t near = bits(distance < RealPack(reach * reach)); near != 0; near &= near - 1) {
-			contacts += handle_point(body, other, first + std::uint32_t(std::countr_zero(near)), are_fast);
+	for (std::uint32_t first = 0; first < count; first += NEAR_BITS) {
+		std::uint32_t near = 0;
+		const std::uint32_t end = std::min(count, first + NEAR_BITS);
+		std::uint32_t i = first;
+		for (; i + PACK_WIDTH <= end; i += PACK_WIDTH) {
+			const RealPack distance = length_squared(consecutive(&hull[i]) - centre);
+			near |= bits(distance < RealPack(reach * reach)) << (i - first);
 		}
-	}
-	for (; first < count; ++first) {
-		if (length_squared(hull[first] - other.centre) < reach * reach) {
-			contacts += handle_point(body, other, first, are_fast);
+		for (; i < end; ++i) {
+			near |= std::uint32_t(length_squared(hull[i] - other.centre) < reach * reach) << (i - first);
+		}
+		for (; near != 0; near &= near - 1) {
+			contacts += handle_point(body, other, first + std::uint32_t(std::countr_zero(near)), are_fast);
 		}
 	}
 	return contacts;
@@ -122,14 +128,9 @@ bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::ui
 		return false;
 	}
 	const std::uint32_t end = found->edge + 1 == other.before.size() ? 0 : found->edge + 1;
-	const PairAnswer answer = answer_pair_contact(body, other,
-			{ point, found->edge, end, found->t, found->normal, found->depth, is_fresh }, bounce_threshold_, h_);
-	impulse_ += answer.normal_impulse;
-	has_edges_ = has_edges_ && !answer.has_parted_bodies;
-	if (has_edges_) {
-		edges_.update(other.hull(), found->edge);
-		edges_.update(other.hull(), end);
-	}
+	impulse_ += answer_pair_contact(body, other, { point, found->edge, end, found->t, found->normal, found->depth, is_fresh },
+			bounce_threshold_, h_);
+	has_edges_ = false; // another near point is rare, and reading all edges cheap
 	return true;
 }
 

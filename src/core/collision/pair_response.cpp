@@ -22,50 +22,28 @@ void TouchingBody::measure_extent() {
 	RealPack longest(0);
 	for (std::size_t i = 0; i < packs; ++i) {
 		const BasicVec2<RealPack> here = pack_of(now, i);
-		const BasicVec2<RealPack> there = pack_of(old, i);
 		around.include(here);
-		around.include(there);
-		longest = greater(length_squared(here - there), longest);
+		longest = greater(length_squared(here - pack_of(old, i)), longest);
 	}
-	box = around.joined();
 	way = std::sqrt(greatest_lane(longest));
+	box = around.joined();
 	centre = (box.min + box.max) * Real(0.5);
 	const BasicVec2<RealPack> middle = in_all_lanes<RealPack>(centre);
 	RealPack farthest(0);
 	for (std::size_t i = 0; i < packs; ++i) {
 		farthest = greater(length_squared(pack_of(now, i) - middle), farthest);
-		farthest = greater(length_squared(pack_of(old, i) - middle), farthest);
 	}
-	radius = std::sqrt(greatest_lane(farthest));
+	// Where the points come from is no farther away than the way of the fastest.
+	radius = std::sqrt(greatest_lane(farthest)) + way;
+	box = box.grown(way);
 }
 
-void TouchingBody::measure_spin() {
+void TouchingBody::take_frame(const BodyFrame &frame) {
 	spin_change = 0;
-	Vec2 sum;
-	Vec2 momentum;
-	Real mass = 0;
-	inertia = 0;
-	spin = 0;
-	if (!(inverse_mass > 0)) {
-		return; // pinned: it turns about its pins, if at all
-	}
-	const Vec2 base = positions[0];
-	for (std::size_t i = 0; i < positions.size(); ++i) {
-		const Real own = 1 / inverse_masses[i];
-		sum += (positions[i] - base) * own;
-		momentum += velocities[i] * own;
-		mass += own;
-	}
-	mass_centre = base + sum * (1 / mass);
-	const Vec2 mean = momentum * (1 / mass);
-	Real angular = 0;
-	for (std::size_t i = 0; i < positions.size(); ++i) {
-		const Real own = 1 / inverse_masses[i];
-		const Vec2 arm = positions[i] - mass_centre;
-		inertia += own * length_squared(arm);
-		angular += own * cross(arm, velocities[i] - mean);
-	}
-	spin = inertia > 0 ? angular / inertia : Real(0);
+	mass_centre = frame.centre;
+	const bool is_free = inverse_mass > 0; // pinned, it turns about its pins, if at all
+	inertia = is_free ? frame.inertia : Real(0);
+	spin = is_free ? frame.angular_velocity : Real(0);
 }
 
 void TouchingBody::apply_spin_change() {
@@ -117,7 +95,7 @@ bool part_bodies(TouchingBody &body, TouchingBody &other, Vec2 direction, Real d
 	return true;
 }
 
-PairAnswer answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
+Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
 		Real h) {
 	const auto [p, a, b, t, normal, depth, is_fresh] = contact;
 	const Real share_a = 1 - t;
@@ -128,19 +106,18 @@ PairAnswer answer_pair_contact(TouchingBody &body, TouchingBody &other, const Pa
 	// An impulse J on the point and -J on the edge change their distance by J w, w = w_p + w_a (1-t)² + w_b t².
 	const Real mobility = mobility_p + mobility_a * share_a + mobility_b * share_b;
 	if (!(mobility > 0)) {
-		return {}; // both pinned
+		return 0; // both pinned
 	}
 	const Vec2 relative =
 			body.velocities[p] - (other.velocities[a] * share_a + other.velocities[b] * share_b);
 	const Real approach = -dot(relative, normal);
 	Real push = depth;
-	PairAnswer answer;
 	if (!is_fresh && body.inverse_mass + other.inverse_mass > 0) {
 		const Real size = std::min(body.radius, other.radius);
 		const Vec2 edge_way = (other.positions[a] - other.before[a]) * share_a + (other.positions[b] - other.before[b]) * share_b;
 		const Real fresh = std::max(-dot(body.positions[p] - body.before[p] - edge_way, normal), Real(0));
 		if (depth > fresh + DEEP_OVERLAP * size) {
-			answer.has_parted_bodies = part_bodies(body, other, normal, depth - fresh);
+			part_bodies(body, other, normal, depth - fresh);
 		}
 		push = std::min(depth, fresh + OLD_OVERLAP_PUSH * size);
 	}
@@ -174,8 +151,7 @@ PairAnswer answer_pair_contact(TouchingBody &body, TouchingBody &other, const Pa
 	other.velocities[a] -= velocity_change * mobility_a;
 	other.positions[b] -= shift * mobility_b;
 	other.velocities[b] -= velocity_change * mobility_b;
-	answer.normal_impulse = normal_change / mobility;
-	return answer;
+	return normal_change / mobility;
 }
 
 } // namespace softbody

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "core/base/vec2.h"
-#include "core/geometry/polygon.h"
+#include "core/geometry/aabb.h"
+#include "core/model/body_frame.h"
 
 #include <cstdint>
 #include <span>
@@ -22,14 +23,14 @@ struct TouchingBody {
 	Real restitution = 0;
 	Real rolling_resistance = 0;
 	Real rolling_radius = 0; ///< [length]
-	// As `measure_spin` found them, and what `resist_pair_rolling` has changed since.
+	// As `take_frame` set them, and what `resist_pair_rolling` has changed since.
 	Vec2 mass_centre;
 	Real inertia = 0; ///< about it [mass·length²]
 	Real spin = 0; ///< angular velocity [rad/s]
 	Real spin_change = 0;
 	// As `measure_extent` found them.
-	Aabb box; ///< of the hull's points, now and before
-	Vec2 centre; ///< of a circle around the same
+	Aabb box; ///< around the hull's points, now and before; up to a way larger
+	Vec2 centre; ///< of a circle around the same, likewise
 	Real radius = 0; ///< of that circle [length]
 	Real way = 0; ///< of the fastest hull point in this substep [length]
 
@@ -38,8 +39,8 @@ struct TouchingBody {
 	void begin_substep();
 	/// Measures box, circle and way. O(hull points).
 	void measure_extent();
-	/// Measures mass centre, inertia and spin. O(points).
-	void measure_spin();
+	/// Sets mass centre, inertia and spin. A pinned body has no inertia, which stands for what cannot be turned.
+	void take_frame(const BodyFrame &frame);
 	/// Turns the velocities by the change of spin. O(points).
 	void apply_spin_change();
 };
@@ -55,12 +56,6 @@ struct PairContact {
 	bool is_fresh = false; ///< the point is known to have come in during this substep, so that all of it is pushed out
 };
 
-/// What came of a contact.
-struct PairAnswer {
-	Real normal_impulse = 0; ///< [mass·length/s]
-	bool has_parted_bodies = false; ///< all points have moved, not only the three of the contact
-};
-
 /// Answers one contact between two bodies: moves point and edge apart along the normal, takes from their approach
 /// what brought them so deep within this substep `h` [s], or returns it times the restitution if faster than
 /// `bounce_threshold` [length/s], and takes from the sliding speed what Coulomb's law allows, with the way slid.
@@ -68,9 +63,9 @@ struct PairAnswer {
 /// All changes are shared out by inverse mass, with impulses equal and opposite in one place, so that linear and
 /// angular momentum stay. Friction: the smaller coefficient; restitution: the sum, at most 1 (as Godot combines them).
 /// What is deeper than the way of this substep and DEEP_OVERLAP of the smaller body explain is not the points' doing:
-/// the bodies part as a whole, which strains no spring; what is older than the substep is undone by and by.
-/// O(1), or O(points) where it is deep.
-PairAnswer answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
+/// the bodies part as a whole, which strains no spring; what is older than the substep is undone by and by. Returns the
+/// normal impulse [mass·length/s]. O(1), or O(points) where it is deep.
+Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
 		Real h);
 
 /// Brakes the spin of two bodies relative to each other, which pressed on each other with a summed normal impulse J

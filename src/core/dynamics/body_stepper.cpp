@@ -110,14 +110,11 @@ bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, con
 void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps) {
 	const SoftBodyShape &shape = *crew.shape;
 	const std::size_t count = shape.point_count();
-	if (pack_positions_.size() < count) {
-		pack_positions_.resize(count);
-		pack_velocities_.resize(count);
-	}
+	pack_positions_.resize(std::max(pack_positions_.size(), count));
+	pack_velocities_.resize(std::max(pack_velocities_.size(), count));
 	BodyLanes<RealPack> lanes{ { shape, *crew.settings, {} }, shape.inverse_masses(), { pack_positions_.data(), count },
 		{ pack_velocities_.data(), count } };
-	const bool matches_shape = crew.settings->matches_shape();
-	if (matches_shape) {
+	if (crew.settings->matches_shape()) {
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
 			const Rotation memory = body(crew.bodies[lane]).rotation_memory();
 			lanes.model.rotation_memory.c.set(lane, memory.c);
@@ -160,12 +157,6 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 		scatter(lanes.positions[i], crew.positions, i);
 		scatter(lanes.velocities[i], crew.velocities, i);
 	}
-	if (matches_shape) {
-		const auto frame = measure_frame<RealPack>(shape, lanes.model.rotation_memory, lanes.positions, lanes.velocities);
-		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-			body(crew.bodies[lane]).set_rotation_memory({ frame.rotation.c[lane], frame.rotation.s[lane] });
-		}
-	}
 }
 
 void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
@@ -203,8 +194,41 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 		std::ranges::copy(std::span(start_).last(count), data.mutable_velocities().begin());
 		reset(place, duration);
 	}
-	if (data.settings().matches_shape()) {
-		data.set_rotation_memory(measure_frame(data).rotation); // the memory itself where it is not defined
+}
+
+std::array<BodyFrame, PACK_WIDTH> BodyStepper::measure_frames(const Crew &crew) {
+	std::array<BodyFrame, PACK_WIDTH> frames;
+	if (crew.count < PACK_WIDTH) {
+		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+			frames[lane] = measure_frame(body(crew.bodies[lane]));
+		}
+		return frames;
+	}
+	const std::size_t count = crew.shape->point_count();
+	pack_positions_.resize(std::max(pack_positions_.size(), count));
+	pack_velocities_.resize(std::max(pack_velocities_.size(), count));
+	BasicRotation<RealPack> memory;
+	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+		const Rotation rotation = body(crew.bodies[lane]).rotation_memory();
+		memory.c.set(lane, rotation.c);
+		memory.s.set(lane, rotation.s);
+	}
+	for (std::size_t i = 0; i < count; ++i) {
+		pack_positions_[i] = gather(crew.positions, i);
+		pack_velocities_[i] = gather(crew.velocities, i);
+	}
+	const auto all = measure_frame<RealPack>(*crew.shape, memory, std::span(pack_positions_).first(count),
+			std::span(pack_velocities_).first(count));
+	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+		frames[lane] = { lane_of(all.centre, lane), lane_of(all.velocity, lane), { all.rotation.c[lane], all.rotation.s[lane] },
+			all.rotation_defined[lane] != 0, all.inertia[lane], all.angular_velocity[lane] };
+	}
+	return frames;
+}
+
+void BodyStepper::remember_rotations(const Crew &crew, const std::array<BodyFrame, PACK_WIDTH> &frames) {
+	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+		body(crew.bodies[lane]).set_rotation_memory(frames[lane].rotation); // the memory itself where it is not defined
 	}
 }
 

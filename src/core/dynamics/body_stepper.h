@@ -7,6 +7,7 @@
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/roster.h"
 #include "core/dynamics/substep_plan.h"
+#include "core/model/body_frame.h"
 #include "core/model/world_data.h"
 
 #include <array>
@@ -36,14 +37,18 @@ public:
 	/// Keeps the positions from which the step starts.
 	void begin(const Crew &crew);
 	/// Advances by `duration` [s], `elapsed` [s] after the step began, in `substeps` substeps of the plan's method, each
-	/// ended by the contacts with the
-	/// surroundings. Resets what is no longer finite, or whole (CREDIBLE_REACH). Bit l of `lanes` tells whether lane l takes part.
+	/// ended by the contacts with the surroundings. Resets what is no longer finite, or whole (CREDIBLE_REACH). Bit l of
+	/// `lanes` tells whether lane l takes part.
 	/// `swept_from`: where each body's hull last had been moved out of the surroundings, if it has been pushed since;
 	/// what then lies between counts as its way. Null: where it is.
 	void advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
 			const SweptFrom &swept_from = {});
 	/// Adds `dt` [s] to the time at rest of the bodies that hardly move, and starts that of the others anew.
 	void time_rest(const Crew &crew, std::uint32_t lanes, Real dt);
+	/// The frames of a crew's bodies.
+	std::array<BodyFrame, PACK_WIDTH> measure_frames(const Crew &crew);
+	/// Keeps their rotations, as what shape matching takes where the shape no longer tells.
+	void remember_rotations(const Crew &crew, const std::array<BodyFrame, PACK_WIDTH> &frames);
 	/// Forgets external forces.
 	void end(const Crew &crew);
 	/// Resets the bodies that are no longer finite, after something else than `advance` has moved them.

@@ -288,6 +288,9 @@ StepReport Simulator::simulate(Real dt) {
 		const Crew &crew = roster_.crews()[i];
 		stepper.begin(crew);
 		advance(stepper, i, 0, dt, 1);
+		if (crew.settings->matches_shape()) {
+			stepper.remember_rotations(crew, stepper.measure_frames(crew));
+		}
 		stepper.end(crew);
 		if (world_.has_sleeping()) {
 			stepper.time_rest(crew, crews_[i].awake, dt);
@@ -350,6 +353,7 @@ void Simulator::step_coupled(Real dt) {
 			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
 		}
 	}
+	measure_frames();
 	resist_rolling_between_bodies();
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
@@ -395,19 +399,27 @@ void Simulator::answer_pairs() {
 	}
 }
 
+void Simulator::measure_frames() {
+	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
+		const Crew &crew = roster_.crews()[i];
+		if (!bodies_resist_rolling_ && !crew.settings->matches_shape()) {
+			return;
+		}
+		const std::array<BodyFrame, PACK_WIDTH> frames = stepper.measure_frames(crew);
+		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+			touching_[crews_[i].rows[lane]].take_frame(frames[lane]);
+		}
+		if (crew.settings->matches_shape()) {
+			stepper.remember_rotations(crew, frames);
+		}
+	});
+}
+
 // Once a step, with the impulses of all its substeps: spins change little within one.
 void Simulator::resist_rolling_between_bodies() {
 	if (!bodies_resist_rolling_) {
 		return;
 	}
-	const auto for_rows = [&](const auto &work) {
-		for_crews(coupled_crews_, [&](BodyStepper &, std::uint32_t i) {
-			for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
-				work(touching_[crews_[i].rows[lane]]);
-			}
-		});
-	};
-	for_rows([](TouchingBody &body) { body.measure_spin(); });
 	const std::span<const BodyPair> pairs = broad_phase_.pairs();
 	for (std::size_t i = 0; i < pairs.size(); ++i) {
 		const auto [a, b] = pairs[i];
@@ -415,7 +427,11 @@ void Simulator::resist_rolling_between_bodies() {
 			resist_pair_rolling(touching_[a], touching_[b], pair_impulses_[i]);
 		}
 	}
-	for_rows([](TouchingBody &body) { body.apply_spin_change(); });
+	for_crews(coupled_crews_, [&](BodyStepper &, std::uint32_t i) {
+		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
+			touching_[crews_[i].rows[lane]].apply_spin_change();
+		}
+	});
 }
 
 void Simulator::set_awake(std::uint32_t row, bool awake) {

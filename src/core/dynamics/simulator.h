@@ -78,6 +78,7 @@ private:
 	void advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts);
 	void step_coupled(Real dt);
 	void answer_pairs();
+	void measure_frames();
 	void resist_rolling_between_bodies();
 	void wake_bodies(bool is_rearranged);
 	void set_awake(std::uint32_t row, bool awake);
