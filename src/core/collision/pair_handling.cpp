@@ -10,13 +10,14 @@
 
 namespace softbody {
 
-void PairHandling::begin_substep(Vec2 gravity, Real h) {
-	bounce_threshold_ = RESTITUTION_SUBSTEPS * length(gravity) * h;
+void PairHandling::begin_substep(Real h) {
 	h_ = h;
 }
 
 std::size_t PairHandling::handle(TouchingBody &a, TouchingBody &b) {
 	impulse_ = 0;
+	push_ = {};
+	first_ = &a;
 	const Real reach = a.radius + b.radius;
 	const Real distance_squared = length_squared(a.centre - b.centre);
 	if (!a.box.overlaps(b.box) || distance_squared > reach * reach) {
@@ -128,8 +129,10 @@ bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::ui
 		return false;
 	}
 	const std::uint32_t end = found->edge + 1 == other.before.size() ? 0 : found->edge + 1;
-	impulse_ += answer_pair_contact(body, other, { point, found->edge, end, found->t, found->normal, found->depth, is_fresh },
-			bounce_threshold_, h_);
+	const Real impulse = answer_pair_contact(body, other,
+			{ point, found->edge, end, found->t, found->normal, found->depth, is_fresh }, h_);
+	impulse_ += impulse;
+	push_ += found->normal * (&body == first_ ? impulse : -impulse);
 	has_edges_ = false; // another near point is rare, and reading all edges cheap
 	return true;
 }

@@ -20,14 +20,16 @@ namespace softbody {
 /// parted as wholes before any point is looked at.
 class alignas(128) PairHandling {
 public:
-	/// Of the coming substep: acceleration by gravity [length/s²] and length [s].
-	void begin_substep(Vec2 gravity, Real h);
+	/// Length of the coming substep [s].
+	void begin_substep(Real h);
 
 	/// Answers every contact between the two bodies. Returns how many.
 	/// O(points within the other's circle × hull points).
 	std::size_t handle(TouchingBody &a, TouchingBody &b);
 	/// Sum of the normal impulses that the last `handle` answered with [mass·length/s].
 	Real last_impulse() const { return impulse_; }
+	/// The same with their directions, as they act on the first body.
+	Vec2 last_push() const { return push_; }
 
 private:
 	std::size_t handle_points(TouchingBody &body, TouchingBody &other, bool are_fast);
@@ -36,9 +38,10 @@ private:
 
 	HullEdges edges_; ///< of the other body, once a point has come near
 	bool has_edges_ = false;
-	Real bounce_threshold_ = 0;
 	Real h_ = 0;
 	Real impulse_ = 0;
+	Vec2 push_;
+	const TouchingBody *first_ = nullptr;
 };
 
 } // namespace softbody

@@ -19,8 +19,10 @@ struct TouchingBody {
 	std::span<Vec2> before; ///< where the hull's points were at the start of the substep
 	Real inverse_mass = 0; ///< of the body as a whole; 0 when a point is pinned
 	Real width = 0; ///< of its thinner part (SoftBodyShape::width) [length]
+	/// Whether its integrator leaves a velocity that is ahead of the way just gone, as it holds the forces of the whole
+	/// substep and the way does not.
+	bool velocity_leads = false;
 	Real friction = 0;
-	Real restitution = 0;
 	Real rolling_resistance = 0;
 	Real rolling_radius = 0; ///< [length]
 	// As `take_frame` set them, and what `resist_pair_rolling` has changed since.
@@ -57,16 +59,15 @@ struct PairContact {
 };
 
 /// Answers one contact between two bodies: moves point and edge apart along the normal, takes from their approach
-/// what brought them so deep within this substep `h` [s], or returns it times the restitution if faster than
-/// `bounce_threshold` [length/s], and takes from the sliding speed what Coulomb's law allows, with the way slid.
+/// what brought them so deep within this substep of `h` [s], and takes from the sliding speed what Coulomb's law allows,
+/// with the way slid. What bounces does so as a whole (give_back_pair_bounce).
 /// Moving apart gives no velocity: bodies that start inside one another part without a jump.
 /// All changes are shared out by inverse mass, with impulses equal and opposite in one place, so that linear and
-/// angular momentum stay. Friction: the smaller coefficient; restitution: the sum, at most 1 (as Godot combines them).
+/// angular momentum stay. Friction: the smaller coefficient, as Godot combines them.
 /// What is deeper than the way of this substep and DEEP_OVERLAP of the smaller body explain is not the points' doing:
 /// the bodies part as a whole, which strains no spring; what is older than the substep is undone by and by. Returns the
 /// normal impulse [mass·length/s]. O(1), or O(points) where it is deep.
-Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real bounce_threshold,
-		Real h);
+Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairContact &contact, Real h);
 
 /// Brakes the spin of two bodies relative to each other, which pressed on each other with a summed normal impulse J
 /// [mass·length/s]: by an angular impulse of at most r R J, with r the smaller rolling resistance and R the smaller

@@ -63,6 +63,8 @@ bool Simulator::arrange(Real dt) {
 	broad_.clear();
 	places_.clear();
 	crew_of_.clear();
+	pair_touches_.clear();
+	bodies_bounce_ = false;
 	std::size_t hull_points = 0;
 	std::uint32_t layers = 0;
 	std::uint32_t masks = 0;
@@ -85,8 +87,9 @@ bool Simulator::arrange(Real dt) {
 			touching.inverse_masses = body.inverse_masses();
 			touching.inverse_mass = body.has_pins() ? Real(0) : 1 / body.shape().total_mass();
 			touching.width = body.shape().width();
+			touching.velocity_leads = integrator_traits(state.plan.integrator).velocity_leads;
 			touching.friction = settings.friction;
-			touching.restitution = settings.restitution;
+			bodies_bounce_ |= settings.restitution > 0;
 			touching.rolling_resistance = settings.rolling_resistance;
 			touching.rolling_radius = body.shape().radius();
 			hull_points += body.shape().hull_count();
@@ -176,6 +179,33 @@ void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, 
 	}
 }
 
+// Bounces that are still to be given back stay with their pairs.
+void Simulator::update_pairs() {
+	const std::uint64_t rebuilt = broad_phase_.rebuild_count();
+	std::vector<std::pair<BodyPair, PairTouch>> open;
+	for (std::size_t i = 0; i < pair_touches_.size(); ++i) {
+		if (pair_touches_[i].touching) {
+			open.push_back({ broad_phase_.pairs()[i], pair_touches_[i] });
+		}
+	}
+	broad_phase_.update(broad_, roster_.version(), parallel_for_);
+	if (!bodies_bounce_ || (broad_phase_.rebuild_count() == rebuilt && pair_touches_.size() == broad_phase_.pairs().size())) {
+		return;
+	}
+	pair_touches_.assign(broad_phase_.pairs().size(), {});
+	if (open.empty()) {
+		return;
+	}
+	std::ranges::sort(open, {}, [](const auto &entry) { return entry.first; });
+	for (std::size_t i = 0; i < pair_touches_.size(); ++i) {
+		const BodyPair pair = broad_phase_.pairs()[i];
+		const auto found = std::ranges::lower_bound(open, pair, {}, [](const auto &entry) { return entry.first; });
+		if (found != open.end() && found->first == pair) {
+			pair_touches_[i] = found->second;
+		}
+	}
+}
+
 void Simulator::find_pairs(Real dt) {
 	if (bodies_notice_bodies_) {
 		const std::size_t count = touching_.size();
@@ -188,7 +218,7 @@ void Simulator::find_pairs(Real dt) {
 				broad_[i].box = sweep_box(touching_[i].hull(), touching_[i].velocities, dt);
 			}
 		});
-		broad_phase_.update(broad_, roster_.version(), parallel_for_);
+		update_pairs();
 		has_pair_.assign(count, 0);
 		for (const BodyPair pair : broad_phase_.pairs()) {
 			const char is_near = !(asleep_[pair.a] && asleep_[pair.b]);
@@ -326,7 +356,7 @@ void Simulator::step_coupled(Real dt) {
 	}
 	const Real duration = dt / Real(contact_substeps);
 	for (PairHandling &handling : pair_handlings_) {
-		handling.begin_substep(world_.gravity(), duration);
+		handling.begin_substep(duration);
 	}
 	for (int substep = 0; substep < contact_substeps; ++substep) {
 		rigid_contacts_.begin_substep(duration);
@@ -348,7 +378,7 @@ void Simulator::step_coupled(Real dt) {
 				}
 			}
 		});
-		answer_pairs();
+		answer_pairs(duration);
 		if (rigid_contacts_.has_bodies()) {
 			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
 		}
@@ -372,10 +402,11 @@ void Simulator::move_rigid_bodies_alone(Real dt) {
 	}
 }
 
-void Simulator::answer_pairs() {
+void Simulator::answer_pairs(Real h) {
 	if (!bodies_notice_bodies_) {
 		return; // coupled by a rigid body alone; the pairs are of another time
 	}
+	const Real bounce_threshold = RESTITUTION_SUBSTEPS * length(world_.gravity()) * h;
 	for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
 		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(colour);
 		const bool may_share_bodies = colour + 1 == BroadPhase::COLOURS;
@@ -392,6 +423,11 @@ void Simulator::answer_pairs() {
 					all_contacts += contacts;
 					pair_touched_[k] |= char(contacts > 0);
 					pair_impulses_[k] += pair_handlings_[task].last_impulse();
+					if (bodies_bounce_) {
+						const auto bodies = world_.soft_bodies();
+						give_back_pair_bounce(bodies[places_[pair.a]], bodies[places_[pair.b]], pair_handlings_[task].last_push(),
+								pair_touches_[k], bounce_threshold, h);
+					}
 				}
 			}
 			pair_contacts_[task] += all_contacts;

@@ -6,6 +6,7 @@
 #include "core/base/parallel_for.h"
 #include "core/collision/broad_phase.h"
 #include "core/collision/collision_handling.h"
+#include "core/collision/pair_bounce.h"
 #include "core/collision/pair_handling.h"
 #include "core/collision/rigid_contacts.h"
 #include "core/collision/surroundings_watch.h"
@@ -74,10 +75,11 @@ private:
 	void plan_pressure(Real dt);
 	void find_rigid_contacts(Real dt);
 	void move_rigid_bodies_alone(Real dt);
+	void update_pairs();
 	void find_pairs(Real dt);
 	void advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts);
 	void step_coupled(Real dt);
-	void answer_pairs();
+	void answer_pairs(Real h);
 	void measure_frames();
 	void resist_rolling_between_bodies();
 	void wake_bodies(bool is_rearranged);
@@ -124,6 +126,7 @@ private:
 	std::vector<std::uint32_t> crew_of_;
 	std::vector<char> pair_touched_; ///< one a pair of the broad phase: in this step
 	std::vector<Real> pair_impulses_; ///< likewise: summed normal impulse [mass·length/s]
+	std::vector<PairTouch> pair_touches_; ///< likewise; empty when nothing bounces
 	Islands islands_;
 	std::vector<Real> least_rest_; ///< of each island [s]
 	std::size_t asleep_count_ = 0;
@@ -135,6 +138,7 @@ private:
 	bool arranged_with_contacts_ = false;
 	bool bodies_notice_bodies_ = false;
 	bool bodies_resist_rolling_ = false;
+	bool bodies_bounce_ = false;
 };
 
 } // namespace softbody

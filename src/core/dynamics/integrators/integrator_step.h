@@ -75,6 +75,9 @@ struct IntegratorTraits {
 	int evaluations; ///< force evaluations a substep
 	/// Largest stable hω of the undamped oscillator; 0 when every step gains energy, infinite for XPBD.
 	double undamped_limit;
+	/// Whether the velocity after a substep is ahead of the way just gone: it holds the forces of the whole substep, the
+	/// way only those of a part, or none.
+	bool velocity_leads;
 	IntegratorStep step;
 	LaneStep<RealPack> step_side_by_side; ///< the same for several bodies at once, with the same result; null for XPBD
 };

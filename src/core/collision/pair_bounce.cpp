@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The bounce of two bodies as wholes.
+#include "core/collision/pair_bounce.h"
+
+#include "core/base/constants.h"
+#include "core/model/body_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace softbody {
+
+namespace {
+
+struct Bouncing {
+	SoftBodyData &body;
+	BodyFrame frame;
+	Real mobility; // of the body as a whole; 0 where a point is pinned
+
+	Vec2 rigid_velocity(std::size_t i) const {
+		return frame.velocity + perpendicular(body.positions()[i] - frame.centre) * frame.angular_velocity;
+	}
+	double kinetic_energy() const {
+		double twice = 0;
+		for (std::size_t i = 0; i < body.point_count(); ++i) {
+			twice += double(body.shape().masses()[i]) * length_squared(body.velocities()[i]);
+		}
+		return twice / 2;
+	}
+	double wobble_energy() const { // of the motion relative to the rigid one
+		double twice = 0;
+		for (std::size_t i = 0; i < body.point_count(); ++i) {
+			twice += double(body.shape().masses()[i]) * length_squared(body.velocities()[i] - rigid_velocity(i));
+		}
+		return twice / 2;
+	}
+	void change(Vec2 by, Real keep_of_wobble) {
+		for (std::size_t i = 0; i < body.point_count(); ++i) {
+			const Vec2 rigid = rigid_velocity(i);
+			body.mutable_velocities()[i] = rigid + by + (body.velocities()[i] - rigid) * keep_of_wobble;
+		}
+	}
+};
+
+Bouncing bouncing(SoftBodyData &body) {
+	return { body, measure_frame(body), body.has_pins() ? Real(0) : 1 / body.shape().total_mass() };
+}
+
+} // namespace
+
+Real combined_restitution(const BodySettings &a, const BodySettings &b) {
+	return std::min(a.restitution + b.restitution, Real(1));
+}
+
+void give_back_pair_bounce(SoftBodyData &first, SoftBodyData &second, Vec2 push, PairTouch &touch,
+		Real bounce_threshold, Real h) {
+	const Real restitution = combined_restitution(first.settings(), second.settings());
+	if (!(restitution > 0) || (push == Vec2{} && !touch.touching)) {
+		return;
+	}
+	std::array<Bouncing, 2> pair = { bouncing(first), bouncing(second) };
+	const Real mobility = pair[0].mobility + pair[1].mobility;
+	const Vec2 line = pair[0].frame.centre - pair[1].frame.centre;
+	const Real distance = length(line);
+	if (!(mobility > 0) || !(distance > 0)) {
+		return;
+	}
+	const Vec2 normal = line * (1 / distance);
+	const Real leaving = dot(pair[0].frame.velocity - pair[1].frame.velocity, normal);
+	if (push != Vec2{}) {
+		// What this substep's contacts have just taken belongs to the approach.
+		const Real approach = dot(push, normal) * mobility - leaving;
+		if (!touch.touching) {
+			touch.approach = 0;
+			touch.energy = pair[0].kinetic_energy() + pair[1].kinetic_energy() +
+					double(approach * approach - leaving * leaving) / (2 * double(mobility));
+		} else if (std::abs(approach) <= bounce_threshold) {
+			touch.approach *= std::max(Real(0), 1 - h / BOUNCE_MEMORY); // as on a surface
+		}
+		touch.approach = std::max(touch.approach, approach);
+		touch.touching = true;
+		return;
+	}
+	if (!(leaving > 0)) {
+		return; // between two contacts of one touch
+	}
+	const Real wanted = restitution * touch.approach;
+	if (touch.approach > bounce_threshold && wanted > leaving) {
+		double energy = 0;
+		double wobble = 0;
+		for (const Bouncing &body : pair) {
+			energy += body.kinetic_energy();
+			wobble += body.mobility > 0 ? body.wobble_energy() : 0.0;
+		}
+		// What the contacts have destroyed may be given back, then what wobbles; on average as much as moves is wound up.
+		const double price = double(wanted * wanted - leaving * leaving) / (2 * double(mobility));
+		const double lost = std::max(0.0, touch.energy - energy - wobble);
+		const double from_wobble = std::clamp(price - lost, 0.0, wobble);
+		const double paid = std::min(price, lost + from_wobble);
+		const Real keep = Real(std::sqrt(1 - from_wobble / std::max(wobble, 1e-300)));
+		const Real parting = std::sqrt(leaving * leaving + 2 * mobility * Real(paid));
+		const Vec2 impulse = normal * ((parting - leaving) / mobility);
+		for (Bouncing &body : pair) {
+			if (body.mobility > 0) {
+				body.change(impulse * (&body == &pair[0] ? body.mobility : -body.mobility), keep);
+			}
+		}
+	}
+	touch = {};
+}
+
+} // namespace softbody
