@@ -48,7 +48,15 @@ bool PairHandling::handle_crossing(TouchingBody &a, TouchingBody &b) {
 	const Vec2 way = middle_a - middle_b;
 	const Real distance = length(way);
 	const Real most = std::min(a.radius, b.radius);
-	return part_bodies(a, b, distance > DEGENERATE_LENGTH * most ? way * (1 / distance) : Vec2{ 1, 0 }, most);
+	const Vec2 direction = distance > DEGENERATE_LENGTH * most ? way * (1 / distance) : Vec2{ 1, 0 };
+	if (!part_bodies(a, b, direction, most)) {
+		return false;
+	}
+	if (a.is_monitored || b.is_monitored) {
+		log_.add({ a.place, ContactOther::Kind::SOFT_BODY, b.place, Sighting::WHOLE, 0, 0,
+				(middle_a + middle_b) * Real(0.5), direction, 0, most });
+	}
+	return true;
 }
 
 std::size_t PairHandling::handle_points(TouchingBody &body, TouchingBody &other, bool are_fast) {
@@ -125,6 +133,10 @@ bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::ui
 	const PairAnswer answer = answer_pair_contact(body, other,
 			{ point, found->edge, end, found->t, found->normal, found->depth, is_fresh }, bounce_threshold_, h_);
 	impulse_ += answer.normal_impulse;
+	if (body.is_monitored || other.is_monitored) {
+		log_.add({ body.place, ContactOther::Kind::SOFT_BODY, other.place, point, point, found->t < Real(0.5) ? found->edge : end,
+				body.positions[point], found->normal, answer.normal_impulse, found->depth });
+	}
 	has_edges_ = has_edges_ && !answer.has_parted_bodies;
 	if (has_edges_) {
 		edges_.update(other.hull(), found->edge);

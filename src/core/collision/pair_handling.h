@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/collision/broad_phase.h"
+#include "core/collision/contact_log.h"
 #include "core/collision/hull_contact.h"
 #include "core/collision/pair_response.h"
 
@@ -28,6 +29,8 @@ public:
 	std::size_t handle(TouchingBody &a, TouchingBody &b);
 	/// Sum of the normal impulses that the last `handle` answered with [mass·length/s].
 	Real last_impulse() const { return impulse_; }
+	/// The contacts answered between bodies of which one at least is monitored, since it was last cleared.
+	ContactLog &log() { return log_; }
 
 private:
 	std::size_t handle_points(TouchingBody &body, TouchingBody &other, bool are_fast);
@@ -39,6 +42,7 @@ private:
 	Real bounce_threshold_ = 0;
 	Real h_ = 0;
 	Real impulse_ = 0;
+	ContactLog log_;
 };
 
 } // namespace softbody

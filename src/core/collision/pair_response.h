@@ -22,6 +22,8 @@ struct TouchingBody {
 	Real restitution = 0;
 	Real rolling_resistance = 0;
 	Real rolling_radius = 0; ///< [length]
+	std::uint32_t place = 0; ///< in `WorldData::soft_bodies()`
+	bool is_monitored = false; ///< BodySettings::contact_monitor
 	// As `measure_spin` found them, and what `resist_pair_rolling` has changed since.
 	Vec2 mass_centre;
 	Real inertia = 0; ///< about it [mass·length²]
