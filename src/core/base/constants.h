@@ -100,9 +100,9 @@ inline constexpr Real BOUNCE_MEMORY = Real(0.3);
 /// Shorter: the trembling of bodies that come to rest is told as ends and beginnings.
 inline constexpr Real TOUCH_MEMORY = Real(0.05);
 
-/// Share of the smaller body's radius by which two soft bodies must also have parted for their touch to end [1].
-/// Smaller: neighbours in a pile, which hardly press on each other, touch and part for as long as the pile creeps.
-/// Larger: bodies count as touching where one sees that they do not.
+/// Share of the smaller body's radius by which a body and what it touched must also have parted for their touch to end
+/// [1]. Smaller: neighbours in a pile, which hardly press on each other, touch and part for as long as the pile creeps,
+/// and so does a body that hops as it comes to rest. Larger: bodies count as touching where one sees that they do not.
 inline constexpr Real TOUCH_GAP = Real(0.02);
 
 /// How often the contacts with rigid bodies that can be pushed are gone through in each substep [1]. Fewer: a box on

@@ -23,8 +23,8 @@ struct Sighting {
 	std::uint32_t feature = 0; ///< hull point of `body` that is in the other, or CORNER plus a corner of the collider
 	std::uint32_t hull_point = 0; ///< of `body`, the nearest
 	std::uint32_t other_hull_point = 0; ///< likewise, if the other is a soft body
-	Vec2 point;
-	Vec2 normal; ///< unit, out of the other
+	Vec2 point = {};
+	Vec2 normal = {}; ///< unit, out of the other
 	Real normal_impulse = 0;
 	Real depth = 0;
 };

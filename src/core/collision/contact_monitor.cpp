@@ -3,8 +3,7 @@
 #include "core/collision/contact_monitor.h"
 
 #include "core/base/constants.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/segment.h"
+#include "core/collision/nearness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,32 +43,6 @@ bool is_resting(const WorldData &world, const Touch &touch) {
 			(touch.other.kind != OtherKind::SOFT_BODY || world.find(touch.other.body)->is_asleep());
 }
 
-// Of hulls that do not overlap, a point of one is the nearest to the other.
-bool is_point_near(std::span<const Vec2> points, std::span<const Vec2> hull, Real gap) {
-	const Aabb box = bounding_box(hull).grown(gap);
-	for (const Vec2 p : points) {
-		for (std::size_t i = 0; box.contains({ p, p }) && i < hull.size(); ++i) {
-			const Vec2 start = hull[i];
-			const Vec2 end = hull[i + 1 == hull.size() ? 0 : i + 1];
-			const Vec2 nearest = start + (end - start) * closest_parameter_on_segment(p, start, end);
-			if (length_squared(p - nearest) < gap * gap) {
-				return true;
-			}
-		}
-	}
-	return false;
-}
-
-bool has_parted(const WorldData &world, const Touch &touch) {
-	if (touch.other.kind != OtherKind::SOFT_BODY) {
-		return true;
-	}
-	const SoftBodyData &a = *world.find(touch.body);
-	const SoftBodyData &b = *world.find(touch.other.body);
-	const Real gap = TOUCH_GAP * std::min(a.shape().radius(), b.shape().radius());
-	return !is_point_near(a.hull(), b.hull(), gap) && !is_point_near(b.hull(), a.hull(), gap);
-}
-
 } // namespace
 
 void ContactMonitor::begin_step() {
@@ -77,11 +50,12 @@ void ContactMonitor::begin_step() {
 	events_.clear();
 }
 
-void ContactMonitor::end_step(const WorldData &world, Real dt) {
+void ContactMonitor::end_step(const SurroundingsIndex &surroundings, Real dt) {
+	const WorldData &world = surroundings.world();
 	collect(world);
 	begins_.clear();
 	end_lost_touches(world);
-	update_touches(world, dt);
+	update_touches(surroundings, dt);
 	events_.insert(events_.end(), begins_.begin(), begins_.end());
 	for (ContactLog *log : logs_) {
 		log->clear();
@@ -155,14 +129,24 @@ void ContactMonitor::end_lost_touches(const WorldData &world) {
 	});
 }
 
+bool ContactMonitor::has_parted(const SurroundingsIndex &surroundings, const Touch &touch) {
+	const SoftBodyData &body = *surroundings.world().find(touch.body);
+	const Real gap = TOUCH_GAP * body.shape().radius();
+	if (touch.other.kind != OtherKind::SOFT_BODY) {
+		return !is_near_tag(surroundings, body, touch.other.tag, gap, near_colliders_);
+	}
+	const SoftBodyData &other = *surroundings.world().find(touch.other.body);
+	return !are_near(body, other, std::min(gap, TOUCH_GAP * other.shape().radius()));
+}
+
 // Contacts and touches in one order: what only one list has begins, or has had no contact in this step.
-void ContactMonitor::update_touches(const WorldData &world, Real dt) {
+void ContactMonitor::update_touches(const SurroundingsIndex &surroundings, Real dt) {
 	next_touches_.clear();
 	std::size_t known = 0;
 	const auto pass_over_touch = [&] {
 		Touch touch = touches_[known++];
-		touch.apart += is_resting(world, touch) ? Real(0) : dt;
-		if (touch.apart > TOUCH_MEMORY && has_parted(world, touch)) {
+		touch.apart += is_resting(surroundings.world(), touch) ? Real(0) : dt;
+		if (touch.apart > TOUCH_MEMORY && has_parted(surroundings, touch)) {
 			events_.push_back({ ContactEvent::Kind::END, touch.body, touch.other });
 		} else {
 			next_touches_.push_back(touch);

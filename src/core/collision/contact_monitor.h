@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/collision/contact_log.h"
+#include "core/collision/surroundings_index.h"
 #include "core/model/contact.h"
 
 #include <cstdint>
@@ -14,10 +15,10 @@ namespace softbody {
 /// Contacts and touches of all bodies that monitor (BodySettings::contact_monitor), each as that body sees it. The lists
 /// are sorted by bodies and what they touch, so they do not depend on which thread found what.
 ///
-/// A touch begins with the first contact and ends when there has been none for TOUCH_MEMORY: a body at rest trembles,
-/// and its points touch in some steps and not in others. Two soft bodies must also have parted by TOUCH_GAP. While both
-/// sides sleep a touch lasts. It ends at once when a side is removed or deactivated, or the body no longer monitors.
-/// Owns scratch memory, which grows with the contacts.
+/// A touch begins with the first contact and ends when there has been none for TOUCH_MEMORY and the two have parted by
+/// TOUCH_GAP: a body at rest trembles, and its points touch in some steps and not in others. While both sides sleep a
+/// touch lasts. It ends at once when a side is removed or deactivated, or the body no longer monitors. Owns scratch
+/// memory, which grows with the contacts.
 class ContactMonitor {
 public:
 	/// Forgets contacts and events of the last step.
@@ -26,9 +27,9 @@ public:
 	bool has_touches() const { return !touches_.empty(); }
 	/// Takes the log into the coming `end_step`, which clears it.
 	void add(ContactLog &log) { logs_.push_back(&log); }
-	/// Makes the lists after a step of `dt` [s]. Bodies must still sleep, or not, as they did during the step.
+	/// Makes the lists after a step of `dt` [s] amid these surroundings. Bodies must still sleep, or not, as they did during the step.
 	/// O(n log n) in the number of contacts of bodies that monitor.
-	void end_step(const WorldData &world, Real dt);
+	void end_step(const SurroundingsIndex &surroundings, Real dt);
 
 	/// Sorted by body, other, and place.
 	std::span<const Contact> contacts() const { return contacts_; }
@@ -51,7 +52,8 @@ private:
 	void collect(const WorldData &world);
 	void add_contact(const WorldData &world, const Entry &entry);
 	void end_lost_touches(const WorldData &world);
-	void update_touches(const WorldData &world, Real dt);
+	void update_touches(const SurroundingsIndex &surroundings, Real dt);
+	bool has_parted(const SurroundingsIndex &surroundings, const Touch &touch);
 
 	std::vector<ContactLog *> logs_;
 	std::vector<Entry> entries_;
@@ -60,6 +62,7 @@ private:
 	std::vector<Touch> touches_;
 	std::vector<Touch> next_touches_;
 	std::vector<ContactEvent> begins_;
+	std::vector<std::uint32_t> near_colliders_;
 };
 
 } // namespace softbody

@@ -508,7 +508,7 @@ void Simulator::report_contacts(Real dt) {
 		contact_monitor_.add(handling.log());
 	}
 	contact_monitor_.add(rigid_contacts_.log());
-	contact_monitor_.end_step(world_, dt);
+	contact_monitor_.end_step(surroundings_, dt);
 }
 
 void Simulator::collect(StepReport &report) {
