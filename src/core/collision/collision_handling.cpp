@@ -132,8 +132,9 @@ void CollisionHandling::handle_points(SoftBodyData &body, const HullMotion &hull
 
 void CollisionHandling::handle_corners(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
 		const Surface &surface, const ColliderMotion &motion, const Aabb &box) {
+	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
 	for (std::uint32_t corner = 0; corner < collider.vertices.size(); ++corner) {
-		if (const auto contact = find_contact_of_corner(hull, box, collider, corner, motion)) {
+		if (const auto contact = find_contact_of_corner(hull, box, collider, corner, motion, slop)) {
 			answer(body, *contact, surface, Sighting::CORNER | corner);
 		}
 	}

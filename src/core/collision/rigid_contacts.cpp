@@ -83,7 +83,7 @@ void RigidContacts::find(const NearBody &near, Task &task) const {
 			}
 		}
 		for (std::uint32_t corner = 0; corner < collider.vertices.size(); ++corner) {
-			if (const auto at = find_contact_of_corner(hull, swept, collider, corner, motion)) {
+			if (const auto at = find_contact_of_corner(hull, swept, collider, corner, motion, slop)) {
 				add(*at, Sighting::CORNER | corner);
 			}
 		}
