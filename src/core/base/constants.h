@@ -96,6 +96,15 @@ inline constexpr Real RESTITUTION_SUBSTEPS = 2;
 /// to rest leaps when it is nudged. Shorter: the turning point of a slow landing costs it its bounce.
 inline constexpr Real BOUNCE_MEMORY = Real(0.3);
 
+/// Time [s] without a contact after which a touch has ended for those who monitor it. Longer: ends are told late.
+/// Shorter: the trembling of bodies that come to rest is told as ends and beginnings.
+inline constexpr Real TOUCH_MEMORY = Real(0.05);
+
+/// Share of the smaller body's radius by which a body and what it touched must also have parted for their touch to end
+/// [1]. Smaller: neighbours in a pile, which hardly press on each other, touch and part for as long as the pile creeps,
+/// and so does a body that hops as it comes to rest. Larger: bodies count as touching where one sees that they do not.
+inline constexpr Real TOUCH_GAP = Real(0.02);
+
 /// How often the contacts with rigid bodies that can be pushed are gone through in each substep [1]. Fewer: a box on
 /// several bodies rocks longer.
 inline constexpr int RIGID_CONTACT_PASSES = 4;

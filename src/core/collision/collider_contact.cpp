@@ -5,6 +5,7 @@
 #include "core/collision/convex_query.h"
 #include "core/geometry/triangle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -113,7 +114,7 @@ std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std:
 }
 
 std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &box,
-		const ConvexCollider &collider, std::size_t corner, const ColliderMotion &motion) {
+		const ConvexCollider &collider, std::size_t corner, const ColliderMotion &motion, Real slop) {
 	const Vec2 vertex = collider.vertices[corner];
 	if (collider.concave) {
 		const std::size_t count = collider.vertices.size();
@@ -122,22 +123,26 @@ std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, con
 			return {}; // the bottom of a dent, where nothing can come in
 		}
 	}
+	// An end without thickness lets an edge slide over it by a rounding, and the next point down the other side.
+	const bool is_joined = (corner == 0 ? collider.joined_at_first : collider.joined_at_second).has_value();
+	const bool is_free_end = collider.vertices.size() == 2 && !is_joined;
+	const Real radius = is_free_end ? std::max(collider.radius, slop) : collider.radius;
 	const Vec2 now = motion.is_still ? vertex : motion.to.apply(vertex);
 	const Vec2 before = motion.is_still ? vertex : motion.from.apply(vertex);
 	Aabb path;
 	path.include(before);
 	path.include(now);
-	if (!box.grown(collider.radius).overlaps(path)) {
+	if (!box.grown(radius).overlaps(path)) {
 		return {};
 	}
 	const bool inside = point_in_polygon(now, hull.to);
-	if (!motion.is_still && !point_in_polygon(before, hull.from.first(hull.to.size()))) {
+	if ((inside || !motion.is_still) && !point_in_polygon(before, hull.from.first(hull.to.size()))) {
 		// It may be past the middle of a thin body by now, or past all of it.
-		if (const auto contact = find_entered_edge(hull, before, now, collider.radius)) {
+		if (const auto contact = find_entered_edge(hull, before, now, radius)) {
 			return contact;
 		}
 	}
-	return find_edge_contact(hull.to, now, collider.radius, inside);
+	return find_edge_contact(hull.to, now, radius, inside);
 }
 
 } // namespace softbody

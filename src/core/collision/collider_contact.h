@@ -32,9 +32,9 @@ std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std:
 		const ConvexCollider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop);
 
 /// A collider's corner or round end against the hull: how far the hull must retreat from it, and where. A corner that
-/// came in with its collider during this substep goes back through the edge it came by, even if it is out again. `box` contains the hull, and where it came from if the
-/// collider moves. O(hull points).
+/// came in during this substep goes back through the edge it came by, and if its collider moves even when it is out
+/// again. `box` contains the hull, and where it came from if the collider moves. `slop` [length] is the least radius of the free ends of a segment. O(hull points).
 std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &box,
-		const ConvexCollider &collider, std::size_t corner, const ColliderMotion &motion);
+		const ConvexCollider &collider, std::size_t corner, const ColliderMotion &motion, Real slop = 0);
 
 } // namespace softbody

@@ -92,6 +92,7 @@ void CollisionHandling::handle_collider(SoftBodyData &body, std::span<const Vec2
 	const WorldData &world = surroundings_->world();
 	const Real slop = LINEAR_SLOP * world.length_unit();
 	const ConvexCollider &collider = world.colliders()[index];
+	collider_ = index;
 	const Aabb bounds = surroundings_->bounds(index).grown(slop);
 	if (!swept.overlaps(bounds)) {
 		return;
@@ -122,46 +123,82 @@ void CollisionHandling::handle_collider(SoftBodyData &body, std::span<const Vec2
 void CollisionHandling::handle_points(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
 		const Surface &surface, const ColliderMotion &motion, const Aabb &own_bounds) {
 	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
-	for (std::size_t i = 0; i < hull.to.size(); ++i) {
+	for (std::uint32_t i = 0; i < hull.to.size(); ++i) {
 		if (const auto contact = find_contact_of_point(hull, i, collider, motion, own_bounds, slop)) {
-			answer(body, *contact, surface);
+			answer(body, *contact, surface, i);
 		}
 	}
 }
 
 void CollisionHandling::handle_corners(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
 		const Surface &surface, const ColliderMotion &motion, const Aabb &box) {
-	for (std::size_t corner = 0; corner < collider.vertices.size(); ++corner) {
-		if (const auto contact = find_contact_of_corner(hull, box, collider, corner, motion)) {
-			answer(body, *contact, surface);
+	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
+	for (std::uint32_t corner = 0; corner < collider.vertices.size(); ++corner) {
+		if (const auto contact = find_contact_of_corner(hull, box, collider, corner, motion, slop)) {
+			answer(body, *contact, surface, Sighting::CORNER | corner);
 		}
 	}
 }
 
-void CollisionHandling::answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface) {
+void CollisionHandling::answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface,
+		std::uint32_t feature) {
 	const Real impulse = answer_contact(body, contact, surface, bounce_threshold_, h_);
 	const Vec2 place = body.positions()[contact.place.a];
 	load_.add(impulse, contact.normal, place, surface, combined_restitution(body.settings(), surface));
 	load_.contacts += 1;
+	if (body.settings().contact_monitor) {
+		log_.add({ place_of(body), ContactOther::Kind::COLLIDER, collider_, feature, nearest_point(contact.place), 0,
+				position_of(contact.place, body.positions()), contact.normal, impulse, contact.depth });
+	}
 }
 
 void CollisionHandling::handle_borders(SoftBodyData &body) {
-	for (const Border &border : surroundings_->world().borders()) {
-		if (notices(body.settings(), border.surface)) {
-			answer_border<Real>(lanes_of(body), border, bounce_threshold_, h_, load_);
+	const std::vector<Border> &borders = surroundings_->world().borders();
+	const bool is_monitored = body.settings().contact_monitor;
+	for (std::uint32_t i = 0; i < borders.size(); ++i) {
+		if (!notices(body.settings(), borders[i].surface)) {
+			continue;
+		}
+		answers_.assign(is_monitored ? body.shape().hull_count() : 0, {});
+		answer_border<Real>(lanes_of(body), borders[i], bounce_threshold_, h_, load_, answers_);
+		for (std::uint32_t point = 0; point < answers_.size(); ++point) {
+			if (answers_[point].depth > 0) {
+				log_.add({ place_of(body), ContactOther::Kind::BORDER, i, point, point, 0, body.positions()[point],
+						borders[i].plane.normal, answers_[point].normal_impulse, answers_[point].depth });
+			}
 		}
 	}
 }
 
-RealPack handle_borders_side_by_side(const BodyLanes<RealPack> &bodies, std::span<const Border> borders, Real h) {
+RealPack CollisionHandling::handle_borders_side_by_side(const BodyLanes<RealPack> &bodies,
+		std::span<const Border> borders, Real h, std::span<const std::uint32_t> places, std::uint32_t monitored) {
 	BasicContactLoad<RealPack> load;
-	for (const Border &border : borders) {
-		if (notices(bodies.model.settings, border.surface)) {
-			answer_border<RealPack>(bodies, border, std::numeric_limits<Real>::infinity(), h, load);
+	for (std::uint32_t i = 0; i < borders.size(); ++i) {
+		if (!notices(bodies.model.settings, borders[i].surface)) {
+			continue;
+		}
+		const RealPack contacts = load.contacts;
+		pack_answers_.assign(monitored != 0 ? bodies.model.shape.hull_count() : 0, {});
+		answer_border<RealPack>(bodies, borders[i], std::numeric_limits<Real>::infinity(), h, load, pack_answers_);
+		if (monitored == 0 || !any(load.contacts > contacts)) {
+			continue;
+		}
+		for (std::uint32_t lane = 0; lane < places.size(); ++lane) {
+			for (std::uint32_t point = 0; (monitored >> lane & 1) && point < pack_answers_.size(); ++point) {
+				if (pack_answers_[point].depth[lane] > 0) {
+					log_.add({ places[lane], ContactOther::Kind::BORDER, i, point, point, 0,
+							lane_of(bodies.positions[point], lane), borders[i].plane.normal,
+							pack_answers_[point].normal_impulse[lane], pack_answers_[point].depth[lane] });
+				}
+			}
 		}
 	}
 	resist_rolling<RealPack>(bodies, load);
 	return load.contacts;
+}
+
+std::uint32_t CollisionHandling::place_of(const SoftBodyData &body) const {
+	return std::uint32_t(&body - surroundings_->world().soft_bodies().data());
 }
 
 Real measure_penetration(const WorldData &world, const SoftBodyData &body) {

@@ -4,6 +4,7 @@
 
 #include "core/base/vec2.h"
 #include "core/collision/collider_contact.h"
+#include "core/collision/contact_log.h"
 #include "core/collision/surface_response.h"
 #include "core/collision/surroundings_index.h"
 #include "core/geometry/polygon.h"
@@ -30,9 +31,17 @@ public:
 	/// answered.
 	/// O(hull points × colliders nearby).
 	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h);
+	/// Contacts of bodies side by side with borders alone: the same as `handle` where nothing bounces and no collider is
+	/// near. `places` are the bodies' in the world; a bit of `monitored` tells whose contacts are logged. Returns how
+	/// many it answered in each lane.
+	RealPack handle_borders_side_by_side(const BodyLanes<RealPack> &bodies, std::span<const Border> borders, Real h,
+			std::span<const std::uint32_t> places, std::uint32_t monitored);
+	/// The contacts answered of bodies of the world that are monitored, since it was last cleared.
+	ContactLog &log() { return log_; }
 
 private:
-	void answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface);
+	void answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, std::uint32_t feature);
+	std::uint32_t place_of(const SoftBodyData &body) const;
 	void gather(const SoftBodyData &body, Real margin);
 	void handle_borders(SoftBodyData &body);
 	void handle_colliders(SoftBodyData &body, std::span<const Vec2> before);
@@ -52,14 +61,14 @@ private:
 	Real bounce_threshold_ = 0;
 	Real h_ = 0;
 	ContactLoad load_;
+	std::uint32_t collider_ = 0; ///< which is being answered
+	ContactLog log_;
+	std::vector<BasicPointAnswer<Real>> answers_; ///< of a border at the hull's points
+	std::vector<BasicPointAnswer<RealPack>> pack_answers_;
 };
 
 /// The box in which a body that moves as fast as now stays for `dt` [s], and some more.
 Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt);
-
-/// Contacts of bodies side by side with borders alone: the same as `CollisionHandling::handle` where nothing
-/// bounces and no collider is near. Returns how many it answered in each lane.
-RealPack handle_borders_side_by_side(const BodyLanes<RealPack> &bodies, std::span<const Border> borders, Real h);
 
 /// How deep a body is inside its surroundings where they are now [length]: the largest depth of a hull point in a border
 /// or collider that it notices, or of a collider's corner or round end in the hull. 0 when apart.

@@ -49,7 +49,15 @@ bool PairHandling::handle_crossing(TouchingBody &a, TouchingBody &b) {
 	const Vec2 way = middle_a - middle_b;
 	const Real distance = length(way);
 	const Real most = std::min(a.radius, b.radius);
-	return part_bodies(a, b, distance > DEGENERATE_LENGTH * most ? way * (1 / distance) : Vec2{ 1, 0 }, most);
+	const Vec2 direction = distance > DEGENERATE_LENGTH * most ? way * (1 / distance) : Vec2{ 1, 0 };
+	if (!part_bodies(a, b, direction, most)) {
+		return false;
+	}
+	if (a.is_monitored || b.is_monitored) {
+		log_.add({ a.place, ContactOther::Kind::SOFT_BODY, b.place, Sighting::WHOLE, 0, 0,
+				(middle_a + middle_b) * Real(0.5), direction, 0, most });
+	}
+	return true;
 }
 
 // How many points are looked at before those that are near are handled.
@@ -133,6 +141,10 @@ bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::ui
 			{ point, found->edge, end, found->t, found->normal, found->depth, is_fresh }, h_);
 	impulse_ += impulse;
 	push_ += found->normal * (&body == first_ ? impulse : -impulse);
+	if (body.is_monitored || other.is_monitored) {
+		log_.add({ body.place, ContactOther::Kind::SOFT_BODY, other.place, point, point, found->t < Real(0.5) ? found->edge : end,
+				body.positions[point], found->normal, impulse, found->depth });
+	}
 	has_edges_ = false; // another near point is rare, and reading all edges cheap
 	return true;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/collision/broad_phase.h"
+#include "core/collision/contact_log.h"
 #include "core/collision/hull_contact.h"
 #include "core/collision/pair_response.h"
 
@@ -30,6 +31,8 @@ public:
 	Real last_impulse() const { return impulse_; }
 	/// The same with their directions, as they act on the first body.
 	Vec2 last_push() const { return push_; }
+	/// The contacts answered between bodies of which one at least is monitored, since it was last cleared.
+	ContactLog &log() { return log_; }
 
 private:
 	std::size_t handle_points(TouchingBody &body, TouchingBody &other, bool are_fast);
@@ -42,6 +45,7 @@ private:
 	Real impulse_ = 0;
 	Vec2 push_;
 	const TouchingBody *first_ = nullptr;
+	ContactLog log_;
 };
 
 } // namespace softbody

@@ -25,6 +25,8 @@ struct TouchingBody {
 	Real friction = 0;
 	Real rolling_resistance = 0;
 	Real rolling_radius = 0; ///< [length]
+	std::uint32_t place = 0; ///< in `WorldData::soft_bodies()`
+	bool is_monitored = false; ///< BodySettings::contact_monitor
 	// As `take_frame` set them, and what `resist_pair_rolling` has changed since.
 	Vec2 mass_centre;
 	Real inertia = 0; ///< about it [mass·length²]

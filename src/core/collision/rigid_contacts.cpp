@@ -65,24 +65,26 @@ void RigidContacts::find(const NearBody &near, Task &task) const {
 		const RigidBody &rigid = world_->rigid_bodies()[collider.rigid_body];
 		const ColliderMotion motion{ from_[collider.rigid_body], rigid.pose, false };
 		const Aabb bounds = collider.bounds().grown(slop);
-		const auto note = [&](const SurfaceContact &at) {
+		const auto add = [&](const SurfaceContact &at, std::uint32_t feature) {
 			Contact &contact = task.contacts.emplace_back();
 			contact.body = &body;
 			contact.at = at;
 			contact.rigid_body = collider.rigid_body;
+			contact.collider = i;
+			contact.feature = feature;
 			contact.place = hull.to[at.place.a] * (1 - at.place.t) + hull.to[at.place.b] * at.place.t;
 			contact.belt = motion.to.rotation.apply(collider.surface.velocity_at(motion.to.apply_inverse(contact.place)));
 			contact.friction = combined_friction(body.settings(), collider.surface);
 			contact.restitution = combined_restitution(body.settings(), collider.surface);
 		};
-		for (std::size_t point = 0; point < hull.to.size(); ++point) {
+		for (std::uint32_t point = 0; point < hull.to.size(); ++point) {
 			if (const auto at = find_contact_of_point(hull, point, collider, motion, bounds, slop)) {
-				note(*at);
+				add(*at, point);
 			}
 		}
-		for (std::size_t corner = 0; corner < collider.vertices.size(); ++corner) {
-			if (const auto at = find_contact_of_corner(hull, swept, collider, corner, motion)) {
-				note(*at);
+		for (std::uint32_t corner = 0; corner < collider.vertices.size(); ++corner) {
+			if (const auto at = find_contact_of_corner(hull, swept, collider, corner, motion, slop)) {
+				add(*at, Sighting::CORNER | corner);
 			}
 		}
 	}
@@ -111,6 +113,9 @@ std::uint64_t RigidContacts::answer(const ParallelFor &parallel_for) {
 	}
 	for (Contact &contact : contacts_) {
 		move_out(contact);
+		if (contact.body->settings().contact_monitor) {
+			note(contact);
+		}
 	}
 	return contacts_.size();
 }
@@ -198,6 +203,13 @@ void RigidContacts::move_out(Contact &contact) {
 	if (a != b) {
 		x[b] += shift * contact.mobility_b;
 	}
+}
+
+void RigidContacts::note(const Contact &contact) {
+	const HullPlace &place = contact.at.place;
+	log_.add({ std::uint32_t(contact.body - world_->soft_bodies().data()), ContactOther::Kind::COLLIDER, contact.collider,
+			contact.feature, nearest_point(place), 0, position_of(place, contact.body->positions()), contact.at.normal,
+			contact.normal_impulse, contact.at.depth });
 }
 
 void RigidContacts::end_step(Real dt) {

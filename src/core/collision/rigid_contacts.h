@@ -4,6 +4,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/collision/collider_contact.h"
+#include "core/collision/contact_log.h"
 #include "core/collision/surroundings_index.h"
 #include "core/model/world_data.h"
 
@@ -36,6 +37,8 @@ public:
 	void begin_substep(Real h);
 	/// Answers every contact of the substep. Returns how many. O(points of the bodies added × colliders near).
 	std::uint64_t answer(const ParallelFor &parallel_for);
+	/// The contacts answered with bodies that are monitored, since it was last cleared.
+	ContactLog &log() { return log_; }
 	/// Moves the kinematic bodies to the end of a step of `dt` [s].
 	void end_step(Real dt);
 
@@ -52,6 +55,8 @@ private:
 		SoftBodyData *body = nullptr;
 		SurfaceContact at;
 		std::uint32_t rigid_body = 0;
+		std::uint32_t collider = 0;
+		std::uint32_t feature = 0; ///< see Sighting
 		Vec2 place; ///< where it was found
 		Vec2 belt; ///< velocity of the collider's surface beyond that of its body [length/s]
 		Vec2 arm; ///< from the rigid body's centre of mass
@@ -77,6 +82,7 @@ private:
 	void push(Contact &contact);
 	void apply(Contact &contact, Vec2 impulse);
 	Vec2 relative_velocity(const Contact &contact) const;
+	void note(const Contact &contact);
 
 	WorldData *world_ = nullptr;
 	const SurroundingsIndex *surroundings_ = nullptr;
@@ -85,6 +91,7 @@ private:
 	std::vector<Pose> from_; ///< of every rigid body, at the start of the substep
 	std::array<Task, TASKS> tasks_;
 	std::vector<Contact> contacts_;
+	ContactLog log_;
 	Real h_ = 0;
 	Real bounce_threshold_ = 0;
 };

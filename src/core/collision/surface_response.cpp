@@ -116,7 +116,7 @@ void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_t
 
 template <class T>
 void answer_border(const BodyLanes<T> &body, const Border &border, Real bounce_threshold, Real h,
-		BasicContactLoad<T> &load) {
+		BasicContactLoad<T> &load, std::span<BasicPointAnswer<T>> answers) {
 	const Surface &surface = border.surface;
 	const T friction(combined_friction(body.model.settings, surface));
 	const Real restitution = combined_restitution(body.model.settings, surface);
@@ -143,9 +143,12 @@ void answer_border(const BodyLanes<T> &body, const Border &border, Real bounce_t
 		x += select(is_inside, normal * -distance, BasicVec2<T>{}) + select(is_pressing, brake * T(h), BasicVec2<T>{});
 		v += select(is_pressing, normal * normal_change + brake, BasicVec2<T>{});
 		load.contacts += select(is_inside, T(1), T(0));
-		if (load_matters) {
+		if (load_matters || !answers.empty()) {
 			const T impulse = select(is_pressing, normal_change * T(1 / body.inverse_masses[i]), T(0));
 			load.add(impulse, normal, x, surface, restitution);
+			if (!answers.empty()) {
+				answers[i] = { select(is_inside, -distance, T(0)), impulse };
+			}
 		}
 	}
 }
@@ -171,7 +174,8 @@ void resist_rolling(const BodyLanes<T> &body, const BasicContactLoad<T> &load) {
 }
 
 #define SOFTBODY_INSTANTIATE(T)                                                                                      \
-	template void answer_border<T>(const BodyLanes<T> &, const Border &, Real, Real, BasicContactLoad<T> &);         \
+	template void answer_border<T>(const BodyLanes<T> &, const Border &, Real, Real, BasicContactLoad<T> &,          \
+			std::span<BasicPointAnswer<T>>);                                                                         \
 	template void resist_rolling<T>(const BodyLanes<T> &, const BasicContactLoad<T> &);
 SOFTBODY_INSTANTIATE(Real)
 SOFTBODY_INSTANTIATE(RealPack)

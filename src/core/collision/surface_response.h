@@ -7,6 +7,9 @@
 #include "core/model/soft_body_data.h"
 #include "core/model/surroundings.h"
 
+#include <cstdint>
+#include <span>
+
 namespace softbody {
 
 /// A place on a body's hull: a point (`a == b`, `t` 0), or a place on the edge from `a` to `b`.
@@ -15,6 +18,14 @@ struct HullPlace {
 	std::size_t b = 0;
 	Real t = 0; ///< share of b, 0..1
 };
+
+inline Vec2 position_of(const HullPlace &place, std::span<const Vec2> positions) {
+	return positions[place.a] * (1 - place.t) + positions[place.b] * place.t;
+}
+
+inline std::uint32_t nearest_point(const HullPlace &place) {
+	return std::uint32_t(place.t < Real(0.5) ? place.a : place.b);
+}
 
 /// A contact of a body with its surroundings, ready to be answered.
 struct SurfaceContact {
@@ -57,11 +68,19 @@ struct BasicContactLoad {
 };
 using ContactLoad = BasicContactLoad<Real>;
 
+/// What was answered at one hull point.
+template <class T>
+struct BasicPointAnswer {
+	T depth = T(0); ///< by which it was inside [length]; 0: there was no contact
+	T normal_impulse = T(0); ///< [mass·length/s]
+};
+
 /// Answers the contacts of all hull points with a border, in the order of the hull, each as `answer_contact` does,
-/// and adds them to `load`. O(hull points).
+/// and adds them to `load`. If `answers` is not empty it has an entry for each hull point, and those of the points that
+/// touched are set. O(hull points).
 template <class T>
 void answer_border(const BodyLanes<T> &body, const Border &border, Real bounce_threshold, Real h,
-		BasicContactLoad<T> &load);
+		BasicContactLoad<T> &load, std::span<BasicPointAnswer<T>> answers = {});
 
 /// Brakes the body's spin relative to the surfaces it pressed on: |Δω| <= r R J / I with r the rolling
 /// resistance, R the body's radius, J the summed normal impulse, I the current inertia. Changes no

@@ -26,6 +26,7 @@ public:
 		add(surface.angular_velocity);
 		add(surface.velocity_origin);
 		add(std::uint64_t(surface.layer));
+		add(surface.tag); // whoever rests on it is told that it touches another
 	}
 	std::uint64_t value() const { return state_ ^ state_ >> 32; }
 

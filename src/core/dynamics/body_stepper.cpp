@@ -132,7 +132,8 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 	for (int i = 0; i < substeps; ++i) {
 		step(lanes, { world_->gravity(), {}, h }, pack_workspace_);
 		if (!world_->borders().empty()) {
-			const RealPack contacts = handle_borders_side_by_side(lanes, world_->borders(), h);
+			const RealPack contacts = collision_.handle_borders_side_by_side(lanes, world_->borders(), h,
+					crew.bodies, crew.monitored);
 			pack_workspace_.forces_are_current =
 					both(pack_workspace_.forces_are_current, !(contacts > RealPack(0)));
 			for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {

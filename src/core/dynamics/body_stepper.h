@@ -55,6 +55,8 @@ public:
 	void check(const Crew &crew, Real dt);
 
 	StepCounts &counts() { return counts_; }
+	/// Contacts of monitored bodies with the surroundings, since it was last cleared.
+	ContactLog &log() { return collision_.log(); }
 
 private:
 	void advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,

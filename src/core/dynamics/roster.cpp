@@ -3,6 +3,7 @@
 #include "core/dynamics/roster.h"
 
 #include <unordered_map>
+#include <utility>
 
 namespace softbody {
 
@@ -15,11 +16,18 @@ bool can_share_a_crew(SoftBodyData &body) {
 			body.settings().restitution == 0;
 }
 
+// A body that is monitored must move as if it were not, and so stay in its crew.
+bool move_alike(const BodySettings &a, BodySettings b) {
+	b.contact_monitor = a.contact_monitor;
+	return a == b;
+}
+
 void join(Crew &crew, std::uint32_t place, SoftBodyData &body) {
 	if (crew.count == 0) {
 		crew.shape = &body.shape();
 		crew.settings = &body.settings();
 	}
+	crew.monitored |= std::uint32_t(body.settings().contact_monitor) << crew.count;
 	crew.bodies[crew.count] = place;
 	crew.positions[crew.count] = body.mutable_positions().data();
 	crew.velocities[crew.count] = body.mutable_velocities().data();
@@ -40,7 +48,7 @@ public:
 		std::size_t *link = &entry->second;
 		while (!is_new && *link != NONE) {
 			Entry &candidate = crews_[*link];
-			if (*candidate.settings == body.settings()) {
+			if (move_alike(*candidate.settings, body.settings())) {
 				return candidate.crew;
 			}
 			link = &candidate.next;
@@ -93,8 +101,7 @@ void Roster::update(WorldData &world) {
 		Crew &crew = openings.find(body);
 		join(crew, i, body);
 		if (crew.count == PACK_WIDTH) {
-			crews_.push_back(crew);
-			crew.count = 0;
+			crews_.push_back(std::exchange(crew, {}));
 		}
 	}
 	openings.for_each([&](const Crew &crew) {

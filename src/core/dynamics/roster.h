@@ -15,10 +15,11 @@ namespace softbody {
 /// A bit for every body of a full crew.
 inline constexpr std::uint32_t ALL_LANES = (1u << PACK_WIDTH) - 1;
 
-/// Bodies that are stepped together: PACK_WIDTH of one shape and equal settings, or a single one.
+/// Bodies that are stepped together: PACK_WIDTH of one shape and settings by which they move alike, or a single one.
 struct Crew {
 	std::array<std::uint32_t, PACK_WIDTH> bodies{}; ///< places in `WorldData::soft_bodies()`
 	std::uint32_t count = 0; ///< PACK_WIDTH or 1
+	std::uint32_t monitored = 0; ///< a bit a lane: BodySettings::contact_monitor
 	// Of the bodies, as long as nothing is rearranged: the step then need not read the bodies themselves.
 	const SoftBodyShape *shape = nullptr;
 	const BodySettings *settings = nullptr; ///< of the first body

@@ -92,6 +92,8 @@ bool Simulator::arrange(Real dt) {
 			bodies_bounce_ |= settings.restitution > 0;
 			touching.rolling_resistance = settings.rolling_resistance;
 			touching.rolling_radius = body.shape().radius();
+			touching.place = crew.bodies[lane];
+			touching.is_monitored = settings.contact_monitor;
 			hull_points += body.shape().hull_count();
 			broad_.push_back({ {}, settings.collision_layer, settings.collision_mask });
 			layers |= settings.collision_layer;
@@ -113,6 +115,7 @@ bool Simulator::arrange(Real dt) {
 	}
 	bodies_resist_rolling_ = std::ranges::any_of(touching_, [](const TouchingBody &b) { return b.rolling_resistance > 0; });
 	bodies_notice_bodies_ = touching_.size() > 1 && (layers & masks) != 0;
+	has_monitored_bodies_ = std::ranges::any_of(touching_, &TouchingBody::is_monitored);
 	return true;
 }
 
@@ -289,6 +292,7 @@ void Simulator::find_rigid_contacts(Real dt) {
 
 StepReport Simulator::simulate(Real dt) {
 	StepReport report;
+	contact_monitor_.begin_step();
 	report.refused = check_above("dt", dt, 0, "s");
 	if (report.refused) {
 		return report;
@@ -332,6 +336,9 @@ StepReport Simulator::simulate(Real dt) {
 		move_rigid_bodies_alone(dt);
 	}
 	rigid_contacts_.end_step(dt);
+	if (has_monitored_bodies_ || contact_monitor_.has_touches()) {
+		report_contacts(dt);
+	}
 	if (world_.has_sleeping()) {
 		let_sleep();
 	}
@@ -544,6 +551,18 @@ void Simulator::let_sleep() {
 		rest.island = island_count_ + island + 1;
 	}
 	island_count_ += places_.size();
+}
+
+// Before anything falls asleep or wakes: what slept during the step has found no contact and yet lost no touch.
+void Simulator::report_contacts(Real dt) {
+	for (BodyStepper &stepper : steppers_) {
+		contact_monitor_.add(stepper.log());
+	}
+	for (PairHandling &handling : pair_handlings_) {
+		contact_monitor_.add(handling.log());
+	}
+	contact_monitor_.add(rigid_contacts_.log());
+	contact_monitor_.end_step(surroundings_, dt);
 }
 
 void Simulator::collect(StepReport &report) {

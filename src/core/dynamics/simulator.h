@@ -7,6 +7,7 @@
 #include "core/collision/broad_phase.h"
 #include "core/collision/collision_handling.h"
 #include "core/collision/pair_bounce.h"
+#include "core/collision/contact_monitor.h"
 #include "core/collision/pair_handling.h"
 #include "core/collision/rigid_contacts.h"
 #include "core/collision/surroundings_watch.h"
@@ -54,6 +55,16 @@ public:
 	/// are then forgotten.
 	StepReport simulate(Real dt);
 
+	/// Every contact of the last step of a body that monitors (BodySettings::contact_monitor), as that body sees it: the
+	/// same list for any number of threads, sorted by body, what it touches, and place. What sleeps is not stepped and has
+	/// none; its touches last. Valid until the next step.
+	std::span<const Contact> contacts() const { return contact_monitor_.contacts(); }
+	/// Which touches of such bodies the last step has begun or ended (see `ContactMonitor`): first the ends. Each is
+	/// told once, so that a step that is refused tells nothing. Valid until the next step.
+	std::span<const ContactEvent> contact_events() const { return contact_monitor_.events(); }
+	/// The touches that have begun and not ended. Valid until the next step.
+	std::span<const Touch> touches() const { return contact_monitor_.touches(); }
+
 	/// What `simulate(dt)` would choose for a body. One that may touch another takes at least the contact substeps.
 	SubstepPlan plan(const SoftBodyData &body, Real dt) const;
 
@@ -93,6 +104,7 @@ private:
 	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
 	void for_crews(std::span<const std::uint32_t> crews, const Work &work);
+	void report_contacts(Real dt);
 	void collect(StepReport &report);
 
 	WorldData &world_;
@@ -103,6 +115,7 @@ private:
 	BroadPhase broad_phase_;
 	RigidContacts rigid_contacts_;
 	std::uint64_t rigid_contact_count_ = 0;
+	ContactMonitor contact_monitor_;
 	// One a task, so that no two threads share scratch memory.
 	std::vector<BodyStepper> steppers_;
 	std::vector<PairHandling> pair_handlings_;
@@ -139,6 +152,7 @@ private:
 	bool bodies_notice_bodies_ = false;
 	bool bodies_resist_rolling_ = false;
 	bool bodies_bounce_ = false;
+	bool has_monitored_bodies_ = false;
 };
 
 } // namespace softbody

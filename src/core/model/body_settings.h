@@ -46,6 +46,9 @@ struct BodySettings {
 	std::uint32_t collision_layer = 1;
 	/// Which surroundings and bodies the body notices: those whose layer shares a bit with this mask.
 	std::uint32_t collision_mask = 0xffffffffu;
+	/// Whether the body's contacts are kept and their beginnings and ends told (see `Simulator::contacts`). It moves the
+	/// same either way. A pile in which every body monitors takes about 1.15 times as long.
+	bool contact_monitor = false;
 
 	/// Whether shape matching takes part at all.
 	bool matches_shape() const { return shape_stiffness > 0 || shape_damping > 0; }

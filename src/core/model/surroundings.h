@@ -25,6 +25,9 @@ struct Surface {
 	Real angular_velocity = 0; ///< [rad/s]
 	Vec2 velocity_origin; ///< centre of that rotation [length]
 	std::uint32_t layer = 1; ///< compared with BodySettings::collision_mask
+	/// Names what the surface belongs to, for whoever reads contacts: surfaces with one tag are one thing to touch, however
+	/// often the lists of the surroundings are made anew. 0: nothing in particular.
+	std::uint64_t tag = 0;
 
 	/// At one place, or at several side by side.
 	template <class T = Real>
