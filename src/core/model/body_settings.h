@@ -46,6 +46,10 @@ struct BodySettings {
 	std::uint32_t collision_layer = 1;
 	/// Which surroundings and bodies the body notices: those whose layer shares a bit with this mask.
 	std::uint32_t collision_mask = 0xffffffffu;
+	/// Whether the hull is kept from passing through itself, from outside (arms that close, a snake that curls) and from
+	/// inside (a thin body pressed flat). Friction is the body's. Such a body is stepped on its own, in at least
+	/// MIN_CONTACT_SUBSTEPS substeps; see `SelfCollision` for the rest of what it costs. Default false: costs nothing.
+	bool self_collision = false;
 
 	/// Whether shape matching takes part at all.
 	bool matches_shape() const { return shape_stiffness > 0 || shape_damping > 0; }
