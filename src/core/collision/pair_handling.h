@@ -5,6 +5,8 @@
 #include "core/collision/broad_phase.h"
 #include "core/collision/hull_contact.h"
 #include "core/collision/pair_response.h"
+#include "core/collision/separation_force.h"
+#include "core/model/world_data.h"
 
 #include <cstdint>
 #include <span>
@@ -22,6 +24,8 @@ class PairHandling {
 public:
 	/// Of the coming substep: acceleration by gravity [length/s²] and length [s].
 	void begin_substep(Vec2 gravity, Real h);
+	/// Which response `world` asks for, for the same. Without this call, contacts are position-based.
+	void begin_response(const WorldData &world);
 
 	/// Answers every contact between the two bodies. Returns how many.
 	/// O(points within the other's circle × hull points).
@@ -36,6 +40,8 @@ private:
 
 	HullEdges edges_; ///< of the other body, once a point has come near
 	bool has_edges_ = false;
+	ContactResponse response_ = ContactResponse::POSITION_BASED;
+	SeparationForce separation_force_;
 	Real bounce_threshold_ = 0;
 	Real h_ = 0;
 	Real impulse_ = 0;

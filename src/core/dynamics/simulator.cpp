@@ -326,6 +326,7 @@ void Simulator::step_coupled(Real dt) {
 	const Real duration = dt / Real(contact_substeps);
 	for (PairHandling &handling : pair_handlings_) {
 		handling.begin_substep(world_.gravity(), duration);
+		handling.begin_response(world_);
 	}
 	for (int substep = 0; substep < contact_substeps; ++substep) {
 		rigid_contacts_.begin_substep(duration);
