@@ -384,6 +384,32 @@ TEST_CASE("where nothing comes near itself, self-collision changes no bit of how
 	CHECK(identical(positions[0], positions[1]));
 }
 
+TEST_CASE("a snake that curls up in a box of thin walls stays in it, however hard it presses itself against them") {
+	for (const double stiffness : { 300.0, 2000.0 }) {
+		WorldData world;
+		world.set_gravity({ 0, -30 });
+		const std::array<Vec2, 4> box = { { { Real(-3.2), Real(-0.5) }, { Real(3.2), Real(-0.5) }, { Real(3.2), Real(0.5) },
+				{ Real(-3.2), Real(0.5) } } };
+		world.add_chain(box, true);
+		world.add_soft_body(ribbon_body({ 6, 0.15, 40, 0, 1, stiffness }, settings_with(true)));
+		SoftBodyData &body = world.soft_bodies()[0];
+		const Outcome outcome = run(world, 600, [&](int) { curl(body, 30); });
+		CHECK(outcome.folded == 0);
+		CHECK(outcome.contacts > 0);
+		for (const Vec2 p : body.hull()) {
+			// What the hull pushes itself by is undone by the wall in the next substep.
+			CHECK(std::abs(double(p.x)) < 3.2 + 0.06);
+			CHECK(std::abs(double(p.y)) < 0.5 + 0.06);
+		}
+		// Where a script puts it, it is: the way there is no way.
+		body.teleport({}, { { 100, 0 }, {} });
+		run(world, 1, [](int) {});
+		for (const Vec2 p : body.hull()) {
+			CHECK(p.x > 90);
+		}
+	}
+}
+
 TEST_CASE("pinned points are not moved by what touches them") {
 	WorldData world = world_with_snake(true);
 	SoftBodyData &body = world.soft_bodies()[0];

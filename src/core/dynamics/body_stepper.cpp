@@ -188,6 +188,11 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 	const Vec2 gravity = world_->gravity() * data.settings().gravity_scale;
 	collision_.begin_body(*surroundings_, data, elapsed, duration);
 	const bool meets_itself = data.settings().self_collision && !is_coupled;
+	// Nor may what a body pushes itself by carry it through a thin wall, not even between two steps.
+	std::vector<Vec2> &outside = data.outside_hull();
+	if (swept_from == nullptr && !outside.empty()) {
+		swept_from = outside.data();
+	}
 	for (int i = 0; i < substeps; ++i) {
 		std::ranges::copy(data.positions(), before.begin());
 		if (meets_itself) {
@@ -201,10 +206,13 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 		std::size_t contacts = collision_.handle(data, before, gravity, h);
 		counts_.contacts += contacts;
 		if (meets_itself) {
-			// Nor may what it pushes itself by carry it through a thin wall.
-			outside_.assign(data.hull().begin(), data.hull().end());
+			outside.assign(data.hull().begin(), data.hull().end());
 			const std::size_t self_contacts = self_collision_.handle(data, hull_before_, h);
-			swept_from = self_contacts > 0 ? outside_.data() : nullptr;
+			if (self_contacts > 0) {
+				swept_from = outside.data();
+			} else {
+				outside.clear();
+			}
 			counts_.self_contacts += self_contacts;
 			contacts += self_contacts;
 		}
@@ -265,6 +273,7 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 		data.mutable_velocities()[i] = is_pinned ? Vec2{} : velocity;
 	}
 	data.touch_memory() = {};
+	data.outside_hull().clear();
 	counts_.non_finite.push_back(place);
 }
 

@@ -76,8 +76,7 @@ private:
 	std::vector<Vec2> external_;
 	std::vector<Vec2> start_; ///< positions, then velocities, at the start of `advance`
 	std::vector<Vec2> before_; ///< positions at the start of the substep
-	std::vector<Vec2> hull_before_; ///< likewise, of a body that meets itself
-	std::vector<Vec2> outside_; ///< the hull as it last was moved out of the surroundings, if it touched itself since
+	std::vector<Vec2> hull_before_; ///< likewise, of the hull of a body that meets itself
 	BasicWorkspace<RealPack> pack_workspace_;
 	std::vector<BasicVec2<RealPack>> pack_positions_;
 	std::vector<BasicVec2<RealPack>> pack_velocities_;

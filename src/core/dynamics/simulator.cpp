@@ -361,6 +361,10 @@ void Simulator::step_coupled(Real dt) {
 	resist_rolling_between_bodies();
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
+		if (crew.settings->self_collision && surroundings_.has_colliders()) {
+			const std::size_t first = first_hull_point_[crews_[i].rows[0]];
+			world_.soft_bodies()[crew.bodies[0]].outside_hull().assign(&swept_from_[first], &swept_from_[first] + crew.shape->hull_count());
+		}
 		stepper.check(crew, dt);
 		stepper.end(crew);
 		if (world_.has_sleeping()) {
