@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contacts against theory: when a block slides, how high a body bounces, what two bodies keep when they meet; and how
-// deep bodies are inside one another for how much time.
+// deep bodies are inside one another for how much time; and the thesis's separation force beside the contacts in use.
 #include "bench.h"
 #include "bodies.h"
 #include "soft_pile.h"
@@ -306,11 +306,95 @@ json penetrations(bool quick) {
 	return rows;
 }
 
+// The thesis's separation force beside position-based contacts.
+
+using softbody::ContactResponse;
+constexpr std::array RESPONSES = { ContactResponse::POSITION_BASED, ContactResponse::SEPARATION_FORCE };
+
+const char *response_name(ContactResponse response) {
+	return response == ContactResponse::POSITION_BASED ? "position_based" : "separation_force";
+}
+
+// Two undamped balls meet; their energy afterwards, wobble included.
+json response_bounce(ContactResponse response, double offset, int substeps) {
+	constexpr double SPEED = 2; // m/s each
+	softbody::WorldData world;
+	world.set_sleeping(false);
+	world.set_contact_response(response);
+	if (world.set_contact_substeps(substeps)) {
+		throw std::runtime_error("so many substeps are refused");
+	}
+	softbody::StructureOptions options;
+	options.stiffness = Real(STIFFNESS);
+	options.damping = 0;
+	const Shape shape = take(softbody::SoftBodyCreator::create_circle(Real(0.5), 8, options));
+	BodySettings settings;
+	settings.shape_stiffness = Real(0.4 * STIFFNESS);
+	settings.integrator = Integrator::SEMI_IMPLICIT_EULER;
+	settings.substeps = substeps;
+	for (const double side : { -1.0, 1.0 }) {
+		const softbody::Pose pose{ { Real(side), Real(-side * offset / 2) }, softbody::Rotation::from_angle(Real(std::numbers::pi / 8)) };
+		SoftBodyData body = take(SoftBodyData::create(shape, settings, pose));
+		for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+			if (body.set_point(i, body.positions()[i], { Real(-side * SPEED), 0 })) {
+				throw std::runtime_error("a point cannot be set");
+			}
+		}
+		world.add_soft_body(std::move(body));
+	}
+	const auto bodies = world.soft_bodies();
+	const auto energy = [&] {
+		return softbody::measure_energy(bodies[0], {}).total() + softbody::measure_energy(bodies[1], {}).total();
+	};
+	const auto spin = [&] { return measure(bodies[0]).spin + measure(bodies[1]).spin; };
+	const double energy_before = energy();
+	const double spin_before = spin();
+	softbody::Simulator simulator(world);
+	for (int i = 0; i < 2 * RATE; ++i) {
+		simulator.simulate(STEP);
+	}
+	return { { "response", response_name(response) }, { "offset", offset }, { "substeps", substeps },
+		{ "energy_after", energy() / energy_before }, { "angular_momentum_change", std::abs(spin() - spin_before) / (SPEED * 0.5) } };
+}
+
+json response_pile(ContactResponse response, std::size_t count, int seconds) {
+	const PileScene scene = centred(pile_scene(count));
+	SoftPileSettings settings = default_settings(carrying_stiffness(scene));
+	settings.response = response;
+	SoftPile pile(scene, settings);
+	std::vector<Duration> times;
+	for (int i = 0; i < seconds * RATE; ++i) {
+		times.push_back(pile.step());
+	}
+	const PileQuality end = pile.quality();
+	return { { "response", response_name(response) }, { "bodies", count }, { "seconds", seconds },
+		{ "ms_per_step", 1e3 * times_of(std::span(times).last(std::size_t(RATE))).cpu.median },
+		{ "kinetic_energy_at_end", pile.kinetic_energy() }, { "mean_penetration_at_end", end.mean_penetration },
+		{ "worst_penetration_at_end", end.worst_penetration }, { "overlapping_at_end", end.overlapping },
+		{ "folded_at_end", end.folded }, { "resets", pile.resets() } };
+}
+
+json separation_force(bool quick) {
+	json bounces = json::array();
+	for (const double offset : { 0.0, 0.25, 0.5 }) {
+		for (const int substeps : quick ? std::vector{ 8, 64 } : std::vector{ 4, 8, 16, 32, 64 }) {
+			for (const ContactResponse response : RESPONSES) {
+				bounces.push_back(response_bounce(response, offset, substeps));
+			}
+		}
+	}
+	json piles = json::array();
+	for (const ContactResponse response : RESPONSES) {
+		piles.push_back(response_pile(response, quick ? 40 : 100, 20));
+	}
+	return { { "bounces", bounces }, { "piles", piles } };
+}
+
 } // namespace
 
 json contact_accuracy(const Options &options) {
 	return { { "slopes", slopes(options.quick) }, { "restitutions", restitutions() }, { "bounces", bounces() },
-		{ "penetrations", penetrations(options.quick) } };
+		{ "penetrations", penetrations(options.quick) }, { "separation_force", separation_force(options.quick) } };
 }
 
 } // namespace bench

@@ -107,6 +107,7 @@ SoftPile::SoftPile(PileScene scene, const SoftPileSettings &settings, softbody::
 		throw std::runtime_error(refused->message());
 	}
 	world_.set_interpolated(settings.interpolated);
+	world_.set_contact_response(settings.response);
 	world_.set_sleeping(settings.may_sleep);
 	world_.add_border(border(0, 0, { 0, 1 }));
 	if (scene_.has_walls) {

@@ -30,6 +30,7 @@ struct SoftPileSettings {
 	bool may_sleep = false; ///< off, so that every counted body is simulated
 	bool interpolated = true; ///< whether a step keeps its start, for drawing
 	double rolling_resistance = 0.03; ///< the node's default
+	softbody::ContactResponse response = softbody::ContactResponse::POSITION_BASED;
 };
 
 /// The default model: shape matching of 0.4 k, damped like the node does, the automatic method and substeps.

@@ -248,4 +248,22 @@ def print_contacts(summary):
         print(f"  {row['integrator']:<12} {row['contact_substeps']:>8} {row['ms_per_step']:>10.3f}"
               f" {percent(row['mean_penetration']):>10} {percent(row['worst_penetration']):>10}"
               f" {percent(row['mean_penetration_at_end']):>12} {row['folded_ever']:>7} {row['overlapping_ever']:>8}")
+    print_separation_force(summary["separation_force"])
     print_load(summary)
+
+
+def print_separation_force(section):
+    print("The thesis's separation force: two undamped bodies meet at 2 m/s each")
+    print(f"  {'response':<16} {'offset':>7} {'substeps':>8} {'energy':>8} {'angular':>8}")
+    for row in section["bounces"]:
+        print(f"  {row['response']:<16} {row['offset']:>7g} {row['substeps']:>8} {row['energy_after']:>8.3f}"
+              f" {row['angular_momentum_change']:>8.4f}")
+    print("  energy: after over before; angular: change of angular momentum over m v R of one body")
+    print("A pile of default bodies after some time")
+    print(f"  {'response':<16} {'bodies':>7} {'s':>3} {'ms a step':>10} {'J a body':>9} {'mean':>9} {'worst':>9} {'overlaps':>8}"
+          f" {'folded':>7} {'resets':>7}")
+    for row in section["piles"]:
+        print(f"  {row['response']:<16} {row['bodies']:>7} {row['seconds']:>3} {row['ms_per_step']:>10.3f}"
+              f" {row['kinetic_energy_at_end']:>9.1e} {percent(row['mean_penetration_at_end']):>9}"
+              f" {percent(row['worst_penetration_at_end']):>9} {row['overlapping_at_end']:>8} {row['folded_at_end']:>7}"
+              f" {row['resets']:>7}")

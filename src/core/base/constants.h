@@ -50,6 +50,19 @@ inline constexpr Real OLD_OVERLAP_PUSH = Real(0.02);
 /// are sought along the way [1]. Larger: fast points may be taken for having come from the other side.
 inline constexpr Real SWEEP_SHARE = Real(0.25);
 
+/// Distance that a hull keeps from itself where it collides with itself, as a share of its shortest edge at rest [1].
+/// Larger: folds stay visibly apart. Smaller: rounding may cross them, above all far from the world's origin.
+inline constexpr Real SELF_GAP = Real(1) / 32;
+
+/// How often the contacts of a hull with itself are gone through in a substep before what still crosses is moved as one
+/// piece [1]. Fewer: a body that lies folded on itself stiffens. More: costs as much again, where it is folded.
+inline constexpr int SELF_CONTACT_PASSES = 4;
+
+/// Default strength of the separation force, the thesis's answer to contacts [force/length², times
+/// WorldData::length_unit]. Larger: bodies overlap less, and take smaller steps to stay stable. Smaller: piles sink into
+/// one another.
+inline constexpr Real SEPARATION_STIFFNESS = 10000;
+
 /// Stability budget S of the substep rule h²Ω² + 2hΓ <= S² [1]. 2 is the limit of the linear
 /// theory and fails for crumpled bodies. At 1.3 none of 12 500 random crumpled bodies (`bench.sh auto`) becomes
 /// non-finite or doubles its energy, with 1.9 times the fewest substeps that a search finds safe; of 12 000 others one

@@ -14,6 +14,11 @@ void PairHandling::begin_substep(Real h) {
 	h_ = h;
 }
 
+void PairHandling::begin_response(const WorldData &world) {
+	response_ = world.contact_response();
+	separation_force_.begin_substep(world.separation_stiffness() / world.length_unit(), h_);
+}
+
 std::size_t PairHandling::handle(TouchingBody &a, TouchingBody &b) {
 	impulse_ = 0;
 	push_ = {};
@@ -22,6 +27,9 @@ std::size_t PairHandling::handle(TouchingBody &a, TouchingBody &b) {
 	const Real distance_squared = length_squared(a.centre - b.centre);
 	if (!a.box.overlaps(b.box) || distance_squared > reach * reach) {
 		return 0;
+	}
+	if (response_ == ContactResponse::SEPARATION_FORCE) {
+		return separation_force_.handle(a, b) > 0;
 	}
 	const bool are_fast = a.way + b.way > SWEEP_SHARE * std::min(a.width, b.width);
 	const Real near = std::max(a.radius, b.radius);

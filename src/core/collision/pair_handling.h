@@ -6,6 +6,8 @@
 #include "core/collision/contact_log.h"
 #include "core/collision/hull_contact.h"
 #include "core/collision/pair_response.h"
+#include "core/collision/separation_force.h"
+#include "core/model/world_data.h"
 
 #include <cstdint>
 #include <span>
@@ -23,6 +25,8 @@ class alignas(128) PairHandling {
 public:
 	/// Length of the coming substep [s].
 	void begin_substep(Real h);
+	/// Which response `world` asks for, for the same. Without this call, contacts are position-based.
+	void begin_response(const WorldData &world);
 
 	/// Answers every contact between the two bodies. Returns how many.
 	/// O(points within the other's circle × hull points).
@@ -41,6 +45,8 @@ private:
 
 	HullEdges edges_; ///< of the other body, once a point has come near
 	bool has_edges_ = false;
+	ContactResponse response_ = ContactResponse::POSITION_BASED;
+	SeparationForce separation_force_;
 	Real h_ = 0;
 	Real impulse_ = 0;
 	Vec2 push_;

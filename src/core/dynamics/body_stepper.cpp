@@ -45,6 +45,7 @@ void BodyStepper::begin_step(WorldData &world, const SurroundingsIndex &surround
 	borders_bounce_ = std::ranges::any_of(world.borders(), [](const Border &b) { return b.surface.restitution != 0; });
 	counts_.substeps = 0;
 	counts_.contacts = 0;
+	counts_.self_contacts = 0;
 	counts_.non_finite.clear();
 }
 
@@ -59,7 +60,7 @@ void BodyStepper::begin(const Crew &crew) {
 }
 
 void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
-		int substeps, const SweptFrom &swept_from) {
+		int substeps, const SweptFrom &swept_from, bool are_coupled) {
 	if (can_go_side_by_side(crew, lanes, plan, duration)) {
 		advance_side_by_side(crew, plan, duration, substeps);
 		counts_.substeps += std::uint64_t(substeps) * crew.count;
@@ -67,7 +68,7 @@ void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPl
 	}
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		if (lanes >> lane & 1) {
-			advance_alone(crew.bodies[lane], plan, elapsed, duration, substeps, swept_from[lane]);
+			advance_alone(crew.bodies[lane], plan, elapsed, duration, substeps, swept_from[lane], are_coupled);
 			counts_.substeps += std::uint64_t(substeps);
 		}
 	}
@@ -161,7 +162,7 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 }
 
 void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
-		const Vec2 *swept_from) {
+		const Vec2 *swept_from, bool is_coupled) {
 	SoftBodyData &data = body(place);
 	const std::size_t count = data.point_count();
 	workspace_.begin_body(count);
@@ -178,14 +179,35 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 	const std::span<Vec2> before(before_.data(), count);
 	const Vec2 gravity = world_->gravity() * data.settings().gravity_scale;
 	collision_.begin_body(*surroundings_, data, elapsed, duration);
+	const bool meets_itself = data.settings().self_collision && !is_coupled;
+	// Nor may what a body pushes itself by carry it through a thin wall, not even between two steps.
+	std::vector<Vec2> &outside = data.outside_hull();
+	if (swept_from == nullptr && !outside.empty()) {
+		swept_from = outside.data();
+	}
 	for (int i = 0; i < substeps; ++i) {
 		std::ranges::copy(data.positions(), before.begin());
-		if (i == 0 && swept_from != nullptr) {
+		if (meets_itself) {
+			hull_before_.assign(data.hull().begin(), data.hull().end());
+		}
+		if (swept_from != nullptr) {
 			std::copy_n(swept_from, data.shape().hull_count(), before.begin());
+			swept_from = nullptr;
 		}
 		step(data, input, workspace_);
-		const std::size_t contacts = collision_.handle(data, before, gravity, h);
+		std::size_t contacts = collision_.handle(data, before, gravity, h);
 		counts_.contacts += contacts;
+		if (meets_itself) {
+			outside.assign(data.hull().begin(), data.hull().end());
+			const std::size_t self_contacts = self_collision_.handle(data, hull_before_, h);
+			if (self_contacts > 0) {
+				swept_from = outside.data();
+			} else {
+				outside.clear();
+			}
+			counts_.self_contacts += self_contacts;
+			contacts += self_contacts;
+		}
 		if (contacts > 0) {
 			workspace_.forces_are_current = false;
 		}
@@ -233,6 +255,10 @@ void BodyStepper::remember_rotations(const Crew &crew, const std::array<BodyFram
 	}
 }
 
+void BodyStepper::answer_self_contacts(std::uint32_t place, std::span<const Vec2> before, Real h) {
+	counts_.self_contacts += self_collision_.handle(body(place), before, h);
+}
+
 void BodyStepper::end(const Crew &crew) {
 	for (std::uint32_t lane = 0; has_forces_ && lane < crew.count; ++lane) {
 		body(crew.bodies[lane]).clear_external_forces();
@@ -272,6 +298,7 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 		data.mutable_velocities()[i] = is_pinned ? Vec2{} : velocity;
 	}
 	data.touch_memory() = {};
+	data.outside_hull().clear();
 	counts_.non_finite.push_back(place);
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/pack.h"
 #include "core/collision/collision_handling.h"
+#include "core/collision/self_collision.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/roster.h"
 #include "core/dynamics/substep_plan.h"
@@ -21,6 +22,7 @@ namespace softbody {
 struct StepCounts {
 	std::uint64_t substeps = 0; ///< body-substeps
 	std::uint64_t contacts = 0; ///< contacts with the surroundings answered
+	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves answered
 	std::vector<std::uint32_t> non_finite; ///< places of bodies that had to be reset
 };
 
@@ -40,9 +42,13 @@ public:
 	/// ended by the contacts with the surroundings. Resets what is no longer finite, or whole (CREDIBLE_REACH). Bit l of
 	/// `lanes` tells whether lane l takes part.
 	/// `swept_from`: where each body's hull last had been moved out of the surroundings, if it has been pushed since;
-	/// what then lies between counts as its way. Null: where it is.
+	/// what then lies between counts as its way. Null: where it is. Contacts of bodies with themselves end each substep
+	/// too, unless `are_coupled`: then other bodies have yet to push them.
 	void advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
-			const SweptFrom &swept_from = {});
+			const SweptFrom &swept_from = {}, bool are_coupled = false);
+	/// Answers the contacts of a body with itself, after other bodies have pushed it in a substep of `h` [s] that started
+	/// with its hull at `before`.
+	void answer_self_contacts(std::uint32_t place, std::span<const Vec2> before, Real h);
 	/// Adds `dt` [s] to the time at rest of the bodies that hardly move, and starts that of the others anew.
 	void time_rest(const Crew &crew, std::uint32_t lanes, Real dt);
 	/// The frames of a crew's bodies.
@@ -60,7 +66,7 @@ public:
 
 private:
 	void advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
-			const Vec2 *swept_from);
+			const Vec2 *swept_from, bool is_coupled);
 	void advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
 	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration) const;
 	void reset(std::uint32_t place, Real dt);
@@ -71,11 +77,13 @@ private:
 	bool has_forces_ = false;
 	bool borders_bounce_ = false;
 	CollisionHandling collision_;
+	SelfCollision self_collision_;
 	StepCounts counts_;
 	IntegratorWorkspace workspace_;
 	std::vector<Vec2> external_;
 	std::vector<Vec2> start_; ///< positions, then velocities, at the start of `advance`
 	std::vector<Vec2> before_; ///< positions at the start of the substep
+	std::vector<Vec2> hull_before_; ///< likewise, of the hull of a body that meets itself
 	BasicWorkspace<RealPack> pack_workspace_;
 	std::vector<BasicVec2<RealPack>> pack_positions_;
 	std::vector<BasicVec2<RealPack>> pack_velocities_;

@@ -10,10 +10,10 @@ namespace softbody {
 namespace {
 
 // Lanes share inverse masses, XPBD bodies differ in how long their passes take, and a bounce is remembered by
-// each body for itself.
+// each body for itself, like contacts with itself.
 bool can_share_a_crew(SoftBodyData &body) {
 	return !body.has_pins() && !body.touch_memory().touching && body.settings().integrator != Integrator::XPBD &&
-			body.settings().restitution == 0;
+			body.settings().restitution == 0 && !body.settings().self_collision;
 }
 
 // A body that is monitored must move as if it were not, and so stay in its crew.

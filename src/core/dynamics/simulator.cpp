@@ -114,6 +114,7 @@ bool Simulator::arrange(Real dt) {
 		}
 	}
 	bodies_resist_rolling_ = std::ranges::any_of(touching_, [](const TouchingBody &b) { return b.rolling_resistance > 0; });
+	bodies_meet_themselves_ = std::ranges::any_of(roster_.crews(), [](const Crew &c) { return c.settings->self_collision; });
 	bodies_notice_bodies_ = touching_.size() > 1 && (layers & masks) != 0;
 	has_monitored_bodies_ = std::ranges::any_of(touching_, &TouchingBody::is_monitored);
 	return true;
@@ -162,7 +163,8 @@ void Simulator::plan_pressure(Real dt) {
 }
 
 // One of `parts` equal stretches of the step, each body in its share of the substeps that it needs.
-void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts) {
+void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts,
+		bool is_coupled) {
 	const CrewState &state = crews_[crew];
 	// Other bodies may have pushed it through a thin wall since it last looked at the surroundings.
 	SweptFrom swept_from{};
@@ -172,13 +174,13 @@ void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, 
 	const auto share = [&](const SubstepPlan &plan) { return (plan.substeps + parts - 1) / parts; };
 	if (state.own_plans == NO_OWN_PLANS) {
 		stepper.advance(roster_.crews()[crew], state.awake, state.plan, elapsed, duration,
-				share(state.plan), swept_from);
+				share(state.plan), swept_from, is_coupled);
 		return;
 	}
 	for (std::uint32_t lane = 0; lane < roster_.crews()[crew].count; ++lane) {
 		const SubstepPlan &own = own_plans_[state.own_plans][lane];
 		stepper.advance(roster_.crews()[crew], state.awake & 1u << lane, own, elapsed, duration, share(own),
-				swept_from);
+				swept_from, is_coupled);
 	}
 }
 
@@ -321,7 +323,7 @@ StepReport Simulator::simulate(Real dt) {
 	for_crews(free_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
 		stepper.begin(crew);
-		advance(stepper, i, 0, dt, 1);
+		advance(stepper, i, 0, dt, 1, false);
 		if (crew.settings->matches_shape()) {
 			stepper.remember_rotations(crew, stepper.measure_frames(crew));
 		}
@@ -364,6 +366,7 @@ void Simulator::step_coupled(Real dt) {
 	const Real duration = dt / Real(contact_substeps);
 	for (PairHandling &handling : pair_handlings_) {
 		handling.begin_substep(duration);
+		handling.begin_response(world_);
 	}
 	for (int substep = 0; substep < contact_substeps; ++substep) {
 		rigid_contacts_.begin_substep(duration);
@@ -376,7 +379,11 @@ void Simulator::step_coupled(Real dt) {
 			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 				touching_[state.rows[lane]].begin_substep();
 			}
-			advance(stepper, i, Real(substep) * duration, duration, contact_substeps);
+			const std::size_t resets = stepper.counts().non_finite.size();
+			advance(stepper, i, Real(substep) * duration, duration, contact_substeps, true);
+			if (crew.settings->self_collision && stepper.counts().non_finite.size() > resets) {
+				touching_[state.rows[0]].begin_substep(); // in its rest shape again: no way behind it that could be blocked
+			}
 			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 				TouchingBody &body = touching_[state.rows[lane]];
 				body.measure_extent();
@@ -389,11 +396,16 @@ void Simulator::step_coupled(Real dt) {
 		if (rigid_contacts_.has_bodies()) {
 			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
 		}
+		answer_self_contacts(duration);
 	}
 	measure_frames();
 	resist_rolling_between_bodies();
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
+		if (crew.settings->self_collision && surroundings_.has_colliders()) {
+			const std::size_t first = first_hull_point_[crews_[i].rows[0]];
+			world_.soft_bodies()[crew.bodies[0]].outside_hull().assign(&swept_from_[first], &swept_from_[first] + crew.shape->hull_count());
+		}
 		stepper.check(crew, dt);
 		stepper.end(crew);
 		if (world_.has_sleeping()) {
@@ -454,6 +466,19 @@ void Simulator::measure_frames() {
 		}
 		if (crew.settings->matches_shape()) {
 			stepper.remember_rotations(crew, frames);
+		}
+	});
+}
+
+// Last of all, as all others may press a hull against itself. A body that meets itself is a crew of its own.
+void Simulator::answer_self_contacts(Real h) {
+	if (!bodies_meet_themselves_) {
+		return;
+	}
+	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
+		const Crew &crew = roster_.crews()[i];
+		if (crew.settings->self_collision) {
+			stepper.answer_self_contacts(crew.bodies[0], touching_[crews_[i].rows[0]].before, h);
 		}
 	});
 }
@@ -575,6 +600,7 @@ void Simulator::collect(StepReport &report) {
 		const StepCounts &counts = stepper.counts();
 		report.substeps += counts.substeps;
 		report.contacts += counts.contacts;
+		report.self_contacts += counts.self_contacts;
 		non_finite.insert(non_finite.end(), counts.non_finite.begin(), counts.non_finite.end());
 	}
 	std::ranges::sort(non_finite);

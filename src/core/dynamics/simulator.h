@@ -36,6 +36,7 @@ struct StepReport {
 	/// sane; at rest if that velocity cannot be believed or a point is pinned. Pinned points stay. The others are
 	/// untouched.
 	std::vector<BodyId> reset_bodies;
+	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves answered, summed over substeps
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
@@ -88,10 +89,11 @@ private:
 	void move_rigid_bodies_alone(Real dt);
 	void update_pairs();
 	void find_pairs(Real dt);
-	void advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts);
+	void advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts, bool is_coupled);
 	void step_coupled(Real dt);
 	void answer_pairs(Real h);
 	void measure_frames();
+	void answer_self_contacts(Real h);
 	void resist_rolling_between_bodies();
 	void wake_bodies(bool is_rearranged);
 	void set_awake(std::uint32_t row, bool awake);
@@ -153,6 +155,7 @@ private:
 	bool bodies_resist_rolling_ = false;
 	bool bodies_bounce_ = false;
 	bool has_monitored_bodies_ = false;
+	bool bodies_meet_themselves_ = false;
 };
 
 } // namespace softbody

@@ -91,6 +91,7 @@ FrequencyBounds bounds_with(const SoftBodyShape &shape, const BodySettings &sett
 SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shape, const BodySettings &settings, Real dt,
 		bool has_contacts) {
 	const bool automatic = settings.integrator == Integrator::AUTOMATIC;
+	has_contacts |= settings.self_collision;
 	const int least = has_contacts ? MIN_CONTACT_SUBSTEPS : 1;
 	SubstepPlan plan;
 	plan.frequency = Real(std::sqrt(bounds.frequency_squared));

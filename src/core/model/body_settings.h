@@ -49,6 +49,10 @@ struct BodySettings {
 	/// Whether the body's contacts are kept and their beginnings and ends told (see `Simulator::contacts`). It moves the
 	/// same either way. A pile in which every body monitors takes about 1.15 times as long.
 	bool contact_monitor = false;
+	/// Whether the hull is kept from passing through itself, from outside (arms that close, a snake that curls) and from
+	/// inside (a thin body pressed flat). Friction is the body's. Such a body is stepped on its own, in at least
+	/// MIN_CONTACT_SUBSTEPS substeps; see `SelfCollision` for the rest of what it costs. Default false: costs nothing.
+	bool self_collision = false;
 
 	/// Whether shape matching takes part at all.
 	bool matches_shape() const { return shape_stiffness > 0 || shape_damping > 0; }

@@ -54,6 +54,7 @@ void SoftBodyData::wake() {
 }
 
 void SoftBodyData::note_change() {
+	outside_hull_.clear();
 	wake();
 	if (changes_) {
 		++changes_->arrangement;
@@ -144,6 +145,7 @@ Status SoftBodyData::set_point(std::uint32_t point, Vec2 position, Vec2 velocity
 		return status;
 	}
 	wake();
+	outside_hull_.clear();
 	mutable_positions()[point] = position;
 	mutable_velocities()[point] = velocity;
 	return {};
@@ -181,6 +183,7 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 		}
 	}
 	wake();
+	outside_hull_.clear();
 	touch_memory_ = {};
 	const Rotation from = reference.rotation;
 	const Rotation to = pose.rotation;

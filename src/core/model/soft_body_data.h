@@ -115,6 +115,9 @@ public:
 	void set_rotation_memory(Rotation rotation) { rotation_memory_ = rotation; }
 	TouchMemory &touch_memory() { return touch_memory_; }
 	RestState &rest_state() { return rest_state_; }
+	/// Of a body that collides with itself and has pushed itself since: its hull as it last was moved out of the
+	/// surroundings. Empty when it is where it was moved to.
+	std::vector<Vec2> &outside_hull() { return outside_hull_; }
 
 private:
 	SoftBodyData() = default;
@@ -130,6 +133,7 @@ private:
 	Rotation rotation_memory_;
 	TouchMemory touch_memory_;
 	RestState rest_state_;
+	std::vector<Vec2> outside_hull_;
 	std::shared_ptr<ChangeCounts> changes_;
 	bool active_ = true;
 };

@@ -133,11 +133,14 @@ void SoftBodyShape::derive() {
 
 	area_mobility_ = 0;
 	least_hull_mass_ = masses_[0];
+	Real shortest_squared = length_squared(rest_positions_[0] - rest_positions_[hull_count_ - 1]);
 	for (std::size_t i = 0; i < hull_count_; ++i) {
 		const Vec2 across = rest_positions_[(i + 1) % hull_count_] - rest_positions_[(i + hull_count_ - 1) % hull_count_];
 		area_mobility_ += length_squared(across) / (4 * masses_[i]);
 		least_hull_mass_ = std::min(least_hull_mass_, masses_[i]);
+		shortest_squared = std::min(shortest_squared, length_squared(rest_positions_[(i + 1) % hull_count_] - rest_positions_[i]));
 	}
+	shortest_hull_edge_ = std::sqrt(shortest_squared);
 
 	spring_frequency_squared_ = Real(largest_rate(&Spring2D::stiffness));
 	spring_damping_rate_ = Real(largest_rate(&Spring2D::damping));

@@ -62,6 +62,7 @@ public:
 	/// Sum over the hull of |∂A/∂x_i|²/m_i at rest [length²/mass]: what the pressure's frequency bound needs.
 	Real area_mobility() const { return area_mobility_; }
 	Real least_hull_mass() const { return least_hull_mass_; } ///< [mass]
+	Real shortest_hull_edge() const { return shortest_hull_edge_; } ///< at rest [length], > 0
 
 	/// Copy with every spring's stiffness and damping replaced. Refuses negative or non-finite values.
 	Result<std::shared_ptr<const SoftBodyShape>> with_spring_values(Real stiffness, Real damping) const;
@@ -88,6 +89,7 @@ private:
 	Real spring_damping_rate_ = 0;
 	Real area_mobility_ = 0;
 	Real least_hull_mass_ = 0;
+	Real shortest_hull_edge_ = 0;
 };
 
 } // namespace softbody

@@ -59,6 +59,21 @@ Status WorldData::set_contact_substeps(int contact_substeps) {
 	return {};
 }
 
+void WorldData::set_contact_response(ContactResponse response) {
+	if (response != contact_response_) {
+		wake_all();
+	}
+	contact_response_ = response;
+}
+
+Status WorldData::set_separation_stiffness(Real stiffness) {
+	if (Status status = check_at_least("separation_stiffness", stiffness, 0, "N/m²")) {
+		return status;
+	}
+	separation_stiffness_ = stiffness;
+	return {};
+}
+
 BodyId WorldData::add_soft_body(SoftBodyData body) {
 	if (free_slots_.empty()) {
 		free_slots_.push_back(std::uint32_t(slots_.size()));

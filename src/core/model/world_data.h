@@ -5,6 +5,7 @@
 #include "core/base/constants.h"
 #include "core/base/error.h"
 #include "core/base/vec2.h"
+#include "core/model/contact_response.h"
 #include "core/model/rigid_body.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/surroundings.h"
@@ -44,6 +45,13 @@ public:
 	/// penetration and stiffer piles, at a cost that grows as fast. Default MIN_CONTACT_SUBSTEPS.
 	int contact_substeps() const { return contact_substeps_; }
 	Status set_contact_substeps(int contact_substeps);
+
+	/// How soft bodies that touch one another are kept apart. Default POSITION_BASED.
+	ContactResponse contact_response() const { return contact_response_; }
+	void set_contact_response(ContactResponse response);
+	/// Strength κ of the separation force [force/length², times `length_unit`], >= 0. Default SEPARATION_STIFFNESS.
+	Real separation_stiffness() const { return separation_stiffness_; }
+	Status set_separation_stiffness(Real stiffness);
 
 	/// Wakes every sleeping body.
 	void wake_all();
@@ -120,6 +128,8 @@ private:
 	std::vector<RigidBody> rigid_bodies_;
 	std::vector<Reaction> reactions_; ///< one a rigid body
 	std::uint64_t surroundings_version_ = 0;
+	ContactResponse contact_response_ = ContactResponse::POSITION_BASED;
+	Real separation_stiffness_ = SEPARATION_STIFFNESS;
 };
 
 } // namespace softbody

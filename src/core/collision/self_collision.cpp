@@ -1,0 +1,518 @@
+// SPDX-License-Identifier: MIT
+// Contacts of a body with itself.
+#include "core/collision/self_collision.h"
+
+#include "core/base/constants.h"
+#include "core/geometry/segment.h"
+#include "core/geometry/triangle.h"
+#include "core/geometry/vec2d.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace softbody {
+
+namespace {
+
+Real sign_of(double value) {
+	return value > 0 ? Real(1) : Real(-1);
+}
+
+// Whether segments ab and cd cross, each end of each clearly on one side of the other: touching is no crossing.
+bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+	const double of_c = signed_double_area(a, b, c);
+	const double of_d = signed_double_area(a, b, d);
+	const double of_a = signed_double_area(c, d, a);
+	const double of_b = signed_double_area(c, d, b);
+	return ((of_c > 0 && of_d < 0) || (of_c < 0 && of_d > 0)) && ((of_a > 0 && of_b < 0) || (of_a < 0 && of_b > 0));
+}
+
+// About the moving origin, so that the digits are the body's own.
+double angular_momentum(const SoftBodyData &body, std::span<const Vec2> hull, Vec2 origin) {
+	double sum = 0;
+	for (std::size_t i = 0; i < body.point_count(); ++i) {
+		const Vec2d arm = i < body.shape().hull_count() ? difference(hull[i], {}) : difference(body.positions()[i], origin);
+		sum += cross(arm, difference(body.velocities()[i], {})) / double(body.inverse_masses()[i]);
+	}
+	return sum;
+}
+
+// What moving points sideways to their velocities has changed is handed back as spin of the whole body.
+void restore_angular_momentum(SoftBodyData &body, std::span<const Vec2> hull, Vec2 origin, double wanted) {
+	const auto arm_of = [&](std::size_t i) {
+		return i < body.shape().hull_count() ? difference(hull[i], {}) : difference(body.positions()[i], origin);
+	};
+	Vec2d centre;
+	double mass = 0;
+	for (std::size_t i = 0; i < body.point_count(); ++i) {
+		const double own = 1 / double(body.inverse_masses()[i]);
+		centre = centre + arm_of(i) * own;
+		mass += own;
+	}
+	centre = centre * (1 / mass);
+	double inertia = 0;
+	for (std::size_t i = 0; i < body.point_count(); ++i) {
+		const Vec2d arm = arm_of(i) - centre;
+		inertia += dot(arm, arm) / double(body.inverse_masses()[i]);
+	}
+	if (!(inertia > 0)) {
+		return;
+	}
+	const double spin = (wanted - angular_momentum(body, hull, origin)) / inertia;
+	for (std::size_t i = 0; i < body.point_count(); ++i) {
+		const Vec2d arm = arm_of(i) - centre;
+		body.mutable_velocities()[i] += Vec2(Vec2d{ -arm.y, arm.x } * spin);
+	}
+}
+
+} // namespace
+
+std::size_t SelfCollision::handle(SoftBodyData &body, std::span<const Vec2> before, Real h) {
+	if (!begin(body, before)) {
+		return 0;
+	}
+	std::size_t contacts = 0;
+	double spin = 0;
+	bool is_left_alone = false;
+	for (int pass = 0; pass < SELF_CONTACT_PASSES; ++pass) {
+		const std::size_t known = contacts;
+		build_boxes();
+		visit_candidates(gap_, [&](std::uint32_t point, std::uint32_t edge) {
+			if (is_left_alone) {
+				return;
+			}
+			const std::optional<Contact> contact = find_contact(point, edge, gap_);
+			if (!contact) {
+				return;
+			}
+			if (contacts == 0) {
+				is_left_alone = was_folded();
+				if (is_left_alone) {
+					return;
+				}
+				spin = body.has_pins() ? 0 : angular_momentum(body, to_, origin_);
+			}
+			++contacts;
+			answer(body, point, edge, *contact, h);
+		});
+		if (contacts == known) {
+			break;
+		}
+		if (pass + 1 == SELF_CONTACT_PASSES) {
+			hold_zones(body);
+		}
+	}
+	if (contacts > 0) {
+		if (!body.has_pins()) {
+			restore_angular_momentum(body, to_, origin_, spin);
+		}
+		end(body);
+	}
+	return contacts;
+}
+
+bool SelfCollision::begin(const SoftBodyData &body, std::span<const Vec2> before) {
+	const std::span<const Vec2> hull = body.hull();
+	const std::size_t count = hull.size();
+	count_ = std::uint32_t(count);
+	from_.resize(run_count() * PACK_WIDTH + 1);
+	to_.resize(from_.size());
+	is_moved_.assign(count, 0);
+	const Vec2 start = before[0];
+	Vec2 way;
+	for (std::size_t i = 0; i < count; ++i) {
+		way += (hull[i] - before[i]) * (1 / Real(count));
+	}
+	if (!is_finite(way) || !is_finite(start)) {
+		return false; // for the step to reset
+	}
+	origin_ = start + way;
+	shift_ = origin_ - start;
+	for (std::size_t i = 0; i < count; ++i) {
+		from_[i] = before[i] - start;
+		to_[i] = hull[i] - origin_;
+	}
+	std::fill(from_.begin() + count_, from_.end(), from_[0]);
+	// Far from the world's origin positions are too coarse for a small gap.
+	const Real farthest = std::max(std::abs(origin_.x), std::abs(origin_.y)) + body.shape().radius();
+	gap_ = std::max(SELF_GAP * body.shape().shortest_hull_edge(), 16 * std::numeric_limits<Real>::epsilon() * farthest);
+	return true;
+}
+
+void SelfCollision::end(SoftBodyData &body) {
+	for (std::size_t i = 0; i < count_; ++i) {
+		if (is_moved_[i]) {
+			body.mutable_positions()[i] = origin_ + to_[i];
+		}
+	}
+}
+
+namespace {
+
+Vec2 lesser_of(Vec2 a, Vec2 b) {
+	return { std::min(a.x, b.x), std::min(a.y, b.y) };
+}
+Vec2 greater_of(Vec2 a, Vec2 b) {
+	return { std::max(a.x, b.x), std::max(a.y, b.y) };
+}
+
+template <class Boxes>
+std::uint32_t overlaps(const Boxes &boxes, Vec2 min, Vec2 max) {
+	const PackMask beside = both(!(boxes.max.x < RealPack(min.x)), !(RealPack(max.x) < boxes.min.x));
+	const PackMask above = both(!(boxes.max.y < RealPack(min.y)), !(RealPack(max.y) < boxes.min.y));
+	return bits(both(beside, above));
+}
+
+} // namespace
+
+// Of the edges of a run and the ways of their ends.
+SelfCollision::Boxes SelfCollision::edge_boxes(std::uint32_t run) const {
+	const std::size_t i = run * PACK_WIDTH;
+	Boxes boxes;
+	boxes.min = boxes.max = consecutive(&from_[i]);
+	for (const Vec2 *other : { &from_[i + 1], &to_[i], &to_[i + 1] }) {
+		const BasicVec2<RealPack> p = consecutive(other);
+		boxes.min = { lesser(boxes.min.x, p.x), lesser(boxes.min.y, p.y) };
+		boxes.max = { greater(boxes.max.x, p.x), greater(boxes.max.y, p.y) };
+	}
+	return boxes;
+}
+
+// A tree of boxes over the order of the hull, PACK_WIDTH of each level in one of the next: neighbours on the hull are
+// neighbours in the plane, so that nothing needs to be sorted.
+void SelfCollision::build_boxes() {
+	std::fill(to_.begin() + count_, to_.end(), to_[0]);
+	boxes_.clear();
+	level_count_ = 0;
+	constexpr Real FAR = std::numeric_limits<Real>::max();
+	const Boxes nowhere{ in_all_lanes<RealPack>({ FAR, FAR }), in_all_lanes<RealPack>({ -FAR, -FAR }) };
+	std::size_t entries = run_count();
+	do {
+		const std::size_t begin = boxes_.size();
+		boxes_.resize(begin + (entries + PACK_WIDTH - 1) / PACK_WIDTH, nowhere);
+		for (std::size_t i = 0; i < entries; ++i) {
+			const Boxes below = level_count_ == 0 ? edge_boxes(std::uint32_t(i)) : boxes_[levels_[level_count_ - 1] + i];
+			Vec2 min = lane_of(below.min, 0);
+			Vec2 max = lane_of(below.max, 0);
+			for (std::size_t lane = 1; lane < PACK_WIDTH; ++lane) {
+				min = lesser_of(min, lane_of(below.min, lane));
+				max = greater_of(max, lane_of(below.max, lane));
+			}
+			set_lane(boxes_[begin + i / PACK_WIDTH].min, i % PACK_WIDTH, min);
+			set_lane(boxes_[begin + i / PACK_WIDTH].max, i % PACK_WIDTH, max);
+		}
+		levels_[level_count_++] = begin;
+		entries = boxes_.size() - begin;
+	} while (entries > 1);
+}
+
+// Whether two runs in a row go on in one direction, at the start, at the end and so all along: a chain that does meets
+// no part of itself. Most of a hull is such, and its neighbouring runs, whose boxes always overlap, need no other look.
+bool SelfCollision::is_straight(std::uint32_t run, std::uint32_t next) const {
+	const std::uint32_t last = std::min(std::uint32_t((next + 1) * PACK_WIDTH), count_);
+	const std::uint32_t first = run * PACK_WIDTH;
+	const Vec2 direction = (from_[last] - from_[first]) + (to_[last] - to_[first]);
+	const BasicVec2<RealPack> along = in_all_lanes<RealPack>(direction);
+	std::uint32_t backwards = 0;
+	for (const std::uint32_t each : { run, next }) {
+		const std::size_t i = each * PACK_WIDTH;
+		const RealPack before = dot(along, consecutive(&from_[i + 1]) - consecutive(&from_[i]));
+		const RealPack now = dot(along, consecutive(&to_[i + 1]) - consecutive(&to_[i]));
+		std::uint32_t lanes = bits(!both(before > RealPack(0), now > RealPack(0)));
+		if (i + PACK_WIDTH > count_) {
+			lanes &= (1u << (count_ - i)) - 1; // what fills the last run is no edge
+		}
+		backwards |= lanes;
+	}
+	return backwards == 0;
+}
+
+template <class Visit>
+void SelfCollision::visit_runs(const Aabb &box, std::size_t level, std::size_t pack, const Visit &visit) const {
+	for (std::uint32_t hits = overlaps(boxes_[levels_[level] + pack], box.min, box.max); hits != 0; hits &= hits - 1) {
+		const std::size_t child = pack * PACK_WIDTH + std::size_t(std::countr_zero(hits));
+		if (level == 0) {
+			visit(std::uint32_t(child));
+		} else {
+			visit_runs(box, level - 1, child, visit);
+		}
+	}
+}
+
+template <class Visit>
+void SelfCollision::visit_run_pairs(Real gap, const Visit &visit) const {
+	const std::uint32_t runs = run_count();
+	bool was_straight = runs > 2 && is_straight(runs - 1, 0);
+	for (std::uint32_t run = 0; run < runs; ++run) {
+		const std::uint32_t next = run + 1 == runs ? 0 : run + 1;
+		const bool goes_straight = runs > 2 && is_straight(run, next);
+		if (!goes_straight && !was_straight) {
+			visit(run, run);
+		}
+		if (!goes_straight && (runs > 2 || run < next)) {
+			visit(std::min(run, next), std::max(run, next));
+		}
+		was_straight = goes_straight;
+		if (runs <= 3) {
+			continue; // all are neighbours
+		}
+		const Boxes &own = boxes_[run / PACK_WIDTH];
+		const Aabb box{ lane_of(own.min, run % PACK_WIDTH), lane_of(own.max, run % PACK_WIDTH) };
+		visit_runs(box.grown(gap), level_count_ - 1, 0, [&](std::uint32_t other) {
+			if (other > run + 1 && !(run == 0 && other + 1 == runs)) {
+				visit(run, other);
+			}
+		});
+	}
+}
+
+template <class Visit>
+void SelfCollision::visit_candidates(Real gap, const Visit &visit) const {
+	const auto visit_points = [&](std::uint32_t of_points, std::uint32_t of_edges) {
+		const Boxes edges = edge_boxes(of_edges);
+		const std::uint32_t first = of_points * PACK_WIDTH;
+		for (std::uint32_t point = first; point < std::min(first + std::uint32_t(PACK_WIDTH), count_); ++point) {
+			const Vec2 min = lesser_of(from_[point], to_[point]) - Vec2{ gap, gap };
+			const Vec2 max = greater_of(from_[point], to_[point]) + Vec2{ gap, gap };
+			for (std::uint32_t hits = overlaps(edges, min, max); hits != 0; hits &= hits - 1) {
+				const std::uint32_t edge = of_edges * PACK_WIDTH + std::uint32_t(std::countr_zero(hits));
+				if (edge < count_ && edge != point && after(edge) != point) {
+					visit(point, edge);
+				}
+			}
+		}
+	};
+	visit_run_pairs(gap, [&](std::uint32_t a, std::uint32_t b) {
+		visit_points(a, b);
+		if (a != b) {
+			visit_points(b, a);
+		}
+	});
+}
+
+bool SelfCollision::was_folded() const {
+	double twice_area = 0;
+	for (std::uint32_t i = 0; i < count_; ++i) {
+		twice_area += cross(difference(from_[i], {}), difference(from_[i + 1], {}));
+	}
+	bool is_crossed = false;
+	visit_run_pairs(0, [&](std::uint32_t a, std::uint32_t b) {
+		for (std::uint32_t i = a * PACK_WIDTH; !is_crossed && i < std::min<std::uint32_t>((a + 1) * PACK_WIDTH, count_); ++i) {
+			for (std::uint32_t j = b * PACK_WIDTH; !is_crossed && j < std::min<std::uint32_t>((b + 1) * PACK_WIDTH, count_); ++j) {
+				is_crossed = cross_properly(from_[i], from_[i + 1], from_[j], from_[j + 1]);
+			}
+		}
+	});
+	return is_crossed || !(twice_area > 0);
+}
+
+// With a, b the ends of the edge and p the point, all moving evenly, p is on the line ab when
+//   f(t) = cross(b - a, p - a) = 0,
+// a quadratic. If its three Bernstein coefficients have one sign, so has f: nearly all candidates end here.
+std::optional<SelfCollision::Contact> SelfCollision::find_contact(std::uint32_t point, std::uint32_t edge,
+		Real gap) const {
+	const std::uint32_t next = after(edge);
+	const Vec2d edge_from = difference(from_[next], from_[edge]);
+	const Vec2d edge_to = difference(to_[next], to_[edge]);
+	const Vec2d offset_from = difference(from_[point], from_[edge]);
+	const Vec2d offset_to = difference(to_[point], to_[edge]);
+	const double first = cross(edge_from, offset_from);
+	const double middle = (cross(edge_from, offset_to) + cross(edge_to, offset_from)) / 2;
+	const double last = cross(edge_to, offset_to);
+	if ((first > 0 && middle > 0 && last > 0) || (first < 0 && middle < 0 && last < 0)) {
+		return find_nearness(point, edge, sign_of(first), gap);
+	}
+	const std::optional<SegmentImpact> impact = point_segment_impact({ from_[point], to_[point] },
+			{ from_[edge], to_[edge] }, { from_[next], to_[next] });
+	if (!impact) {
+		return find_nearness(point, edge, sign_of(last), gap); // went around an end, if at all
+	}
+	// The point came from where f was before: of two roots, the second is met by one that first went around an end.
+	Real side = first == 0 ? side_of_chain(point, edge) : sign_of(first);
+	const double bend = first - 2 * middle + last;
+	if (first * last > 0 && double(impact->time) > (first - middle) / bend + 1e-5) {
+		side = -side;
+	}
+	// How far past the place where they met, along the normal that the edge had then.
+	const Vec2d edge_then = edge_from + (edge_to - edge_from) * double(impact->time);
+	const double size_then = length(edge_then);
+	if (!(size_then > 0)) {
+		return Contact{}; // for a zone to hold
+	}
+	const Vec2d normal = Vec2d{ -edge_then.y, edge_then.x } * (double(side) / size_then);
+	const Real depth = gap - Real(dot(normal, offset_to - edge_to * double(impact->parameter)));
+	return Contact{ impact->parameter, Vec2(normal), std::max(depth, Real(0)) };
+}
+
+// A point that stays on its side of the edge, but nearer than the gap.
+std::optional<SelfCollision::Contact> SelfCollision::find_nearness(std::uint32_t point, std::uint32_t edge, Real side,
+		Real gap) const {
+	const std::uint32_t next = after(edge);
+	const Vec2 way = to_[next] - to_[edge];
+	const Vec2 offset = to_[point] - to_[edge];
+	const Real size_squared = length_squared(way);
+	if (!(size_squared > 0)) {
+		return {}; // the edges beside it have something to say
+	}
+	const Real along = dot(offset, way) / size_squared;
+	if (along > 0 && along < 1) {
+		const Real size = std::sqrt(size_squared);
+		const Vec2 normal = perpendicular(way) * (side / size);
+		const Real depth = gap - dot(offset, normal);
+		return depth > 0 ? std::optional(Contact{ along, normal, depth }) : std::nullopt;
+	}
+	const std::uint32_t end = along > 0 ? next : edge;
+	if (after(point) == end || after(end) == point) {
+		return {}; // an edge may be as short as it likes
+	}
+	const Vec2 apart = to_[point] - to_[end];
+	const Real distance = length(apart);
+	if (!(distance < gap && distance > 0)) {
+		return {};
+	}
+	return Contact{ end == next ? Real(1) : Real(0), apart * (1 / distance), gap - distance };
+}
+
+// Of an edge that the point starts right on: where the hull comes from and goes to.
+Real SelfCollision::side_of_chain(std::uint32_t point, std::uint32_t edge) const {
+	double sum = 0;
+	for (const std::uint32_t neighbour : { point == 0 ? count_ - 1 : point - 1, after(point) }) {
+		sum += signed_double_area(from_[edge], from_[after(edge)], from_[neighbour]);
+	}
+	return sum < 0 ? Real(-1) : Real(1); // in doubt the inner
+}
+
+void SelfCollision::answer(SoftBodyData &body, std::uint32_t point, std::uint32_t edge, const Contact &contact, Real h) {
+	const std::uint32_t next = after(edge);
+	const Real share_a = 1 - contact.t;
+	const Real share_b = contact.t;
+	const Real mobility_p = body.inverse_masses()[point];
+	const Real mobility_a = body.inverse_masses()[edge] * share_a;
+	const Real mobility_b = body.inverse_masses()[next] * share_b;
+	const Real mobility = mobility_p + mobility_a * share_a + mobility_b * share_b;
+	if (!(mobility > 0)) {
+		return; // pinned
+	}
+	const std::span<Vec2> velocities = body.mutable_velocities();
+	const Vec2 relative = velocities[point] - (velocities[edge] * share_a + velocities[next] * share_b);
+	const Real approach = -dot(relative, contact.normal);
+	Vec2 push = contact.normal * contact.depth;
+	Vec2 change;
+	if (approach > 0) {
+		// As between bodies: what came too far is what the approach must lose.
+		const Real normal_change = std::min(approach, contact.depth / h);
+		const Vec2 slide = relative + contact.normal * approach;
+		const Real slide_speed = length(slide);
+		change = contact.normal * normal_change;
+		if (slide_speed > 0) {
+			const Vec2 brake = slide * (-std::min(slide_speed, body.settings().friction * normal_change) / slide_speed);
+			change += brake;
+			push += brake * h;
+		}
+	}
+	push *= 1 / mobility;
+	change *= 1 / mobility;
+	to_[point] += push * mobility_p;
+	velocities[point] += change * mobility_p;
+	to_[edge] -= push * mobility_a;
+	velocities[edge] -= change * mobility_a;
+	to_[next] -= push * mobility_b;
+	velocities[next] -= change * mobility_b;
+	is_moved_[point] = is_moved_[edge] = is_moved_[next] = 1;
+}
+
+// Each round joins at least two zones, and a hull that is one zone is where it was, moved and turned.
+void SelfCollision::hold_zones(SoftBodyData &body) {
+	zones_.resize(count_);
+	std::iota(zones_.begin(), zones_.end(), 0u);
+	// What ends up nearer than this might be rounded onto the other side.
+	const Real sliver = gap_ / 4;
+	for (bool has_joined = true; has_joined;) {
+		has_joined = false;
+		is_joined_.assign(count_, 0);
+		build_boxes();
+		visit_candidates(sliver, [&](std::uint32_t point, std::uint32_t edge) {
+			const std::uint32_t next = after(edge);
+			if (zones_[point] == zones_[edge] && zones_[point] == zones_[next]) {
+				return;
+			}
+			if (!find_contact(point, edge, sliver)) {
+				return;
+			}
+			const std::uint32_t zone = std::min({ zones_[point], zones_[edge], zones_[next] });
+			for (const std::uint32_t old : { zones_[point], zones_[edge], zones_[next] }) {
+				std::ranges::replace(zones_, old, zone);
+			}
+			is_joined_[zone] = 1;
+			has_joined = true;
+		});
+		for (std::uint32_t zone = 0; zone < zones_.size(); ++zone) {
+			if (is_joined_[zone] && zones_[zone] == zone) { // not joined to another since
+				move_zone(body, zone);
+			}
+		}
+	}
+}
+
+// As a rigid piece from where it was, with the momentum and the angular momentum that its points have.
+void SelfCollision::move_zone(SoftBodyData &body, std::uint32_t zone) {
+	const std::span<Vec2> velocities = body.mutable_velocities();
+	Vec2d centre_from;
+	Vec2d centre_to;
+	Vec2d momentum;
+	double mass = 0;
+	bool is_pinned = false;
+	const auto for_points = [&](const auto &work) {
+		for (std::uint32_t i = 0; i < zones_.size(); ++i) {
+			if (zones_[i] == zone) {
+				work(i, 1 / double(body.inverse_masses()[i]));
+			}
+		}
+	};
+	for_points([&](std::uint32_t i, double own) {
+		is_pinned |= body.inverse_masses()[i] == 0;
+		centre_from = centre_from + difference(from_[i], {}) * own;
+		centre_to = centre_to + difference(to_[i], {}) * own;
+		momentum = momentum + difference(velocities[i], {}) * own;
+		mass += own;
+	});
+	if (is_pinned) {
+		for_points([&](std::uint32_t i, double) {
+			to_[i] = from_[i] - shift_;
+			velocities[i] = {};
+			is_moved_[i] = 1;
+		});
+		return;
+	}
+	centre_from = centre_from * (1 / mass);
+	centre_to = centre_to * (1 / mass);
+	const Vec2d velocity = momentum * (1 / mass);
+	double along = 0;
+	double across = 0;
+	double angular = 0;
+	double inertia = 0;
+	for_points([&](std::uint32_t i, double own) {
+		const Vec2d q = difference(from_[i], {}) - centre_from;
+		const Vec2d r = difference(to_[i], {}) - centre_to;
+		along += own * dot(q, r);
+		across += own * cross(q, r);
+		angular += own * cross(r, difference(velocities[i], {}) - velocity);
+		inertia += own * dot(q, q);
+	});
+	const double norm = std::hypot(along, across);
+	const double c = norm > 0 ? along / norm : 1.0;
+	const double s = norm > 0 ? across / norm : 0.0;
+	const double spin = inertia > 0 ? angular / inertia : 0.0;
+	for_points([&](std::uint32_t i, double) {
+		const Vec2d q = difference(from_[i], {}) - centre_from;
+		const Vec2d r{ c * q.x - s * q.y, s * q.x + c * q.y };
+		to_[i] = Vec2(centre_to + r);
+		velocities[i] = Vec2(velocity + Vec2d{ -r.y, r.x } * spin);
+		is_moved_[i] = 1;
+	});
+}
+
+} // namespace softbody

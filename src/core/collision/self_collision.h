@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Contacts of a body with itself: its hull does not pass through its hull, neither from outside nor from inside.
+#pragma once
+
+#include "core/base/pack.h"
+#include "core/base/vec2.h"
+#include "core/geometry/polygon.h"
+#include "core/model/soft_body_data.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Keeps a hull that does not cross itself from crossing itself (`BodySettings::self_collision`). Every hull point is
+/// followed on its way through the moving edges that it is no end of, so the side it came from is known: outside for
+/// two arms that close, inside for a body that is pressed flat. Point and edge are moved apart by inverse mass, to
+/// SELF_GAP, and lose of their approach what brought them nearer within the substep, with Coulomb friction beside it.
+/// Momentum stays, and angular momentum, unless points are pinned.
+///
+/// What a few passes over all contacts leave crossing moves as one rigid piece for this substep (an impact zone: Provot
+/// 1997, Bridson, Fedkiw and Anderson 2002), so that a simple hull stays simple whatever presses on it.
+///
+/// A hull that is crossed or turned inside out when the substep begins has no contacts with itself: whatever side
+/// a point is on then may be the wrong one, and holding it there would lock the crossing in.
+///
+/// One object serves one thread and owns nothing but scratch memory, which grows to the largest hull.
+class SelfCollision {
+public:
+	/// Answers the contacts of a body whose hull moved from `before` (as many points or more) to where it is in a substep
+	/// of `h` [s]. Returns how many it answered. O(hull points) where the hull keeps away from itself.
+	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Real h);
+
+private:
+	struct Contact {
+		Real t = 0; ///< place on the edge, 0..1
+		Vec2 normal; ///< unit, the way the point has to go
+		Real depth = 0; ///< how much [length], >= 0
+	};
+	/// Of PACK_WIDTH runs, or of as many packs of the level below.
+	struct Boxes {
+		BasicVec2<RealPack> min;
+		BasicVec2<RealPack> max;
+	};
+
+	bool begin(const SoftBodyData &body, std::span<const Vec2> before);
+	void end(SoftBodyData &body);
+	std::uint32_t after(std::uint32_t i) const { return i + 1 == count_ ? 0 : i + 1; }
+
+	// A run is PACK_WIDTH points of the hull in order, each with the edge that begins at it.
+	std::uint32_t run_count() const { return (count_ + PACK_WIDTH - 1) / PACK_WIDTH; }
+	Boxes edge_boxes(std::uint32_t run) const;
+	void build_boxes();
+	bool is_straight(std::uint32_t run, std::uint32_t next) const;
+	template <class Visit>
+	void visit_runs(const Aabb &box, std::size_t level, std::size_t pack, const Visit &visit) const;
+	/// Calls `visit(a, b)`, a <= b, for all pairs of runs of which points may come within `gap` of edges.
+	template <class Visit>
+	void visit_run_pairs(Real gap, const Visit &visit) const;
+	/// Calls `visit(point, edge)` for all that may come within `gap` of each other.
+	template <class Visit>
+	void visit_candidates(Real gap, const Visit &visit) const;
+	bool was_folded() const;
+
+	std::optional<Contact> find_contact(std::uint32_t point, std::uint32_t edge, Real gap) const;
+	std::optional<Contact> find_nearness(std::uint32_t point, std::uint32_t edge, Real side, Real gap) const;
+	Real side_of_chain(std::uint32_t point, std::uint32_t edge) const;
+	void answer(SoftBodyData &body, std::uint32_t point, std::uint32_t edge, const Contact &contact, Real h);
+	void hold_zones(SoftBodyData &body);
+	void move_zone(SoftBodyData &body, std::uint32_t zone);
+
+	// The hull before and after, each seen from an origin that moves along with it. Both end with the first point, as often
+	// as it takes to fill the last run.
+	std::uint32_t count_ = 0; ///< hull points
+	std::vector<Vec2> from_;
+	std::vector<Vec2> to_;
+	Vec2 origin_; ///< of `to_`, in the world
+	Vec2 shift_; ///< from the origin of `from_`
+	Real gap_ = 0; ///< [length]
+	std::vector<char> is_moved_;
+	std::vector<std::uint32_t> zones_; ///< of each hull point: the first point of its zone
+	std::vector<char> is_joined_; ///< of each zone: in this round
+	std::vector<Boxes> boxes_; ///< of runs and their ways, level by level
+	std::array<std::size_t, 8> levels_{}; ///< where each begins; the last is a single pack
+	std::size_t level_count_ = 0;
+};
+
+} // namespace softbody
