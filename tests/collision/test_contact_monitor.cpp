@@ -182,6 +182,18 @@ TEST_CASE("bodies that have not parted by more than a sliver still touch") {
 	CHECK(events_of(Real(1.1) * TOUCH_GAP * THESIS_RADIUS) == "++--");
 }
 
+TEST_CASE("a corner close to the middle of an edge is near for both") {
+	Scene scene(2, 0);
+	const Real apothem = THESIS_RADIUS * Real(0.92387953);
+	const Rotation half_a_corner = Rotation::from_angle(Real(0.39269908));
+	// The corner of the second is a hundredth of the radius from an edge of the first.
+	scene.world.find(scene.ids[0])->teleport({}, { {}, half_a_corner });
+	scene.world.find(scene.ids[1])->teleport({ { 2 * THESIS_RADIUS, 0 }, {} }, { { apothem + Real(1.01) * THESIS_RADIUS, 0 }, {} });
+	scene.touch_body(0, 1);
+	CHECK(scene.step() == "++");
+	CHECK(scene.rest(20).empty());
+}
+
 TEST_CASE("a touch ends at once, and once, when a side goes, is set inactive, or no longer monitors") {
 	const auto ends = [](const auto &change, std::size_t least, std::size_t most) {
 		Scene scene(2, Real(0.001));

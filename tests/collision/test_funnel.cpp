@@ -90,8 +90,11 @@ TEST_CASE("a body that a funnel is too narrow for comes to rest in it, unfolded,
 	struct Case {
 		Real friction, radius;
 	};
-	for (const auto &[friction, radius] : { Case{ 0, Real(0.02) }, Case{ Real(0.5), Real(0.02) }, Case{ Real(0.5), 0 } }) {
+	for (const auto &[friction, radius] : { Case{ 0, Real(0.02) }, Case{ Real(0.5), Real(0.02) }, Case{ Real(0.5), 0 }, Case{ 0, 0 } }) {
 		for (const Real gap : { Real(0.3), Real(0.4), Real(0.5), Real(0.6) }) {
+			if (friction == 0 && radius == 0 && gap < Real(0.45)) {
+				continue; // it catches there
+			}
 			CAPTURE(friction);
 			CAPTURE(radius);
 			CAPTURE(gap);

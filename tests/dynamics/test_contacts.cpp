@@ -142,6 +142,33 @@ TEST_CASE("the impulses of a body at rest add up to its weight times the step, u
 	}
 }
 
+TEST_CASE("of like bodies, stepped side by side, each that monitors tells of its own weight and the others of nothing") {
+	Scene scene;
+	scene.world.set_sleeping(false);
+	FLOORS[0].second(scene.world);
+	const auto shape = thesis_shape_with_ratio(1000, Real(0.1));
+	for (int i = 0; i < 8; ++i) {
+		BodySettings settings = monitored();
+		settings.contact_monitor = i % 3 != 0;
+		scene.world.add_soft_body(thesis_body(shape, settings, { { Real(2 * i), Real(0.47) }, HALF_A_CORNER }));
+	}
+	Roster roster;
+	roster.update(scene.world);
+	REQUIRE(roster.crews().size() == 8 / PACK_WIDTH);
+	scene.step(240);
+	std::vector<double> impulses(8);
+	for (int tick = 0; tick < 60; ++tick) {
+		scene.step();
+		for (const Contact &contact : scene.simulator.contacts()) {
+			impulses[contact.body.index] += contact.normal_impulse;
+			CHECK(distance(contact.point, scene.world.find(contact.body)->positions()[contact.hull_point]) < 0.01);
+		}
+	}
+	for (std::size_t i = 0; i < impulses.size(); ++i) {
+		CHECK(impulses[i] / (THESIS_MASS * PULL) == doctest::Approx(i % 3 != 0 ? 1 : 0).epsilon(0.01));
+	}
+}
+
 TEST_CASE("a body on another is told of it with its weight, and the other with the same contacts, mirrored") {
 	Scene scene;
 	scene.world.set_sleeping(false);
