@@ -100,8 +100,7 @@ bool Simulator::arrange(Real dt) {
 			masks |= settings.collision_mask;
 		}
 	}
-	asleep_.assign(touching_.size(), 0);
-	asleep_count_ = 0;
+	sleepers_.reset(touching_.size());
 	before_.resize(hull_points);
 	swept_from_.resize(hull_points);
 	first_hull_point_.resize(touching_.size());
@@ -216,7 +215,7 @@ void Simulator::find_pairs(Real dt) {
 		const std::size_t count = touching_.size();
 		for_slices(count, BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
 			for (std::size_t i = begin; i < end; ++i) {
-				if (asleep_[i]) {
+				if (sleepers_[i]) {
 					broad_[i].box = touching_[i].box;
 					continue;
 				}
@@ -226,7 +225,7 @@ void Simulator::find_pairs(Real dt) {
 		update_pairs();
 		has_pair_.assign(count, 0);
 		for (const BodyPair pair : broad_phase_.pairs()) {
-			const char is_near = !(asleep_[pair.a] && asleep_[pair.b]);
+			const char is_near = !(sleepers_[pair.a] && sleepers_[pair.b]);
 			has_pair_[pair.a] |= is_near;
 			has_pair_[pair.b] |= is_near;
 		}
@@ -254,18 +253,18 @@ void Simulator::find_pairs(Real dt) {
 
 void Simulator::wake_by_surroundings() {
 	watch_.update(surroundings_);
-	if (asleep_count_ == 0 || (!watch_.has_border_changed() && watch_.changed_boxes().empty())) {
+	if (sleepers_.count() == 0 || (!watch_.has_border_changed() && watch_.changed_boxes().empty())) {
 		return;
 	}
 	for (std::uint32_t row = 0; row < places_.size(); ++row) {
 		// What it rests on touches its box at most.
 		const Aabb box = touching_[row].box.grown(touching_[row].radius / 8);
-		if (asleep_[row] && (watch_.has_border_changed() ||
+		if (sleepers_[row] && (watch_.has_border_changed() ||
 									std::ranges::any_of(watch_.changed_boxes(), [&](const Aabb &b) { return b.overlaps(box); }))) {
 			world_.soft_bodies()[places_[row]].wake();
 		}
 	}
-	wake_bodies(false);
+	take_over_sleepers(false);
 }
 
 // Which bodies may meet a rigid body that they push back. None of them sleeps: what rests on it would sink in.
@@ -284,12 +283,12 @@ void Simulator::find_rigid_contacts(Real dt) {
 					surroundings_.has_dynamic_collider_in(sweep_box(touching_[i].hull(), touching_[i].velocities, dt));
 		}
 	});
-	for (std::size_t i = 0; asleep_count_ > 0 && i < count; ++i) {
-		if (has_rigid_body_[i] && asleep_[i]) {
+	for (std::size_t i = 0; sleepers_.count() > 0 && i < count; ++i) {
+		if (has_rigid_body_[i] && sleepers_[i]) {
 			world_.soft_bodies()[places_[i]].wake();
 		}
 	}
-	wake_bodies(false);
+	take_over_sleepers(false);
 }
 
 StepReport Simulator::simulate(Real dt) {
@@ -302,7 +301,7 @@ StepReport Simulator::simulate(Real dt) {
 	const std::uint64_t old_roster = roster_.version();
 	roster_.update(world_);
 	surroundings_.update(world_, dt);
-	wake_bodies(arrange(dt));
+	take_over_sleepers(arrange(dt));
 	// Bodies that came or were activated may have brought forces along.
 	const bool has_forces = seen_forces_ != world_.change_counts().forces || roster_.version() != old_roster;
 	seen_forces_ = world_.change_counts().forces;
@@ -316,7 +315,7 @@ StepReport Simulator::simulate(Real dt) {
 		wake_by_surroundings();
 	}
 	find_rigid_contacts(dt);
-	if (asleep_count_ < touching_.size()) {
+	if (!sleepers_.is_everybody()) {
 		plan_pressure(dt);
 		find_pairs(dt);
 	}
@@ -344,7 +343,7 @@ StepReport Simulator::simulate(Real dt) {
 	if (world_.has_sleeping()) {
 		let_sleep();
 	}
-	report.sleeping_bodies = asleep_count_;
+	report.sleeping_bodies = sleepers_.count();
 	for (const std::uint32_t place : roster_.inactive_bodies()) {
 		SoftBodyData &body = world_.soft_bodies()[place];
 		std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
@@ -435,7 +434,7 @@ void Simulator::answer_pairs(Real h) {
 			for (std::size_t i = begin; i < end; ++i) {
 				for (std::uint32_t k = groups[i].begin; k < groups[i].end; ++k) {
 					const BodyPair pair = broad_phase_.pairs()[k];
-					if (asleep_[pair.a] && asleep_[pair.b]) {
+					if (sleepers_[pair.a] && sleepers_[pair.b]) {
 						continue;
 					}
 					const std::size_t contacts = pair_handlings_[task].handle(touching_[pair.a], touching_[pair.b]);
@@ -491,7 +490,7 @@ void Simulator::resist_rolling_between_bodies() {
 	const std::span<const BodyPair> pairs = broad_phase_.pairs();
 	for (std::size_t i = 0; i < pairs.size(); ++i) {
 		const auto [a, b] = pairs[i];
-		if (pair_impulses_[i] > 0 && !asleep_[a] && !asleep_[b]) {
+		if (pair_impulses_[i] > 0 && !sleepers_[a] && !sleepers_[b]) {
 			resist_pair_rolling(touching_[a], touching_[b], pair_impulses_[i]);
 		}
 	}
@@ -502,7 +501,7 @@ void Simulator::resist_rolling_between_bodies() {
 	});
 }
 
-void Simulator::set_awake(std::uint32_t row, bool awake) {
+void Simulator::note_awake(std::uint32_t row, bool awake) {
 	const Crew &crew = roster_.crews()[crew_of_[row]];
 	CrewState &state = crews_[crew_of_[row]];
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
@@ -510,8 +509,6 @@ void Simulator::set_awake(std::uint32_t row, bool awake) {
 			state.awake = awake ? state.awake | 1u << lane : state.awake & ~(1u << lane);
 		}
 	}
-	asleep_count_ += std::size_t(!awake) - std::size_t(asleep_[row]);
-	asleep_[row] = !awake;
 	if (awake) {
 		return;
 	}
@@ -523,59 +520,14 @@ void Simulator::set_awake(std::uint32_t row, bool awake) {
 	touching_[row].measure_extent();
 }
 
-// Takes over who was woken from outside since the last step, and wakes all that slept on the same island.
-void Simulator::wake_bodies(bool is_rearranged) {
-	std::vector<std::uint64_t> woken = world_.take_woken_islands();
-	if (!is_rearranged && woken.empty()) {
-		return;
-	}
-	std::ranges::sort(woken);
-	for (std::uint32_t row = 0; row < places_.size(); ++row) {
-		SoftBodyData &body = world_.soft_bodies()[places_[row]];
-		if (body.is_asleep() && std::ranges::binary_search(woken, body.rest_state().island)) {
-			body.wake();
-		}
-		if (body.is_asleep() != (asleep_[row] != 0)) {
-			set_awake(row, !body.is_asleep());
-		}
-	}
-	world_.take_woken_islands(); // what this has added
+void Simulator::take_over_sleepers(bool is_rearranged) {
+	sleepers_.take_over(world_, places_, is_rearranged, [this](std::uint32_t row, bool awake) { note_awake(row, awake); });
 }
 
 void Simulator::let_sleep() {
-	// Whom something awake has touched wakes, with its island, before the next step.
-	const std::span<const BodyPair> pairs = broad_phase_.pairs();
-	islands_.reset(std::uint32_t(places_.size()));
-	for (std::size_t i = 0; !coupled_crews_.empty() && i < pairs.size(); ++i) {
-		if (!pair_touched_[i]) {
-			continue;
-		}
-		const auto [a, b] = pairs[i];
-		if (asleep_[a] != asleep_[b]) {
-			world_.soft_bodies()[places_[asleep_[a] ? a : b]].wake();
-		}
-		islands_.join(a, b);
-	}
-	least_rest_.assign(places_.size(), std::numeric_limits<Real>::max());
-	for (std::uint32_t row = 0; row < places_.size(); ++row) {
-		const SoftBodyData &body = world_.soft_bodies()[places_[row]];
-		if (!asleep_[row]) {
-			Real &least = least_rest_[islands_.find(row)];
-			const bool may_sleep = body.settings().can_sleep && (has_rigid_body_.empty() || !has_rigid_body_[row]);
-			least = std::min(least, may_sleep ? body.rest_time() : Real(0));
-		}
-	}
-	for (std::uint32_t row = 0; row < places_.size(); ++row) {
-		const std::uint32_t island = islands_.find(row);
-		if (asleep_[row] || least_rest_[island] < SLEEP_TIME) {
-			continue;
-		}
-		RestState &rest = world_.soft_bodies()[places_[row]].rest_state();
-		set_awake(row, false);
-		rest.asleep = true;
-		rest.island = island_count_ + island + 1;
-	}
-	island_count_ += places_.size();
+	const bool has_pairs = !coupled_crews_.empty(); // or else they are of another time
+	sleepers_.let_sleep(world_, places_, has_pairs ? broad_phase_.pairs() : std::span<const BodyPair>{}, pair_touched_,
+			has_rigid_body_, [this](std::uint32_t row, bool awake) { note_awake(row, awake); });
 }
 
 // Before anything falls asleep or wakes: what slept during the step has found no contact and yet lost no touch.

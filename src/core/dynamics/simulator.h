@@ -12,8 +12,8 @@
 #include "core/collision/rigid_contacts.h"
 #include "core/collision/surroundings_watch.h"
 #include "core/dynamics/body_stepper.h"
-#include "core/dynamics/islands.h"
 #include "core/dynamics/roster.h"
+#include "core/dynamics/sleepers.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/model/world_data.h"
 
@@ -43,9 +43,7 @@ struct StepReport {
 /// other. Bodies that may touch one another or a dynamic rigid body take the world's contact substeps together: in each
 /// of them every body advances, in as many force substeps as it needs, and then contacts between bodies are answered,
 /// and with dynamic rigid bodies. Owns nothing but scratch memory, which grows with the world.
-///
-/// Sleep: bodies that touch form an island. When all its bodies have hardly moved (SLEEP_SPEED, SLEEP_SPEED_WEIGHTLESS)
-/// for SLEEP_TIME, they fall asleep together, and wake together.
+/// Islands of bodies at rest fall asleep (`Sleepers`).
 class Simulator {
 public:
 	/// `world` must outlive the simulator. With `parallel_for` the work of a step is divided; its results are the
@@ -95,8 +93,9 @@ private:
 	void measure_frames();
 	void answer_self_contacts(Real h);
 	void resist_rolling_between_bodies();
-	void wake_bodies(bool is_rearranged);
-	void set_awake(std::uint32_t row, bool awake);
+	void take_over_sleepers(bool is_rearranged);
+	/// Called when a body falls asleep or wakes.
+	void note_awake(std::uint32_t row, bool awake);
 	void wake_by_surroundings();
 	void let_sleep();
 	/// Calls `work(task, begin, end)` for slices of [0, count), each of at least `least` unless it is the only one. How
@@ -136,16 +135,12 @@ private:
 	std::vector<std::size_t> first_hull_point_; ///< in the two above
 	std::vector<char> has_pair_;
 	std::vector<char> has_rigid_body_; ///< near it; empty when nothing can be pushed
-	std::vector<char> asleep_;
 	std::vector<std::uint32_t> places_; ///< in the world
 	std::vector<std::uint32_t> crew_of_;
 	std::vector<char> pair_touched_; ///< one a pair of the broad phase: in this step
 	std::vector<Real> pair_impulses_; ///< likewise: summed normal impulse [mass·length/s]
 	std::vector<PairTouch> pair_touches_; ///< likewise; empty when nothing bounces
-	Islands islands_;
-	std::vector<Real> least_rest_; ///< of each island [s]
-	std::size_t asleep_count_ = 0;
-	std::uint64_t island_count_ = 0;
+	Sleepers sleepers_;
 
 	std::uint64_t seen_forces_ = 0;
 	std::uint64_t arranged_roster_ = 0;

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Islands at rest fall asleep, and wake as one.
+#include "core/dynamics/sleepers.h"
+
+#include "core/base/constants.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace softbody {
+
+void Sleepers::reset(std::size_t count) {
+	asleep_.assign(count, 0);
+	count_ = 0;
+}
+
+void Sleepers::set_asleep(std::uint32_t row, bool asleep, const OnChange &on_change) {
+	count_ += std::size_t(asleep) - std::size_t(asleep_[row]);
+	asleep_[row] = asleep;
+	on_change(row, !asleep);
+}
+
+void Sleepers::take_over(WorldData &world, std::span<const std::uint32_t> places, bool is_new, const OnChange &on_change) {
+	std::vector<std::uint64_t> woken = world.take_woken_islands();
+	if (!is_new && woken.empty()) {
+		return;
+	}
+	std::ranges::sort(woken);
+	for (std::uint32_t row = 0; row < places.size(); ++row) {
+		SoftBodyData &body = world.soft_bodies()[places[row]];
+		if (body.is_asleep() && std::ranges::binary_search(woken, body.rest_state().island)) {
+			body.wake();
+		}
+		if (body.is_asleep() != (asleep_[row] != 0)) {
+			set_asleep(row, body.is_asleep(), on_change);
+		}
+	}
+	world.take_woken_islands(); // what this has added
+}
+
+void Sleepers::let_sleep(WorldData &world, std::span<const std::uint32_t> places, std::span<const BodyPair> pairs,
+		std::span<const char> touched, std::span<const char> restless, const OnChange &on_change) {
+	islands_.reset(std::uint32_t(places.size()));
+	for (std::size_t i = 0; i < pairs.size(); ++i) {
+		if (!touched[i]) {
+			continue;
+		}
+		const auto [a, b] = pairs[i];
+		if (asleep_[a] != asleep_[b]) {
+			world.soft_bodies()[places[asleep_[a] ? a : b]].wake();
+		}
+		islands_.join(a, b);
+	}
+	least_rest_.assign(places.size(), std::numeric_limits<Real>::max());
+	for (std::uint32_t row = 0; row < places.size(); ++row) {
+		const SoftBodyData &body = world.soft_bodies()[places[row]];
+		if (!asleep_[row]) {
+			Real &least = least_rest_[islands_.find(row)];
+			const bool may_sleep = body.settings().can_sleep && (restless.empty() || !restless[row]);
+			least = std::min(least, may_sleep ? body.rest_time() : Real(0));
+		}
+	}
+	for (std::uint32_t row = 0; row < places.size(); ++row) {
+		const std::uint32_t island = islands_.find(row);
+		if (asleep_[row] || least_rest_[island] < SLEEP_TIME) {
+			continue;
+		}
+		set_asleep(row, true, on_change);
+		RestState &rest = world.soft_bodies()[places[row]].rest_state();
+		rest.asleep = true;
+		rest.island = island_count_ + island + 1;
+	}
+	island_count_ += places.size();
+}
+
+} // namespace softbody
