@@ -226,6 +226,82 @@ TEST_CASE("removing what a sleeping body rested on wakes it") {
 	CHECK(measure_frame(scene.body(0)).centre.y < 1);
 }
 
+TEST_CASE("the tremor of a drowsy body dies away, but not that of one that may not sleep") {
+	for (const bool can_sleep : { true, false }) {
+		WorldData world;
+		world.set_gravity({ 0, Real(-9.81) });
+		BodySettings settings;
+		settings.can_sleep = can_sleep;
+		settings.gravity_scale = Real(1e-6); // gravity acts, and yet hardly
+		settings.integrator = Integrator::VELOCITY_VERLET;
+		world.add_soft_body(thesis_body(thesis_shape(1000, 0), settings)); // nothing else damps it
+		SoftBodyData &body = world.soft_bodies()[0];
+		for (std::uint32_t i = 0; i < 8; ++i) { // breathing in and out
+			const Vec2 arm = body.positions()[i] - body.positions()[8];
+			body.set_point(i, body.positions()[i], arm * (Real(0.08) / length(arm)));
+		}
+		Simulator simulator(world);
+		Real fastest = 0; // in the last tenth of a second before it would sleep
+		for (int tick = 0; tick < 29; ++tick) {
+			simulator.simulate(FRAME);
+			for (const Vec2 v : body.velocities()) {
+				fastest = tick >= 23 ? std::max(fastest, length(v)) : Real(0);
+			}
+		}
+		CHECK_FALSE(body.is_asleep());
+		CHECK((fastest < Real(0.02)) == can_sleep);
+		simulator.simulate(FRAME);
+		simulator.simulate(FRAME);
+		CHECK(body.is_asleep() == can_sleep);
+	}
+}
+
+TEST_CASE("points may tremble faster than the whole may drift") {
+	for (const bool drifts : { false, true }) {
+		WorldData world;
+		world.set_gravity({ 0, Real(-9.81) });
+		BodySettings settings;
+		settings.gravity_scale = Real(1e-6);
+		world.add_soft_body(thesis_body(thesis_shape(1000, Real(0.5)), settings));
+		SoftBodyData &body = world.soft_bodies()[0];
+		for (std::uint32_t i = 0; i < 9; ++i) {
+			const Vec2 arm = body.positions()[i] - body.positions()[8];
+			const Vec2 breath = i < 8 ? arm * (1 / length(arm)) : Vec2{};
+			body.set_point(i, body.positions()[i], drifts ? Vec2{ Real(0.07), 0 } : breath * Real(0.07));
+		}
+		Simulator simulator(world);
+		bool has_slept = false;
+		for (int tick = 0; tick < 32; ++tick) {
+			simulator.simulate(FRAME);
+			has_slept |= body.is_asleep();
+		}
+		CHECK(has_slept == !drifts);
+	}
+}
+
+TEST_CASE("nobody rests on what moves, however slowly") {
+	WorldData world;
+	world.set_gravity({ 0, Real(-9.81) });
+	ConvexCollider floor;
+	floor.vertices = { { -5, -1 }, { 5, -1 }, { 5, 0 }, { -5, 0 } };
+	floor.rigid_body = 0;
+	world.add_soft_body(ball({ 0, Real(0.5) }));
+	Simulator simulator(world);
+	Pose pose;
+	bool has_slept = false;
+	for (int tick = 0; tick < 300; ++tick) {
+		const Pose next{ pose.position + Vec2{ Real(0.02) * FRAME, 0 }, {} };
+		world.clear_surroundings();
+		CHECK(world.add_rigid_body(kinematic_between(pose, next, FRAME)).value() == 0);
+		world.add_collider(floor);
+		simulator.simulate(FRAME);
+		pose = next;
+		has_slept |= world.soft_bodies()[0].is_asleep();
+	}
+	CHECK_FALSE(has_slept);
+	CHECK(double(measure_frame(world.soft_bodies()[0]).centre.x) == doctest::Approx(0.1).epsilon(0.1));
+}
+
 TEST_CASE("islands are the connected parts of any graph, named by their smallest member") {
 	Random random(51);
 	for (int round = 0; round < 200; ++round) {

@@ -25,14 +25,21 @@ inline constexpr int MIN_CONTACT_SUBSTEPS = 4;
 /// substeps [1]. Stiffer bodies take several force substeps in each.
 inline constexpr int MAX_CONTACT_SUBSTEPS = 16;
 
-/// A body whose points move slower than this, root mean square weighted by mass [length/s, times
-/// WorldData::length_unit], counts as at rest. Larger: bodies stop in the middle of a slow roll. Smaller: piles that
-/// still tremble a little never sleep.
+/// A body whose centre of mass moves slower than this [length/s, times WorldData::length_unit], and its points, root mean
+/// square weighted by mass, slower than SLEEP_WOBBLE times this [1], counts as at rest. Larger: bodies stop in the middle of
+/// a slow roll, or of a wobble. Smaller: piles in which a light body trembles between heavy ones never sleep.
 inline constexpr Real SLEEP_SPEED = Real(0.05);
+inline constexpr Real SLEEP_WOBBLE = 3;
 
-/// The same for a body that no gravity acts on [length/s, times WorldData::length_unit]: what drifts is not at rest, however
+/// The same, for the points too, of a body that no gravity acts on [length/s, times WorldData::length_unit]: what drifts is not at rest, however
 /// slow. In pixels it is the default of Godot's own bodies.
 inline constexpr Real SLEEP_SPEED_WEIGHTLESS = Real(0.02);
+
+/// Time [s] after which a body that has hardly moved is drowsy, and time in which its velocities then fall to 1/e. What is
+/// left of them are tremors that let a pile creep, slip somewhere, and wake itself: 1000 bodies fell asleep after 16 s, and
+/// do after 11. Longer: as before. Shorter: slow bodies stick.
+inline constexpr Real DROWSY_TIME = Real(0.1);
+inline constexpr Real DROWSY_DECAY = Real(0.1);
 
 /// Time [s] that an island of touching bodies must have been at rest before it falls asleep.
 inline constexpr Real SLEEP_TIME = Real(0.5);

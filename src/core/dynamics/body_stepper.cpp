@@ -78,16 +78,28 @@ void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
 	const std::span<const Real> masses = crew.shape->masses();
 	const bool is_weightless = world_->gravity() * crew.settings->gravity_scale == Vec2{};
 	const Real slow = (is_weightless ? SLEEP_SPEED_WEIGHTLESS : SLEEP_SPEED) * world_->length_unit();
+	const Real wobble = is_weightless ? Real(1) : SLEEP_WOBBLE;
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		if (!(lanes >> lane & 1)) {
 			continue;
 		}
 		Real twice_energy = 0;
+		Vec2 momentum;
 		for (std::size_t i = 0; i < masses.size(); ++i) {
 			twice_energy += masses[i] * length_squared(crew.velocities[lane][i]);
+			momentum += crew.velocities[lane][i] * masses[i];
 		}
+		const Real mass = crew.shape->total_mass();
+		const bool is_slow = length_squared(momentum) < slow * slow * mass * mass &&
+				twice_energy < slow * slow * mass * wobble * wobble;
 		RestState &rest = body(crew.bodies[lane]).rest_state();
-		rest.rest_time = twice_energy < slow * slow * crew.shape->total_mass() ? rest.rest_time + dt : Real(0);
+		rest.rest_time = is_slow ? rest.rest_time + dt : Real(0);
+		if (crew.settings->can_sleep && rest.rest_time > DROWSY_TIME) {
+			const Real keep = std::max(Real(0), 1 - dt / DROWSY_DECAY);
+			for (std::size_t i = 0; i < masses.size(); ++i) {
+				crew.velocities[lane][i] *= keep;
+			}
+		}
 	}
 }
 

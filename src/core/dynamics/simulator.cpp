@@ -253,14 +253,15 @@ void Simulator::find_pairs(Real dt) {
 
 void Simulator::wake_by_surroundings() {
 	watch_.update(surroundings_);
-	if (sleepers_.count() == 0 || (!watch_.has_border_changed() && watch_.changed_boxes().empty())) {
+	if (!watch_.has_border_changed() && watch_.changed_boxes().empty()) {
 		return;
 	}
 	for (std::uint32_t row = 0; row < places_.size(); ++row) {
-		// What it rests on touches its box at most.
-		const Aabb box = touching_[row].box.grown(touching_[row].radius / 8);
-		if (sleepers_[row] && (watch_.has_border_changed() ||
-									std::ranges::any_of(watch_.changed_boxes(), [&](const Aabb &b) { return b.overlaps(box); }))) {
+		// What it rests on touches its box at most. Who is awake does not rest either while that changes.
+		const TouchingBody &body = touching_[row];
+		const Aabb box = (sleepers_[row] ? body.box : bounding_box(body.hull())).grown(body.rolling_radius / 8);
+		if (watch_.has_border_changed() ||
+				std::ranges::any_of(watch_.changed_boxes(), [&](const Aabb &b) { return b.overlaps(box); })) {
 			world_.soft_bodies()[places_[row]].wake();
 		}
 	}
