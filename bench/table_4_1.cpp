@@ -65,6 +65,9 @@ SoftPileSettings settings_without(const std::string &name) {
 	settings.damping = 1.5;
 	settings.bodies_collide = false;
 	settings.interpolated = false;
+	if (name != "default") {
+		settings.rolling_resistance = 0; // the thesis knows none
+	}
 	return settings;
 }
 
