@@ -2,7 +2,9 @@
 // A pile of thesis bodies that any engine can be asked to hold, and how well and how fast it does.
 #pragma once
 
+#include "core/base/constants.h"
 #include "core/base/vec2.h"
+#include "core/model/body_settings.h"
 
 #include <cstddef>
 #include <memory>
@@ -78,9 +80,20 @@ struct PileRun {
 /// them alike. Times are those of the processor: one thread works, and what else the machine does is not counted.
 std::vector<PileRun> run_piles(const PileScene &scene, const std::vector<PileEngine *> &engines, int steps);
 
+/// How our own simulator is asked to hold the pile.
+struct SoftBodySettings {
+	std::string name; ///< of this choice, for the table
+	double load_factor = 10; ///< stiffness times R over the load on the lowest body
+	softbody::Integrator integrator = softbody::Integrator::AUTOMATIC;
+	int substeps = 0; ///< 0: automatic
+	int contact_substeps = softbody::MIN_CONTACT_SUBSTEPS; ///< at least
+};
+/// As the node would by itself, and the fastest that holds the pile as well as the fastest of the others.
+std::vector<SoftBodySettings> softbody_settings();
+
 /// The pile in our own simulator, one thread.
-std::unique_ptr<PileEngine> make_softbody_pile(const PileScene &scene);
+std::unique_ptr<PileEngine> make_softbody_pile(const PileScene &scene, const SoftBodySettings &settings);
 /// How our bodies are made for it, in words.
-std::string softbody_pile_settings(const PileScene &scene);
+std::string softbody_pile_settings(const PileScene &scene, const SoftBodySettings &settings);
 
 } // namespace bench

@@ -6,9 +6,11 @@
 
 #include "core/base/constants.h"
 #include "core/base/error.h"
+#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace bench {
 
@@ -17,9 +19,8 @@ namespace {
 using softbody::Real;
 using softbody::Vec2;
 
-// With k >= 8 to 10 load / R the lowest body loses no more than a tenth of its area.
-double stiffness(const PileScene &scene) {
-	return 10 * scene.load() / scene.radius;
+double stiffness(const PileScene &scene, const SoftBodySettings &settings) {
+	return settings.load_factor * scene.load() / scene.radius;
 }
 
 softbody::Border border(Vec2 position, Vec2 normal) {
@@ -30,17 +31,23 @@ softbody::Border border(Vec2 position, Vec2 normal) {
 
 class SoftBodyPile : public PileEngine {
 public:
-	explicit SoftBodyPile(const PileScene &scene) :
+	SoftBodyPile(const PileScene &scene, const SoftBodySettings &asked) :
 			simulator_(world_), time_step_(Real(scene.time_step)) {
 		world_.set_gravity({ 0, -Real(scene.gravity) });
 		world_.set_sleeping(false); // so that every counted body is simulated
 		world_.add_border(border({ 0, 0 }, { 0, 1 }));
 		world_.add_border(border({ 0, 0 }, { 1, 0 }));
 		world_.add_border(border({ Real(scene.width), 0 }, { -1, 0 }));
-		const Shape shape = circle_shape(scene.hull_points, true, stiffness(scene), softbody::DEFAULT_DAMPING_RATIO);
+		const double k = stiffness(scene, asked);
+		const Shape shape = circle_shape(scene.hull_points, true, k, softbody::DEFAULT_DAMPING_RATIO);
 		softbody::BodySettings settings;
+		settings.integrator = asked.integrator;
+		settings.substeps = asked.substeps;
+		if (const softbody::Status refused = world_.set_contact_substeps(asked.contact_substeps)) {
+			throw std::runtime_error(refused->message());
+		}
 		settings.friction = Real(scene.friction);
-		set_shape_matching(settings, *shape, softbody::DEFAULT_SHAPE_MATCHING * stiffness(scene));
+		set_shape_matching(settings, *shape, softbody::DEFAULT_SHAPE_MATCHING * k);
 		for (const PileScene::Place &place : scene.bodies) {
 			const softbody::Pose pose{ place.centre, softbody::Rotation::from_angle(Real(place.angle)) };
 			world_.add_soft_body(take(softbody::SoftBodyData::create(shape, settings, pose)));
@@ -66,12 +73,21 @@ private:
 
 } // namespace
 
-std::unique_ptr<PileEngine> make_softbody_pile(const PileScene &scene) {
-	return std::make_unique<SoftBodyPile>(scene);
+std::vector<SoftBodySettings> softbody_settings() {
+	// With k >= 8 to 10 load / R the lowest body loses no more than a tenth of its area. Half of that is still twice as stiff
+	// as what the others need to hold the pile, and carries it in two substeps.
+	return { { "automatic" }, { "fast", 4, softbody::Integrator::SEMI_IMPLICIT_EULER, 2, 1 } };
 }
 
-std::string softbody_pile_settings(const PileScene &scene) {
-	return "k " + softbody::number_text(stiffness(scene)) + " N/m, shape matching 0.4 k, automatic method and substeps";
+std::unique_ptr<PileEngine> make_softbody_pile(const PileScene &scene, const SoftBodySettings &settings) {
+	return std::make_unique<SoftBodyPile>(scene, settings);
+}
+
+std::string softbody_pile_settings(const PileScene &scene, const SoftBodySettings &settings) {
+	const bool is_automatic = settings.integrator == softbody::Integrator::AUTOMATIC;
+	return settings.name + ": k " + softbody::number_text(stiffness(scene, settings)) + " N/m, shape matching 0.4 k, " +
+			(is_automatic ? "automatic method and substeps" : std::string(softbody::integrator_traits(settings.integrator).name) +
+									" with " + std::to_string(settings.substeps) + " substeps");
 }
 
 } // namespace bench

@@ -12,17 +12,31 @@ def holds(row):
     return row["folded"] == row["overlapping"] == row["escaped"] == 0
 
 
+def is_as_good(row, other):
+    """Whether a pile is held and no worse by any measure: bodies no flatter, depths no greater."""
+    return (
+        holds(row)
+        and row["mean_area"] >= other["mean_area"]
+        and row["mean_penetration"] <= other["mean_penetration"]
+        and row["worst_penetration"] <= other["worst_penetration"]
+    )
+
+
+def fastest_of(rows):
+    return min(rows, key=lambda row: row["ns_per_body_step"], default=None)
+
+
 def compare(rows):
-    """Our row of one scene against the fastest of the others that hold the pile."""
-    (ours,) = (row for row in rows if row["engine"] == OURS)
-    others = [row for row in rows if row["engine"] != OURS]
-    fastest = min(filter(holds, others), key=lambda row: row["ns_per_body_step"], default=None)
-    ratio = fastest and fastest["ns_per_body_step"] / ours["ns_per_body_step"]
+    """The fastest of ours that is as good as the fastest of the others that hold the pile, against that one."""
+    theirs = fastest_of(row for row in rows if row["engine"] != OURS and holds(row))
+    ours = theirs and fastest_of(row for row in rows if row["engine"] == OURS and is_as_good(row, theirs))
+    ratio = ours and theirs["ns_per_body_step"] / ours["ns_per_body_step"]
     return {
-        "bodies": ours["bodies"],
-        "fastest": fastest and f"{fastest['engine']} {fastest['version']}, {fastest['settings']}",
+        "bodies": rows[0]["bodies"],
+        "ours": ours and ours["settings"],
+        "fastest": theirs and f"{theirs['engine']} {theirs['version']}, {theirs['settings']}",
         "ratio": ratio,
-        "met": ratio is not None and ratio >= FACTOR and holds(ours),
+        "met": ratio is not None and ratio >= FACTOR,
     }
 
 
@@ -52,7 +66,7 @@ def print_table(summary):
         )
     for one in summary["compared"]:
         if one["ratio"] is None:
-            print(f"  {one['bodies']} bodies: none of the others holds the pile")
+            print(f"  {one['bodies']} bodies: none of the others holds the pile, or none of ours as well")
         else:
-            print(f"  {one['bodies']} bodies: {one['ratio']:.1f} times fewer ns than {one['fastest']}")
+            print(f"  {one['bodies']} bodies: {one['ours']}: {one['ratio']:.1f} times fewer ns than {one['fastest']}")
     print_targets(summary)

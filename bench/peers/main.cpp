@@ -24,7 +24,9 @@ struct Entry {
 
 std::vector<Entry> make_entries(const PileScene &scene) {
 	std::vector<Entry> entries;
-	entries.push_back({ "Soft Body 2D", "this", softbody_pile_settings(scene), make_softbody_pile(scene) });
+	for (const SoftBodySettings &settings : softbody_settings()) {
+		entries.push_back({ "Soft Body 2D", "this", softbody_pile_settings(scene, settings), make_softbody_pile(scene, settings) });
+	}
 	for (const PeerSettings &settings : box2d_settings()) {
 		entries.push_back({ "Box2D", box2d_version(), settings.name, make_box2d_pile(scene, settings) });
 	}
