@@ -75,9 +75,9 @@ private:
 } // namespace
 
 std::vector<SoftBodySettings> softbody_settings() {
-	// With k >= 8 to 10 load / R the lowest body loses no more than a tenth of its area. A third of that still leaves the
+	// With k >= 8 to 10 load / R the lowest body loses no more than a tenth of its area. Half of that still leaves the
 	// bodies rounder than those of the others are, and carries the pile in two substeps.
-	return { { "automatic" }, { "fast", 3, softbody::Integrator::SEMI_IMPLICIT_EULER, 2, 1 } };
+	return { { "automatic" }, { "fast", 4, softbody::Integrator::SEMI_IMPLICIT_EULER, 2, 1 } };
 }
 
 std::unique_ptr<PileEngine> make_softbody_pile(const PileScene &scene, const SoftBodySettings &settings) {

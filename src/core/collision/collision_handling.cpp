@@ -18,11 +18,11 @@ bool notices(const BodySettings &settings, const Surface &surface) {
 }
 
 Real fastest(std::span<const Vec2> velocities) {
-	Real most = 0;
-	for (const Vec2 v : velocities) {
-		most = std::max(most, length_squared(v));
+	RealPack most(0);
+	for (std::size_t i = 0; i < packs_for(velocities.size()); ++i) {
+		most = greater(length_squared(pack_of(velocities, i)), most);
 	}
-	return std::sqrt(most);
+	return std::sqrt(greatest_lane(most));
 }
 
 } // namespace

@@ -74,45 +74,45 @@ std::optional<HullContact> HullEdges::find(Vec2 p, Vec2 outward) const {
 	constexpr Real FAR = std::numeric_limits<Real>::max();
 	const BasicVec2<RealPack> point = in_all_lanes<RealPack>(p);
 	const BasicVec2<RealPack> out = in_all_lanes<RealPack>(outward);
-	RealPack nearest(FAR); // squared distances
+	// Of the edges that count, the nearest in each lane.
+	RealPack nearest(FAR); // squared distance
 	RealPack nearest_number(0);
-	RealPack facing(FAR);
-	RealPack facing_number(0);
-	RealPack number(0); // of the pack
+	const auto consider = [&](std::size_t i, RealPack distance, PackMask counts) {
+		const PackMask is_nearer = both(distance < nearest, counts);
+		nearest = select(is_nearer, distance, nearest);
+		nearest_number = select(is_nearer, RealPack(Real(i)), nearest_number);
+	};
+	const auto distance_of = [](const BasicVec2<RealPack> &way, const BasicVec2<RealPack> &offset) {
+		// Without length: 0/0, of which `lesser` makes 1; both ends are one place.
+		const RealPack t = greater(RealPack(0), lesser(dot(offset, way) / length_squared(way), RealPack(1)));
+		return length_squared(offset - way * t);
+	};
 	int winding = 0;
 	for (std::size_t i = 0; i < packs; ++i) {
 		const Edges &edges = edges_[i];
 		winding += winding_of(edges, point);
 		const BasicVec2<RealPack> way = edges.end - edges.start;
 		const BasicVec2<RealPack> offset = point - edges.start;
-		// Without length: 0/0, of which `lesser` makes 1; both ends are one place.
-		const RealPack t = greater(RealPack(0), lesser(dot(offset, way) / length_squared(way), RealPack(1)));
-		const RealPack distance = length_squared(offset - way * t);
-		const PackMask is_nearer = distance < nearest;
-		nearest = select(is_nearer, distance, nearest);
-		nearest_number = select(is_nearer, number, nearest_number);
 		// The outward normal of an edge is its way turned by -90 degrees; its product with `out` is cross(out, way).
 		// Where p lies beyond an edge, the way to it leads through others first.
-		const PackMask faces = both(cross(out, way) < RealPack(0), !(cross(way, offset) < RealPack(0)));
-		const PackMask is_nearer_facing = both(distance < facing, faces);
-		facing = select(is_nearer_facing, distance, facing);
-		facing_number = select(is_nearer_facing, number, facing_number);
-		number += RealPack(1);
+		consider(i, distance_of(way, offset), both(cross(out, way) < RealPack(0), !(cross(way, offset) < RealPack(0))));
 	}
 	if (winding == 0) {
 		return {};
 	}
-	Real least = least_lane(facing);
+	Real least = least_lane(nearest);
 	if (!(least < FAR)) {
+		for (std::size_t i = 0; i < packs; ++i) {
+			const RealPack distance = distance_of(edges_[i].end - edges_[i].start, point - edges_[i].start);
+			consider(i, distance, distance < RealPack(FAR));
+		}
 		least = least_lane(nearest);
-		facing = nearest;
-		facing_number = nearest_number;
 		if (!(least < FAR)) {
 			return {};
 		}
 	}
-	const std::size_t lane = std::size_t(std::countr_zero(bits(!(facing > RealPack(least)))));
-	return contact_at(std::size_t(facing_number[lane]), lane, p);
+	const std::size_t lane = std::size_t(std::countr_zero(bits(!(nearest > RealPack(least)))));
+	return contact_at(std::size_t(nearest_number[lane]), lane, p);
 }
 
 std::optional<HullContact> HullEdges::contact_at(std::size_t pack, std::size_t lane, Vec2 p) const {

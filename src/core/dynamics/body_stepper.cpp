@@ -27,6 +27,17 @@ MaskOf<T> is_sound(std::span<const BasicVec2<T>> positions, std::span<const Basi
 	return both(sum < T(1), !(farthest > T(reach * reach)));
 }
 
+// The same question without the reach, of one body.
+bool is_finite(std::span<const Vec2> positions, std::span<const Vec2> velocities) {
+	RealPack sum(0);
+	for (std::size_t i = 0; i < packs_for(positions.size()); ++i) {
+		const BasicVec2<RealPack> x = pack_of(positions, i);
+		const BasicVec2<RealPack> v = pack_of(velocities, i);
+		sum += ((x.x + v.x) + (x.y + v.y)) * RealPack(0);
+	}
+	return !any(!(sum < RealPack(1)));
+}
+
 // Points that nothing joins may part.
 Real credible_reach(const SoftBodyShape &shape, const SubstepPlan &plan) {
 	return plan.frequency > 0 ? CREDIBLE_REACH * shape.radius() : std::numeric_limits<Real>::infinity();
@@ -280,8 +291,7 @@ void BodyStepper::end(const Crew &crew) {
 void BodyStepper::check(const Crew &crew, Real dt) {
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		const std::size_t count = crew.shape->point_count();
-		constexpr Real ANY = std::numeric_limits<Real>::infinity();
-		if (!is_sound<Real>({ crew.positions[lane], count }, { crew.velocities[lane], count }, ANY)) {
+		if (!is_finite({ crew.positions[lane], count }, { crew.velocities[lane], count })) {
 			reset(crew.bodies[lane], dt);
 		}
 	}
