@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Soft bodies meet in a world: they part, keep momentum, stand on one another and hide behind layers.
 #include "core/collision/hull_contact.h"
+#include "core/creator/hulls.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/simulator.h"
 #include "core/geometry/polygon_overlap.h"
@@ -101,6 +102,66 @@ TEST_CASE("two bodies that meet part again, with the momentum and spin that they
 		CHECK(std::abs(a.linear_y + b.linear_y) <= 1e-4);
 		// Spin about the origin: r × p of the one that flew aside. Moving apart what is inside moves arms of momenta.
 		CHECK(std::abs(a.angular + b.angular - 3 * double(aside)) <= 0.1);
+	}
+}
+
+TEST_CASE("two bodies of every pair of shapes meet and part, each in one piece, with the momentum that they brought") {
+	const auto star = [] {
+		std::vector<Vec2> hull;
+		for (int i = 0; i < 10; ++i) {
+			const Rotation turn = Rotation::from_angle(Real(i * 3.14159265 / 5));
+			hull.push_back(turn.apply({ i % 2 == 0 ? Real(0.6) : Real(0.3), 0 }));
+		}
+		return hull;
+	};
+	const std::vector<std::vector<Vec2>> hulls = {
+		{ { Real(-0.5), Real(-0.4) }, { Real(0.5), Real(-0.4) }, { 0, Real(0.5) } },
+		box_hull({ 1, 1 }, Real(0.25)).value(),
+		box_hull({ Real(1.6), Real(0.4) }, Real(0.2)).value(),
+		circle_hull(Real(0.5), 8).value(),
+		circle_hull(Real(0.5), 24).value(),
+		capsule_hull(Real(0.3), Real(1.4), Real(0.2)).value(),
+		star(),
+		{ { Real(-0.5), Real(-0.5) }, { Real(0.5), Real(-0.5) }, { Real(0.5), Real(-0.2) }, { Real(-0.2), Real(-0.2) },
+				{ Real(-0.2), Real(0.2) }, { Real(0.5), Real(0.2) }, { Real(0.5), Real(0.5) }, { Real(-0.5), Real(0.5) } },
+	};
+	for (std::size_t first = 0; first < hulls.size(); ++first) {
+		for (std::size_t second = first; second < hulls.size(); ++second) {
+			for (const Real angle : { Real(0), Real(0.7), Real(2.5) }) {
+				CAPTURE(first);
+				CAPTURE(second);
+				CAPTURE(angle);
+				WorldData world;
+				const auto add = [&](std::size_t which, Vec2 place, Real turn, Vec2 velocity) {
+					const auto shape = SoftBodyCreator::create_polygon(hulls[which], { 1, 2000, 3, false }).value();
+					world.add_soft_body(thesis_body(shape, pile_settings(5000), { place, Rotation::from_angle(turn) }));
+					shoot(world.soft_bodies().back(), velocity);
+				};
+				add(first, { -1, Real(0.1) }, angle, { 2, 0 });
+				add(second, { 1, 0 }, 1 - angle, { -2, 0 });
+				Simulator simulator(world);
+				std::uint64_t contacts = 0;
+				for (int i = 0; i < 150; ++i) {
+					const StepReport report = simulator.simulate(FRAME);
+					contacts += report.pair_contacts;
+					CHECK(report.reset_bodies.empty());
+				}
+				CHECK(contacts > 0);
+				CHECK(deepest_overlap(world) <= 0.025);
+				Momentum all;
+				for (const SoftBodyData &body : world.soft_bodies()) {
+					const Momentum own = measure_momentum(body);
+					all.linear_x += own.linear_x;
+					all.linear_y += own.linear_y;
+					CHECK(signed_area(body.hull()) > Real(0.6) * body.shape().rest_area());
+				}
+				CHECK(std::hypot(all.linear_x, all.linear_y) <= 1e-4);
+				const BodyFrame a = measure_frame(world.soft_bodies()[0]);
+				const BodyFrame b = measure_frame(world.soft_bodies()[1]);
+				const Vec2 way = b.centre - a.centre;
+				CHECK(dot(b.velocity - a.velocity, way) >= -Real(0.05)); // apart, or at rest with each other
+			}
+		}
 	}
 }
 
