@@ -49,13 +49,9 @@ Bouncing bouncing(SoftBodyData &body) {
 
 } // namespace
 
-Real combined_restitution(const BodySettings &a, const BodySettings &b) {
-	return std::min(a.restitution + b.restitution, Real(1));
-}
-
 void give_back_pair_bounce(SoftBodyData &first, SoftBodyData &second, Vec2 push, PairTouch &touch,
 		Real bounce_threshold, Real h) {
-	const Real restitution = combined_restitution(first.settings(), second.settings());
+	const Real restitution = std::min(first.settings().restitution + second.settings().restitution, Real(1));
 	if (!(restitution > 0) || (push == Vec2{} && !touch.touching)) {
 		return;
 	}

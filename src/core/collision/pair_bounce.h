@@ -23,7 +23,4 @@ struct PairTouch {
 void give_back_pair_bounce(SoftBodyData &a, SoftBodyData &b, Vec2 push, PairTouch &touch, Real bounce_threshold,
 		Real h);
 
-/// Of the two together: the sum, at most 1 [1].
-Real combined_restitution(const BodySettings &a, const BodySettings &b);
-
 } // namespace softbody

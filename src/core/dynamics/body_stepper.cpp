@@ -13,6 +13,11 @@ namespace softbody {
 
 namespace {
 
+template <class T>
+T zero_if_finite(BasicVec2<T> x, BasicVec2<T> v) {
+	return ((x.x + v.x) + (x.y + v.y)) * T(0);
+}
+
 // Whether all is finite and no point farther from the first than any body is stretched. A blow-up is noticed by its
 // size long before it overflows: by then rounding has swamped the body's centre. A sum of zeros is zero unless one of
 // them came from what is not finite: one test instead of four a point.
@@ -21,7 +26,7 @@ MaskOf<T> is_sound(std::span<const BasicVec2<T>> positions, std::span<const Basi
 	T sum = T(0);
 	T farthest = T(0);
 	for (std::size_t i = 0; i < positions.size(); ++i) {
-		sum += ((positions[i].x + velocities[i].x) + (positions[i].y + velocities[i].y)) * T(0);
+		sum += zero_if_finite(positions[i], velocities[i]);
 		farthest = greater(farthest, length_squared(positions[i] - positions[0]));
 	}
 	return both(sum < T(1), !(farthest > T(reach * reach)));
@@ -31,9 +36,7 @@ MaskOf<T> is_sound(std::span<const BasicVec2<T>> positions, std::span<const Basi
 bool is_finite(std::span<const Vec2> positions, std::span<const Vec2> velocities) {
 	RealPack sum(0);
 	for (std::size_t i = 0; i < packs_for(positions.size()); ++i) {
-		const BasicVec2<RealPack> x = pack_of(positions, i);
-		const BasicVec2<RealPack> v = pack_of(velocities, i);
-		sum += ((x.x + v.x) + (x.y + v.y)) * RealPack(0);
+		sum += zero_if_finite(pack_of(positions, i), pack_of(velocities, i));
 	}
 	return !any(!(sum < RealPack(1)));
 }
@@ -131,13 +134,13 @@ bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, con
 	return true;
 }
 
-void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps) {
-	const SoftBodyShape &shape = *crew.shape;
-	const std::size_t count = shape.point_count();
+// The rotations of the last step only where shape matching asks for them: what need not be read is left where it is.
+BodyLanes<RealPack> BodyStepper::gather_lanes(const Crew &crew) {
+	const std::size_t count = crew.shape->point_count();
 	pack_positions_.resize(std::max(pack_positions_.size(), count));
 	pack_velocities_.resize(std::max(pack_velocities_.size(), count));
-	BodyLanes<RealPack> lanes{ { shape, *crew.settings, {} }, shape.inverse_masses(), { pack_positions_.data(), count },
-		{ pack_velocities_.data(), count } };
+	BodyLanes<RealPack> lanes{ { *crew.shape, *crew.settings, {} }, crew.shape->inverse_masses(),
+		{ pack_positions_.data(), count }, { pack_velocities_.data(), count } };
 	if (crew.settings->matches_shape()) {
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
 			const Rotation memory = body(crew.bodies[lane]).rotation_memory();
@@ -149,7 +152,13 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 		lanes.positions[i] = gather(crew.positions, i);
 		lanes.velocities[i] = gather(crew.velocities, i);
 	}
+	return lanes;
+}
 
+void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps) {
+	const SoftBodyShape &shape = *crew.shape;
+	const std::size_t count = shape.point_count();
+	const BodyLanes<RealPack> lanes = gather_lanes(crew);
 	pack_workspace_.begin_body(count);
 	const LaneStep<RealPack> step = integrator_traits(plan.integrator).step_side_by_side;
 	const Real h = duration / Real(substeps);
@@ -250,21 +259,8 @@ std::array<BodyFrame, PACK_WIDTH> BodyStepper::measure_frames(const Crew &crew) 
 		}
 		return frames;
 	}
-	const std::size_t count = crew.shape->point_count();
-	pack_positions_.resize(std::max(pack_positions_.size(), count));
-	pack_velocities_.resize(std::max(pack_velocities_.size(), count));
-	BasicRotation<RealPack> memory;
-	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-		const Rotation rotation = body(crew.bodies[lane]).rotation_memory();
-		memory.c.set(lane, rotation.c);
-		memory.s.set(lane, rotation.s);
-	}
-	for (std::size_t i = 0; i < count; ++i) {
-		pack_positions_[i] = gather(crew.positions, i);
-		pack_velocities_[i] = gather(crew.velocities, i);
-	}
-	const auto all = measure_frame<RealPack>(*crew.shape, memory, std::span(pack_positions_).first(count),
-			std::span(pack_velocities_).first(count));
+	const BodyLanes<RealPack> lanes = gather_lanes(crew);
+	const auto all = measure_frame<RealPack>(*crew.shape, lanes.model.rotation_memory, lanes.positions, lanes.velocities);
 	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
 		frames[lane] = { lane_of(all.centre, lane), lane_of(all.velocity, lane), { all.rotation.c[lane], all.rotation.s[lane] },
 			all.rotation_defined[lane] != 0, all.inertia[lane], all.angular_velocity[lane] };

@@ -67,6 +67,8 @@ public:
 private:
 	void advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
 			const Vec2 *swept_from, bool is_coupled);
+	/// A full crew's bodies side by side, in scratch memory that the next call overwrites.
+	BodyLanes<RealPack> gather_lanes(const Crew &crew);
 	void advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
 	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration) const;
 	void reset(std::uint32_t place, Real dt);
