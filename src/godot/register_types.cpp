@@ -2,8 +2,8 @@
 // Registers the extension's classes and its singleton with Godot.
 #include "godot/register_types.h"
 
-#include "godot/soft_body_2d.h"
-#include "godot/soft_body_server_2d.h"
+#include "godot/nodes/soft_body_2d.h"
+#include "godot/server/soft_body_server_2d.h"
 
 #include <gdextension_interface.h>
 #include <godot_cpp/classes/engine.hpp>

@@ -126,6 +126,14 @@ protected:
 	void _notification(int p_what);
 
 private:
+	static void bind_shape();
+	static void bind_motion();
+	static void bind_points();
+	static void bind_material();
+	static void bind_collision();
+	static void bind_solver();
+	static void bind_drawing();
+
 	/// One end of the interpolation: the body's frame, and its points in that frame.
 	struct Pose {
 		Transform2D transform;

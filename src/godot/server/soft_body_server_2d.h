@@ -2,7 +2,7 @@
 // The singleton that steps every soft body once a physics tick.
 #pragma once
 
-#include "godot/soft_body_space_2d.h"
+#include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/classes/object.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>

@@ -4,7 +4,7 @@
 
 #include "core/dynamics/simulator.h"
 #include "core/model/world_data.h"
-#include "godot/surroundings_reader.h"
+#include "godot/surroundings/surroundings_reader.h"
 
 #include <godot_cpp/variant/rid.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The singleton that steps every soft body once a physics tick.
-#include "godot/soft_body_server_2d.h"
+#include "godot/server/soft_body_server_2d.h"
 
-#include "godot/soft_body_2d.h"
+#include "godot/nodes/soft_body_2d.h"
 
 #include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/classes/window.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // All soft bodies of one physics space.
-#include "godot/soft_body_space_2d.h"
+#include "godot/server/soft_body_space_2d.h"
 
 #include "godot/convert.h"
-#include "godot/soft_body_2d.h"
+#include "godot/nodes/soft_body_2d.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/core/error_macros.hpp>
