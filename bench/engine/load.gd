@@ -1,30 +1,30 @@
 # SPDX-License-Identifier: MIT
 extends RefCounted
-## What stands in the scene whose cost is measured: `count` bodies above a floor, in columns ten high.
-##
-## Made anew for each count. Sleep is off, so that every counted body is simulated.
+## What stands in the scene whose cost is measured: `count` bodies between walls on a floor, in columns ten high.
 
 const RADIUS := 50.0
 const POINTS := 16
-const SPACING := 104.0
 const ROWS := 10
+## Between columns and rows [px]: bodies just do not touch at first, and lean on one another once they have fallen.
+const SPACING := 104.0
 
-var root: Node2D
+var root := Node2D.new()
+## The middle of the pile and its size [px].
+var extent: Rect2
 
 
 func _init(parent: Node, count: int) -> void:
-	root = Node2D.new()
-	var width := ceilf(count / float(ROWS)) * SPACING
-	root.add_child(_make_box(Vector2(width / 2, 50), Vector2(width + 2000, 100)))
-	root.add_child(_make_box(Vector2(-50, -1000), Vector2(40, 4000)))
-	root.add_child(_make_box(Vector2(width + 50, -1000), Vector2(40, 4000)))
+	var columns := ceilf(count / float(ROWS))
+	var width := (columns + 1) * SPACING
+	extent = Rect2(-SPACING, -(ROWS + 1) * SPACING, width + 2 * SPACING, (ROWS + 2) * SPACING)
+	_add_box(Vector2(width / 2, 100), Vector2(width + 2000, 200))
+	_add_box(Vector2(-100, -2000), Vector2(200, 4000))
+	_add_box(Vector2(width + 100, -2000), Vector2(200, 4000))
 	for i in count:
-		@warning_ignore("integer_division")
-		var column := i / ROWS
 		var row := i % ROWS
+		var column := floorf(i / float(ROWS))
 		# Every other row stands half a body to the side, as in a heap.
-		var place := Vector2((column + 0.25 + 0.5 * (row % 2)) * SPACING, -RADIUS - 2 - row * SPACING * 0.95)
-		_add_body(place)
+		_add_body(Vector2((column + 0.5 + 0.5 * (row % 2)) * SPACING, -RADIUS - 2 - row * SPACING))
 	parent.add_child(root)
 
 
@@ -37,12 +37,13 @@ func _add_body(_place: Vector2) -> void:
 	pass
 
 
-func _make_box(center: Vector2, size: Vector2) -> StaticBody2D:
+func _add_box(center: Vector2, size: Vector2) -> void:
 	var body := StaticBody2D.new()
-	var shape := CollisionShape2D.new()
+	var collision := CollisionShape2D.new()
 	var rectangle := RectangleShape2D.new()
 	rectangle.size = size
-	shape.shape = rectangle
+	collision.shape = rectangle
 	body.position = center
-	body.add_child(shape)
-	return body
+	body.add_child(collision)
+	body.collision_layer = 3
+	root.add_child(body)

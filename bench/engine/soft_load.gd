@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-extends "load.gd"
-## SoftBody2D nodes of the kind a scene has dozens of: a circle of 16 points with the values that the node starts with.
+extends "res://load.gd"
+## SoftBody2D as it comes out of the node list: a circle of 16 points.
 
-## Properties that differ from the node's defaults.
+## Values of properties that differ from the node's own.
 static var properties := {}
 
 
@@ -10,5 +10,6 @@ func _add_body(place: Vector2) -> void:
 	var body := SoftBody2D.new()
 	body.position = place
 	for property: String in properties:
+		assert(property in body)
 		body.set(property, properties[property])
 	root.add_child(body)
