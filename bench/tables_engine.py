@@ -67,7 +67,7 @@ def summarize(results):
 
 def print_table(summary):
     """Prints both tables and the targets."""
-    print(f"Nodes that hold 60 ticks per second, piled ten high on a floor, {summary['threads']} threads")
+    print(f"Nodes that hold 60 ticks per second, piled four high on a floor, {summary['threads']} threads")
     print(f"  {'':<32} {'headless':>9} {'drawn':>9}")
     for row in summary["held"]:
         print(f"  {NAMES[row['load']]:<32} {row['headless']:>9} {row['drawn'] if row['drawn'] is not None else '':>9}")
@@ -80,4 +80,4 @@ def print_table(summary):
             f"  {NAMES[row['load']]:<32} {'drawn' if row['drawn'] else 'headless':>8} {row['bodies']:>6} {row['awake']:>6}"
             f" {row['usec_a_node']:>7.2f}{parts}"
         )
-    print_targets(summary["targets"])
+    print_targets(summary)

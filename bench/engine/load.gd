@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 extends RefCounted
-## What stands in the scene whose cost is measured: `count` bodies between walls on a floor, in columns ten high.
+## What stands in the scene whose cost is measured: `count` bodies between walls on a floor, four high.
 
 const RADIUS := 50.0
 const POINTS := 16
-const ROWS := 10
+const ROWS := 4
 ## Between columns and rows [px]: bodies just do not touch at first, and lean on one another once they have fallen.
 const SPACING := 104.0
 
