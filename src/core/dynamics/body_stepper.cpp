@@ -4,6 +4,7 @@
 
 #include "core/base/constants.h"
 #include "core/model/body_frame.h"
+#include "core/model/rigid_motion.h"
 
 #include <algorithm>
 #include <array>
@@ -126,7 +127,7 @@ bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, con
 	if (has_forces_ || surroundings_->has_colliders()) {
 		for (const std::uint32_t place : crew.bodies) {
 			const SoftBodyData &data = body(place);
-			if (!data.external_forces().empty() || surroundings_->has_collider_in(sweep_box(data.hull(), data.velocities(), duration))) {
+			if (data.is_pushed() || surroundings_->has_collider_in(sweep_box(data.hull(), data.velocities(), duration))) {
 				return false;
 			}
 		}
@@ -207,7 +208,8 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 	start_.insert(start_.end(), data.velocities().begin(), data.velocities().end());
 	const IntegratorStep step = integrator_traits(plan.integrator).step;
 	const Real h = duration / Real(substeps);
-	const SubstepInput input{ world_->gravity(), external_, h };
+	const bool has_load = data.queued_load() != RigidLoad{};
+	SubstepInput input{ world_->gravity(), external_, h };
 	const std::span<Vec2> before(before_.data(), count);
 	const Vec2 gravity = world_->gravity() * data.settings().gravity_scale;
 	collision_.begin_body(*surroundings_, data, elapsed, duration);
@@ -225,6 +227,12 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 		if (swept_from != nullptr) {
 			std::copy_n(swept_from, data.shape().hull_count(), before.begin());
 			swept_from = nullptr;
+		}
+		if (has_load) {
+			load_.assign(external_.begin(), external_.end());
+			add_rigid_load(data, load_);
+			input.external = load_;
+			workspace_.forces_are_current = false; // as the load turns with the body
 		}
 		step(data, input, workspace_);
 		std::size_t contacts = collision_.handle(data, before, gravity, h);

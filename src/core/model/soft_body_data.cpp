@@ -128,6 +128,15 @@ Status SoftBodyData::add_external_force(std::uint32_t point, Vec2 force) {
 	return {};
 }
 
+void SoftBodyData::queue_load(const RigidLoad &load) {
+	wake();
+	load_.force += load.force;
+	load_.torque += load.torque;
+	if (changes_) {
+		++changes_->forces;
+	}
+}
+
 Status SoftBodyData::apply_impulse(std::uint32_t point, Vec2 impulse) {
 	if (Status status = check_point(point, "impulse", impulse)) {
 		return status;

@@ -22,6 +22,13 @@ struct ExternalForce {
 	Vec2 force; ///< [mass·length/s²]
 };
 
+/// What pushes and turns a body as a whole during the next step (see `add_rigid_force`).
+struct RigidLoad {
+	Vec2 force; ///< [mass·length/s²]
+	Real torque = 0; ///< about the centre of mass [mass·length²/s²]
+	friend bool operator==(const RigidLoad &, const RigidLoad &) = default;
+};
+
 /// What a body remembers of the touch it is in, so that it can be given its bounce when it leaves.
 struct TouchMemory {
 	bool touching = false;
@@ -92,6 +99,12 @@ public:
 	void set_active(bool active);
 
 	const std::vector<ExternalForce> &external_forces() const { return external_forces_; }
+	/// Adds to what acts on the body as a whole during the next step. Callers of the core use `add_rigid_force` and
+	/// `add_torque`, which check it.
+	void queue_load(const RigidLoad &load);
+	const RigidLoad &queued_load() const { return load_; }
+	/// Whether anything queued acts on the body in the next step.
+	bool is_pushed() const { return !external_forces_.empty() || load_ != RigidLoad{}; }
 
 	/// A sleeping body is at rest and left out of the step. It wakes, with all that it touched, when something awake
 	/// touches it and when a force, an impulse or any other change is applied to it.
@@ -108,7 +121,10 @@ public:
 	std::span<Vec2> mutable_positions() { return { state_.data(), point_count() }; }
 	std::span<Vec2> mutable_velocities() { return { state_.data() + point_count(), point_count() }; }
 	std::span<Vec2> mutable_previous_positions() { return previous_positions_; }
-	void clear_external_forces() { external_forces_.clear(); }
+	void clear_external_forces() {
+		external_forces_.clear();
+		load_ = {};
+	}
 	/// Last well-defined orientation; see `measure_frame`. The step keeps it for bodies with shape matching, whose
 	/// motion depends on it; for others, whoever measures the frame may.
 	Rotation rotation_memory() const { return rotation_memory_; }
@@ -130,6 +146,7 @@ private:
 	std::vector<Vec2> previous_positions_;
 	std::vector<Real> pinned_inverse_masses_; ///< empty while nothing is pinned: then those of the shape hold
 	std::vector<ExternalForce> external_forces_;
+	RigidLoad load_;
 	Rotation rotation_memory_;
 	TouchMemory touch_memory_;
 	RestState rest_state_;
