@@ -22,6 +22,9 @@ bool can_turn(const SoftBodyData &body, const BodyFrame &frame) {
 }
 
 void change_motion(SoftBodyData &body, const BodyFrame &frame, Vec2 velocity, Real spin) {
+	if (body.is_frozen()) {
+		return;
+	}
 	body.wake();
 	const std::span<const Vec2> x = body.positions();
 	const std::span<Vec2> v = body.mutable_velocities();

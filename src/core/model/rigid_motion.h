@@ -14,7 +14,7 @@ namespace softbody {
 // c, inertia I about it, velocity and spin as `measure_frame` tells them. Every point of the rigid part of the motion is
 // changed by what that rigid body would do at its place, so that linear and angular momentum are exact and no spring
 // feels anything. Each wakes the body. Pinned points stay, and what they would have got is lost to the pins: the other
-// points are changed as if there were none. A body whose points lie in one place cannot be
+// points are changed as if there were none. A frozen body ignores them. A body whose points lie in one place cannot be
 // turned. Non-finite values are refused, and nothing changes. O(points).
 
 /// An impulse J [mass·length/s] at the place p of the world: every point's velocity changes by
