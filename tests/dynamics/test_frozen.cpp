@@ -83,6 +83,20 @@ TEST_CASE("a body sleeps on a frozen one, which is neither asleep nor counted") 
 	CHECK(scene.plank().is_frozen());
 }
 
+TEST_CASE("who monitors and sleeps on a frozen body goes on touching it") {
+	Scene scene;
+	BodySettings settings = scene.ball().settings();
+	settings.contact_monitor = true;
+	REQUIRE(!scene.ball().set_settings(settings));
+	scene.sleep();
+	REQUIRE(scene.simulator.touches().size() == 1);
+	for (int tick = 0; tick < 30; ++tick) {
+		scene.step();
+		CHECK(scene.simulator.contact_events().empty());
+	}
+	CHECK(scene.simulator.touches().size() == 1);
+}
+
 TEST_CASE("forces, impulses and velocities on a frozen body are forgotten") {
 	Scene scene;
 	SoftBodyData &plank = scene.plank();
