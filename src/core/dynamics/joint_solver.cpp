@@ -333,6 +333,9 @@ void JointSolver::push(Active &active) {
 		}
 		change = solve_2x2(a, b, c, relative);
 	}
+	if (!is_finite(change)) {
+		return; // no more than in `prepare`
+	}
 	apply(first, change);
 	apply(second, -change);
 	active.impulse += change;
@@ -359,6 +362,9 @@ void JointSolver::stretch(Active &active, Real h) {
 	const Real pull = h * joint.stiffness * longer + joint.damping * way;
 	const Real impulse = (pull - dot(active.impulse, n)) / (1 + strength * active.response);
 	const Vec2 change = n * impulse;
+	if (!is_finite(change)) {
+		return;
+	}
 	move(first, change * h);
 	move(second, change * -h);
 	apply(first, change);
