@@ -12,7 +12,7 @@ namespace {
 // Lanes share inverse masses, XPBD bodies differ in how long their passes take, and a bounce is remembered by
 // each body for itself, like contacts with itself.
 bool can_share_a_crew(SoftBodyData &body) {
-	return !body.has_pins() && !body.touch_memory().touching && body.settings().integrator != Integrator::XPBD &&
+	return body.is_free() && !body.touch_memory().touching && body.settings().integrator != Integrator::XPBD &&
 			body.settings().restitution == 0 && !body.settings().self_collision;
 }
 

@@ -64,6 +64,7 @@ bool Simulator::arrange(Real dt) {
 	places_.clear();
 	crew_of_.clear();
 	pair_touches_.clear();
+	frozen_count_ = 0;
 	bodies_bounce_ = false;
 	std::size_t hull_points = 0;
 	std::uint32_t layers = 0;
@@ -77,6 +78,7 @@ bool Simulator::arrange(Real dt) {
 		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 			SoftBodyData &body = world_.soft_bodies()[crew.bodies[lane]];
 			const BodySettings &settings = body.settings();
+			frozen_count_ += body.is_frozen();
 			state.rows[lane] = std::uint32_t(touching_.size());
 			state.awake |= 1u << lane;
 			places_.push_back(crew.bodies[lane]);
@@ -85,7 +87,7 @@ bool Simulator::arrange(Real dt) {
 			touching.positions = body.mutable_positions();
 			touching.velocities = body.mutable_velocities();
 			touching.inverse_masses = body.inverse_masses();
-			touching.inverse_mass = body.has_pins() ? Real(0) : 1 / body.shape().total_mass();
+			touching.inverse_mass = body.is_free() ? 1 / body.shape().total_mass() : Real(0);
 			touching.width = body.shape().width();
 			touching.velocity_leads = integrator_traits(state.plan.integrator).velocity_leads;
 			touching.friction = settings.friction;
@@ -247,21 +249,44 @@ void Simulator::find_pairs(Real dt) {
 		for (std::uint32_t lane = 0; bodies_notice_bodies_ && lane < roster_.crews()[i].count; ++lane) {
 			is_coupled |= has_pair_[state.rows[lane]] != 0;
 		}
+		for (std::uint32_t lane = 0; joint_solver_.has_joints() && lane < roster_.crews()[i].count; ++lane) {
+			is_coupled |= joint_solver_.holds(state.rows[lane]);
+		}
 		(is_coupled ? coupled_crews_ : free_crews_).push_back(i);
 	}
 }
 
 void Simulator::wake_by_surroundings() {
 	watch_.update(surroundings_);
-	if (!watch_.has_border_changed() && watch_.changed_boxes().empty()) {
+	if (watch_.has_border_changed()) {
+		world_.wake_all();
+		take_over_sleepers(false);
+	} else if (!watch_.changed_boxes().empty()) {
+		wake_in(watch_.changed_boxes());
+	}
+}
+
+// Where one was, is now, or both.
+void Simulator::wake_by_frozen_bodies() {
+	const std::vector<Aabb> boxes = world_.take_disturbed_boxes();
+	if (boxes.empty()) {
 		return;
 	}
+	wake_in(boxes);
+	for (std::uint32_t row = 0; row < places_.size(); ++row) {
+		SoftBodyData &body = world_.soft_bodies()[places_[row]];
+		if (body.is_frozen()) {
+			note_awake(row, false); // it may lie elsewhere now
+		}
+	}
+}
+
+void Simulator::wake_in(std::span<const Aabb> boxes) {
 	for (std::uint32_t row = 0; row < places_.size(); ++row) {
 		// What it rests on touches its box at most. Who is awake does not rest either while that changes.
 		const TouchingBody &body = touching_[row];
 		const Aabb box = (sleepers_[row] ? body.box : bounding_box(body.hull())).grown(body.rolling_radius / 8);
-		if (watch_.has_border_changed() ||
-				std::ranges::any_of(watch_.changed_boxes(), [&](const Aabb &b) { return b.overlaps(box); })) {
+		if (std::ranges::any_of(boxes, [&](const Aabb &b) { return b.overlaps(box); })) {
 			world_.soft_bodies()[places_[row]].wake();
 		}
 	}
@@ -286,7 +311,11 @@ void Simulator::find_rigid_contacts(Real dt) {
 	});
 	for (std::size_t i = 0; sleepers_.count() > 0 && i < count; ++i) {
 		if (has_rigid_body_[i] && sleepers_[i]) {
-			world_.soft_bodies()[places_[i]].wake();
+			SoftBodyData &body = world_.soft_bodies()[places_[i]];
+			body.wake();
+			if (body.is_frozen()) {
+				rigid_contacts_.add_body(body); // it is in no crew that is stepped
+			}
 		}
 	}
 	take_over_sleepers(false);
@@ -302,12 +331,19 @@ StepReport Simulator::simulate(Real dt) {
 	const std::uint64_t old_roster = roster_.version();
 	roster_.update(world_);
 	surroundings_.update(world_, dt);
-	take_over_sleepers(arrange(dt));
+	const bool is_arranged = arrange(dt);
+	take_over_sleepers(is_arranged);
 	// Bodies that came or were activated may have brought forces along.
-	const bool has_forces = seen_forces_ != world_.change_counts().forces || roster_.version() != old_roster;
+	const bool is_rearranged = roster_.version() != old_roster;
+	const bool has_forces = seen_forces_ != world_.change_counts().forces || is_rearranged;
 	seen_forces_ = world_.change_counts().forces;
+	if (has_forces) {
+		has_accelerated_bodies_ = std::ranges::any_of(world_.soft_bodies(),
+				[](const SoftBodyData &body) { return body.acceleration() != Vec2{}; });
+	}
+	pin_motion_.begin_step(world_, dt, is_rearranged);
 	for (BodyStepper &stepper : steppers_) {
-		stepper.begin_step(world_, surroundings_, has_forces);
+		stepper.begin_step(world_, surroundings_, has_forces || has_accelerated_bodies_);
 	}
 	std::ranges::fill(pair_contacts_, 0);
 	free_crews_.clear();
@@ -315,8 +351,13 @@ StepReport Simulator::simulate(Real dt) {
 	if (world_.has_sleeping()) {
 		wake_by_surroundings();
 	}
+	wake_by_frozen_bodies();
+	joint_solver_.begin_step(world_, places_, is_arranged, dt);
+	while (joint_solver_.wake_joined()) {
+		take_over_sleepers(false);
+	}
 	find_rigid_contacts(dt);
-	if (!sleepers_.is_everybody()) {
+	if (!sleepers_.is_everybody() || rigid_contacts_.has_bodies()) {
 		plan_pressure(dt);
 		find_pairs(dt);
 	}
@@ -332,19 +373,21 @@ StepReport Simulator::simulate(Real dt) {
 			stepper.time_rest(crew, crews_[i].awake, dt);
 		}
 	});
-	if (!coupled_crews_.empty()) {
+	if (!coupled_crews_.empty() || rigid_contacts_.has_bodies()) {
 		step_coupled(dt);
 	} else {
 		move_rigid_bodies_alone(dt);
 	}
 	rigid_contacts_.end_step(dt);
+	pin_motion_.end_step(world_);
+	joint_solver_.end_step(report.broken_joints);
 	if (has_monitored_bodies_ || contact_monitor_.has_touches()) {
 		report_contacts(dt);
 	}
 	if (world_.has_sleeping()) {
 		let_sleep();
 	}
-	report.sleeping_bodies = sleepers_.count();
+	report.sleeping_bodies = sleepers_.count() - frozen_count_;
 	for (const std::uint32_t place : roster_.inactive_bodies()) {
 		SoftBodyData &body = world_.soft_bodies()[place];
 		std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
@@ -370,6 +413,7 @@ void Simulator::step_coupled(Real dt) {
 	}
 	for (int substep = 0; substep < contact_substeps; ++substep) {
 		rigid_contacts_.begin_substep(duration);
+		joint_solver_.begin_substep();
 		for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 			const Crew &crew = roster_.crews()[i];
 			const CrewState &state = crews_[i];
@@ -393,6 +437,7 @@ void Simulator::step_coupled(Real dt) {
 			}
 		});
 		answer_pairs(duration);
+		joint_solver_.solve(Real(substep + 1) * duration, duration);
 		if (rigid_contacts_.has_bodies()) {
 			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
 		}
@@ -425,7 +470,9 @@ void Simulator::answer_pairs(Real h) {
 	if (!bodies_notice_bodies_) {
 		return; // coupled by a rigid body alone; the pairs are of another time
 	}
-	const Real bounce_threshold = RESTITUTION_SUBSTEPS * length(world_.gravity()) * h;
+	const auto bounce_threshold = [&](BodyPair pair) {
+		return RESTITUTION_SUBSTEPS * h * std::max(pull_on(pair.a), pull_on(pair.b));
+	};
 	for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
 		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(colour);
 		const bool may_share_bodies = colour + 1 == BroadPhase::COLOURS;
@@ -435,7 +482,7 @@ void Simulator::answer_pairs(Real h) {
 			for (std::size_t i = begin; i < end; ++i) {
 				for (std::uint32_t k = groups[i].begin; k < groups[i].end; ++k) {
 					const BodyPair pair = broad_phase_.pairs()[k];
-					if (sleepers_[pair.a] && sleepers_[pair.b]) {
+					if ((sleepers_[pair.a] && sleepers_[pair.b]) || joint_solver_.separates(pair)) {
 						continue;
 					}
 					const std::size_t contacts = pair_handlings_[task].handle(touching_[pair.a], touching_[pair.b]);
@@ -445,13 +492,22 @@ void Simulator::answer_pairs(Real h) {
 					if (bodies_bounce_) {
 						const auto bodies = world_.soft_bodies();
 						give_back_pair_bounce(bodies[places_[pair.a]], bodies[places_[pair.b]], pair_handlings_[task].last_push(),
-								pair_touches_[k], bounce_threshold, h);
+								pair_touches_[k], bounce_threshold(pair), h);
 					}
 				}
 			}
 			pair_contacts_[task] += all_contacts;
 		});
 	}
+}
+
+// Of gravity, and of what the body has of its own.
+Real Simulator::pull_on(std::uint32_t row) const {
+	const Real gravity = length(world_.gravity());
+	const SoftBodyData &body = world_.soft_bodies()[places_[row]];
+	return has_accelerated_bodies_ && body.acceleration() != Vec2{}
+			? std::max(gravity, length(body.total_acceleration(world_.gravity())))
+			: gravity;
 }
 
 void Simulator::measure_frames() {
@@ -485,7 +541,7 @@ void Simulator::answer_self_contacts(Real h) {
 
 // Once a step, with the impulses of all its substeps: spins change little within one.
 void Simulator::resist_rolling_between_bodies() {
-	if (!bodies_resist_rolling_) {
+	if (!bodies_resist_rolling_ || !bodies_notice_bodies_) {
 		return;
 	}
 	const std::span<const BodyPair> pairs = broad_phase_.pairs();
@@ -526,9 +582,9 @@ void Simulator::take_over_sleepers(bool is_rearranged) {
 }
 
 void Simulator::let_sleep() {
-	const bool has_pairs = !coupled_crews_.empty(); // or else they are of another time
+	const bool has_pairs = !coupled_crews_.empty() && bodies_notice_bodies_; // or else they are of another time
 	sleepers_.let_sleep(world_, places_, has_pairs ? broad_phase_.pairs() : std::span<const BodyPair>{}, pair_touched_,
-			has_rigid_body_, [this](std::uint32_t row, bool awake) { note_awake(row, awake); });
+			joint_solver_.joined(), has_rigid_body_, [this](std::uint32_t row, bool awake) { note_awake(row, awake); });
 }
 
 // Before anything falls asleep or wakes: what slept during the step has found no contact and yet lost no touch.

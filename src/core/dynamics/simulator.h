@@ -12,6 +12,8 @@
 #include "core/collision/rigid_contacts.h"
 #include "core/collision/surroundings_watch.h"
 #include "core/dynamics/body_stepper.h"
+#include "core/dynamics/joint_solver.h"
+#include "core/dynamics/pin_motion.h"
 #include "core/dynamics/roster.h"
 #include "core/dynamics/sleepers.h"
 #include "core/dynamics/substep_plan.h"
@@ -37,12 +39,14 @@ struct StepReport {
 	/// untouched.
 	std::vector<BodyId> reset_bodies;
 	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves answered, summed over substeps
+	/// Joints that bore more than they can (Joint::break_force) and are gone. Each is told once.
+	std::vector<JointId> broken_joints;
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
-/// other. Bodies that may touch one another or a dynamic rigid body take the world's contact substeps together: in each
+/// other. Bodies that may touch one another or a dynamic rigid body, or are joined to something, take the world's contact substeps together: in each
 /// of them every body advances, in as many force substeps as it needs, and then contacts between bodies are answered,
-/// and with dynamic rigid bodies. Owns nothing but scratch memory, which grows with the world.
+/// with dynamic rigid bodies, and joints. Owns nothing but scratch memory, which grows with the world.
 /// Islands of bodies at rest fall asleep (`Sleepers`).
 class Simulator {
 public:
@@ -90,6 +94,7 @@ private:
 	void advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts, bool is_coupled);
 	void step_coupled(Real dt);
 	void answer_pairs(Real h);
+	Real pull_on(std::uint32_t row) const;
 	void measure_frames();
 	void answer_self_contacts(Real h);
 	void resist_rolling_between_bodies();
@@ -97,6 +102,8 @@ private:
 	/// Called when a body falls asleep or wakes.
 	void note_awake(std::uint32_t row, bool awake);
 	void wake_by_surroundings();
+	void wake_by_frozen_bodies();
+	void wake_in(std::span<const Aabb> boxes);
 	void let_sleep();
 	/// Calls `work(task, begin, end)` for slices of [0, count), each of at least `least` unless it is the only one. How
 	/// they are cut depends on the count alone.
@@ -141,6 +148,9 @@ private:
 	std::vector<Real> pair_impulses_; ///< likewise: summed normal impulse [mass·length/s]
 	std::vector<PairTouch> pair_touches_; ///< likewise; empty when nothing bounces
 	Sleepers sleepers_;
+	std::size_t frozen_count_ = 0;
+	PinMotion pin_motion_;
+	JointSolver joint_solver_;
 
 	std::uint64_t seen_forces_ = 0;
 	std::uint64_t arranged_roster_ = 0;
@@ -149,6 +159,7 @@ private:
 	bool bodies_notice_bodies_ = false;
 	bool bodies_resist_rolling_ = false;
 	bool bodies_bounce_ = false;
+	bool has_accelerated_bodies_ = false;
 	bool has_monitored_bodies_ = false;
 	bool bodies_meet_themselves_ = false;
 };
