@@ -247,12 +247,13 @@ void JointSolver::close_gap(Active &active, Vec2 gap, Vec2 relative_velocity, Re
 void JointSolver::keep_spin(Active &active, Real closed) {
 	auto &[first, second] = active.sides;
 	const Real distance = dot(second.at - first.at, active.direction);
-	if (first.rigid != NO_RIGID_BODY || second.rigid != NO_RIGID_BODY || !(distance > 2 * std::abs(closed))) {
+	const Real mobility = first.mobility + second.mobility;
+	const bool is_soft = first.rigid == NO_RIGID_BODY && second.rigid == NO_RIGID_BODY;
+	if (!is_soft || !(mobility > 0) || !(distance > 2 * std::abs(closed))) {
 		return;
 	}
 	const Vec2 across = perpendicular(active.direction);
 	const Real faster = dot(velocity_of(second) - velocity_of(first), across) * closed / distance;
-	const Real mobility = first.mobility + second.mobility;
 	apply(first, across * (-faster / mobility));
 	apply(second, across * (faster / mobility));
 }
