@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// The triangles that fill a body, and what its hull's colours and texture coordinates are in between.
+#include "core/skin/fill_mesh.h"
+
+#include "core/geometry/polygon.h"
+#include "core/skin/outline_band.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace softbody {
+
+namespace {
+
+Vec2 mean_of(std::span<const Vec2> points) {
+	Vec2 sum;
+	for (const Vec2 p : points) {
+		sum += p;
+	}
+	return sum * (1 / Real(points.size()));
+}
+
+// Mean value coordinates of a place inside a polygon: w_i = (tan(α_{i-1}/2) + tan(α_i/2)) / r_i, where r_i is the
+// distance of corner i and α_i the signed angle under which the edge from it is seen; normalised.
+std::vector<Real> mean_value_weights(Vec2 place, std::span<const Vec2> polygon) {
+	const std::size_t count = polygon.size();
+	std::vector<double> weights(count, 0.0);
+	double sum = 0;
+	for (std::size_t i = 0; i < count; ++i) {
+		const std::size_t next = (i + 1) % count;
+		const Vec2 a = polygon[i] - place;
+		const Vec2 b = polygon[next] - place;
+		const double ra = std::hypot(double(a.x), double(a.y));
+		const double rb = std::hypot(double(b.x), double(b.y));
+		const double cosine = double(a.x) * b.x + double(a.y) * b.y;
+		const double sine = double(a.x) * b.y - double(a.y) * b.x;
+		const double divisor = ra * rb + cosine;
+		if (!(ra > 0) || !(divisor > 1e-9 * ra * rb)) {
+			// On a corner or on the edge: there the values are those of the edge.
+			std::vector<Real> on_edge(count, Real(0));
+			const double share = ra + rb > 0 ? ra / (ra + rb) : 0;
+			on_edge[i] = Real(1 - share);
+			on_edge[next] += Real(share);
+			return on_edge;
+		}
+		const double half_tangent = sine / divisor;
+		weights[i] += half_tangent / ra;
+		weights[next] += rb > 0 ? half_tangent / rb : 0;
+		sum += half_tangent / ra + (rb > 0 ? half_tangent / rb : 0);
+	}
+	std::vector<Real> normalised;
+	for (const double weight : weights) {
+		// Outside of the hull the sum may vanish. Nothing is drawn there; any number will do.
+		normalised.push_back(std::abs(sum) > 0 ? Real(weight / sum) : 1 / Real(count));
+	}
+	return normalised;
+}
+
+// Uniform Catmull-Rom: passes through the points, with the mean of the two chords as tangent.
+std::vector<Real> curve_weights(std::size_t pieces) {
+	std::vector<Real> weights;
+	for (std::size_t piece = 0; piece < pieces; ++piece) {
+		const Real t = Real(piece) / Real(pieces);
+		const Real t2 = t * t;
+		const Real t3 = t2 * t;
+		weights.insert(weights.end(), { (-t + 2 * t2 - t3) / 2, (2 - 5 * t2 + 3 * t3) / 2, (t + 4 * t2 - 3 * t3) / 2,
+												(t3 - t2) / 2 });
+	}
+	return weights;
+}
+
+} // namespace
+
+FillMesh::FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Options &options) :
+		options_(options), rest_(rest.begin(), rest.end()), hull_count_(hull_count) {
+	assert(hull_count >= 3 && hull_count <= rest.size() && options.pieces >= 1);
+	side_ = signed_area(rest.first(hull_count)) < 0 ? Real(-1) : Real(1);
+	curve_ = curve_weights(options_.pieces);
+	fill();
+	for (std::size_t i = hull_count; i < rest_.size(); ++i) {
+		inner_weights_.push_back(mean_value_weights(rest_[i], rest.first(hull_count)));
+	}
+	if (has_mean_) {
+		inner_weights_.push_back(std::vector<Real>(hull_count, 1 / Real(hull_count)));
+	}
+	faded_start_ = rim_count() + inner_weights_.size();
+	vertex_count_ = faded_start_;
+	if (options_.soft_edge > 0) {
+		const std::uint32_t rim = std::uint32_t(rim_count());
+		vertex_count_ += rim;
+		for (std::uint32_t i = 0; i < rim; ++i) {
+			const std::uint32_t next = (i + 1) % rim;
+			const std::uint32_t faded = std::uint32_t(faded_start_);
+			triangles_.push_back({ i, next, faded + next });
+			triangles_.push_back({ i, faded + next, faded + i });
+		}
+	}
+}
+
+void FillMesh::fill() {
+	std::vector<Vec2> points(rim_count());
+	place_rim(rest_, points);
+	const std::uint32_t rim = std::uint32_t(points.size());
+	const std::size_t inner = rest_.size() - hull_count_;
+	const Vec2 middle = inner == 1 ? rest_.back() : mean_of(std::span<const Vec2>(rest_).first(hull_count_));
+	if (inner <= 1 && is_star_shaped_about(middle, points)) {
+		has_mean_ = inner == 0;
+		for (std::uint32_t i = 0; i < rim; ++i) {
+			triangles_.push_back({ rim, i, (i + 1) % rim });
+		}
+		return;
+	}
+	points.insert(points.end(), rest_.begin() + std::ptrdiff_t(hull_count_), rest_.end());
+	triangles_ = triangulate(points, rim);
+}
+
+void FillMesh::place_rim(std::span<const Vec2> points, std::span<Vec2> rim) const {
+	const std::size_t count = hull_count_;
+	if (options_.pieces == 1) {
+		std::copy_n(points.begin(), count, rim.begin());
+		return;
+	}
+	Vec2 before = points[count - 1];
+	Vec2 at = points[0];
+	Vec2 after = points[1];
+	Vec2 *write = rim.data();
+	for (std::size_t i = 0; i < count; ++i) {
+		const Vec2 next = points[(i + 2) % count];
+		for (std::size_t piece = 0; piece < options_.pieces; ++piece) {
+			const Real *weight = &curve_[4 * piece];
+			*write++ = before * weight[0] + at * weight[1] + after * weight[2] + next * weight[3];
+		}
+		before = at;
+		at = after;
+		after = next;
+	}
+}
+
+void FillMesh::place(std::span<const Vec2> points, std::span<const Vec2> rim, std::span<Vec2> vertices) const {
+	assert(points.size() >= rest_.size() && vertices.size() >= vertex_count_);
+	std::ranges::copy(rim, vertices.begin());
+	const std::span<const Vec2> inner = points.subspan(hull_count_, rest_.size() - hull_count_);
+	std::ranges::copy(inner, vertices.begin() + std::ptrdiff_t(rim.size()));
+	if (has_mean_) {
+		vertices[rim.size()] = mean_of(points.first(hull_count_));
+	}
+	if (options_.soft_edge > 0) {
+		const Real half = options_.soft_edge / 2 * side_;
+		move_corners(rim, half, vertices.first(rim.size()));
+		move_corners(rim, -half, vertices.subspan(faded_start_, rim.size()));
+	} else if (options_.inset > 0) {
+		move_corners(rim, options_.inset * side_, vertices.first(rim.size()));
+	}
+}
+
+} // namespace softbody

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The triangles that fill a body, and what its hull's colours and texture coordinates are in between.
+#pragma once
+
+#include "core/base/vec2.h"
+#include "core/skin/triangulation.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// The mesh of a body's inside. It is made once from the rest shape; a frame only computes where its vertices lie.
+///
+/// Vertices, in this order: the rim, which is the hull or a curve through it; the body's inner points; where the hull
+/// is seen from its middle and nothing else is there, a middle, the mean of the hull; with a soft edge, the rim again,
+/// farther out. Triangles spread out from the middle if that sees the whole rim, and otherwise are those of
+/// `triangulate`.
+class FillMesh {
+public:
+	/// How the mesh is made.
+	struct Options {
+		/// Pieces that each hull edge is divided into. 1 draws it straight; more follow a smooth curve through the hull
+		/// points (Catmull and Rom 1974).
+		std::size_t pieces = 1;
+		/// Width of the edge over which the body fades out, half of it inside [length]; 0 is a hard edge.
+		Real soft_edge = 0;
+		/// Without a soft edge: how far inside the rim the triangles end [length], for an outline that hides their edge.
+		Real inset = 0;
+	};
+
+	FillMesh() = default;
+	/// `rest` are all points of the body at rest, the hull first, as `check_hull` accepts it and in either winding.
+	/// O(rim²) in the usual case.
+	FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Options &options);
+
+	std::size_t vertex_count() const { return vertex_count_; }
+	std::size_t rim_count() const { return hull_count_ * options_.pieces; }
+	/// First vertex of the faded rim; `vertex_count()` without a soft edge.
+	std::size_t faded_start() const { return faded_start_; }
+	const std::vector<Triangle> &triangles() const { return triangles_; }
+	/// 1 where the hull at rest has positive winding, else -1.
+	Real side() const { return side_; }
+
+	/// Where the rim runs when the body's points lie at `points`: `rim_count()` places. O(rim).
+	void place_rim(std::span<const Vec2> points, std::span<Vec2> rim) const;
+	/// Where all vertices lie; `rim` is what `place_rim` gave for these points. O(vertices), no allocation.
+	void place(std::span<const Vec2> points, std::span<const Vec2> rim, std::span<Vec2> vertices) const;
+
+	/// Gives every vertex a value, from values of the hull points: along the rim as `place_rim` does, inside by mean value
+	/// coordinates of the rest shape (Floater 2003), which are smooth and give a linear map back as it is.
+	template <class Value>
+	std::vector<Value> spread(std::span<const Value> hull_values) const;
+
+private:
+	void fill();
+
+	Options options_;
+	std::vector<Vec2> rest_;
+	std::size_t hull_count_ = 0;
+	bool has_mean_ = false; ///< whether the middle is a vertex of its own
+	Real side_ = 1;
+	std::size_t faded_start_ = 0;
+	std::size_t vertex_count_ = 0;
+	std::vector<Triangle> triangles_;
+	std::vector<Real> curve_; ///< four weights for each piece of an edge: of the points before, at, after, after that
+	std::vector<std::vector<Real>> inner_weights_; ///< of the hull points, for each inner vertex
+};
+
+template <class Value>
+std::vector<Value> FillMesh::spread(std::span<const Value> hull_values) const {
+	std::vector<Value> values;
+	values.reserve(vertex_count_);
+	const std::size_t count = hull_count_;
+	for (std::size_t i = 0; i < count; ++i) {
+		for (std::size_t piece = 0; piece < options_.pieces; ++piece) {
+			const Real *weight = &curve_[4 * piece];
+			values.push_back(hull_values[(i + count - 1) % count] * weight[0] + hull_values[i] * weight[1] +
+					hull_values[(i + 1) % count] * weight[2] + hull_values[(i + 2) % count] * weight[3]);
+		}
+	}
+	for (const std::vector<Real> &weights : inner_weights_) {
+		Value sum = hull_values[0] * weights[0];
+		for (std::size_t i = 1; i < count; ++i) {
+			sum += hull_values[i] * weights[i];
+		}
+		values.push_back(sum);
+	}
+	for (std::size_t i = 0; faded_start_ + i < vertex_count_; ++i) {
+		values.push_back(values[i]);
+	}
+	return values;
+}
+
+} // namespace softbody

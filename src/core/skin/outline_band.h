@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// A band of triangles along a closed outline, whose corners are rounded where they spread.
+#pragma once
+
+#include "core/base/vec2.h"
+#include "core/skin/triangulation.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Moves every edge of a closed outline by `distance` [length] to its left, which is into a polygon of positive
+/// winding; corners go to where their edges meet, though not far (see `OutlineBand`). O(n).
+void move_corners(std::span<const Vec2> outline, Real distance, std::span<Vec2> moved);
+
+/// Lines along an outline at fixed distances from it; the band fills what is between neighbouring ones. Which triangles
+/// there are never changes, only where they lie: that is all a frame has to compute.
+///
+/// A corner has `corner_points` vertices on each line. On the side where the two edges spread apart they lie on an arc
+/// around the corner, so that a dent does not spike. On the side where the edges close they meet in one point, the
+/// mitre, at most as far from the corner as the shorter of the two edges allows, so that a sharp tip does not spike
+/// either.
+class OutlineBand {
+public:
+	/// A line of the band.
+	struct Rail {
+		Real distance = 0; ///< from the outline [length], positive into a polygon of positive winding
+		std::uint32_t corner_points = 1; ///< >= 1; 1 is the mitre on both sides
+	};
+
+	OutlineBand() = default;
+	/// `corner_count` >= 3 points of the outline; two rails at least, in order of distance.
+	OutlineBand(std::size_t corner_count, std::span<const Rail> rails);
+
+	std::size_t vertex_count() const { return vertex_count_; }
+	const std::vector<Triangle> &triangles() const { return triangles_; }
+	const std::vector<Rail> &rails() const { return rails_; }
+	std::size_t corner_count() const { return corner_count_; }
+
+	/// Calls `visit(vertex, corner, rail)` for every vertex. Corner `corner_count()` is the first one again, where the
+	/// band closes, so that a texture can end there and begin anew.
+	template <class Visit>
+	void for_vertices(const Visit &visit) const {
+		std::size_t vertex = 0;
+		for (std::size_t rail = 0; rail < rails_.size(); ++rail) {
+			for (std::size_t corner = 0; corner <= corner_count_; ++corner) {
+				for (std::uint32_t k = 0; k < rails_[rail].corner_points; ++k) {
+					visit(vertex++, corner, rail);
+				}
+			}
+		}
+	}
+
+	/// Where the vertices lie for an outline of `corner_count()` points. `side` is 1 for positive winding, -1 for
+	/// negative. Neighbouring points may coincide. O(vertices), no allocation.
+	void place(std::span<const Vec2> outline, Real side, std::span<Vec2> vertices) const;
+
+private:
+	std::size_t corner_count_ = 0;
+	std::size_t vertex_count_ = 0;
+	std::vector<Rail> rails_;
+	std::vector<Triangle> triangles_;
+};
+
+} // namespace softbody

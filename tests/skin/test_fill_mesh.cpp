@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Claims about the mesh that fills a body.
+#include "core/skin/fill_mesh.h"
+
+#include "core/creator/hulls.h"
+#include "core/geometry/polygon.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace softbody;
+
+namespace {
+
+struct Placed {
+	std::vector<Vec2> rim;
+	std::vector<Vec2> vertices;
+};
+
+Placed placed(const FillMesh &mesh, const std::vector<Vec2> &points) {
+	Placed result{ std::vector<Vec2>(mesh.rim_count()), std::vector<Vec2>(mesh.vertex_count()) };
+	mesh.place_rim(points, result.rim);
+	mesh.place(points, result.rim, result.vertices);
+	return result;
+}
+
+double area_of(const FillMesh &mesh, const std::vector<Vec2> &vertices) {
+	double sum = 0;
+	for (const Triangle &t : mesh.triangles()) {
+		sum += std::abs(cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]])) / 2;
+	}
+	return sum;
+}
+
+const std::vector<Vec2> U_SHAPE{ { -90, -60 }, { -50, -60 }, { -40, 30 }, { 40, 30 }, { 50, -60 }, { 90, -60 },
+	{ 90, 80 }, { -90, 80 } };
+
+std::vector<std::vector<Vec2>> bodies() {
+	std::vector<std::vector<Vec2>> all{ circle_hull(50, 16).value(), box_hull({ 160, 100 }, 20).value(), U_SHAPE,
+		{ { 0, 0 }, { 30, 5 }, { 10, 40 } } };
+	for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+		all.push_back(all[i]);
+		std::ranges::reverse(all.back());
+	}
+	return all;
+}
+
+} // namespace
+
+TEST_CASE("the triangles fill what the rim encloses, straight or curved, with a middle point or without") {
+	for (const std::vector<Vec2> &hull : bodies()) {
+		for (const std::size_t pieces : { std::size_t(1), std::size_t(4) }) {
+			for (const int inner : { 0, 1, 2 }) {
+				std::vector<Vec2> points = hull;
+				for (int i = 0; i < inner; ++i) {
+					points.push_back({ Real(12 + 3 * i), Real(10) });
+				}
+				const FillMesh mesh(points, hull.size(), { pieces, 0 });
+				const Placed result = placed(mesh, points);
+				CAPTURE(hull.size());
+				CAPTURE(pieces);
+				CAPTURE(inner);
+				CHECK(area_of(mesh, result.vertices) == doctest::Approx(std::abs(signed_area(result.rim))).epsilon(1e-4));
+			}
+		}
+	}
+}
+
+TEST_CASE("the curve goes through the hull points and is rounder than the hull") {
+	const std::vector<Vec2> circle = circle_hull(50, 12).value();
+	const FillMesh mesh(circle, circle.size(), { 8, 0 });
+	const Placed result = placed(mesh, circle);
+	for (std::size_t i = 0; i < circle.size(); ++i) {
+		CHECK(length(result.rim[8 * i] - circle[i]) < 1e-4);
+	}
+	for (const Vec2 p : result.rim) {
+		CHECK(length(p) == doctest::Approx(50).epsilon(0.005)); // the edges of the hull come as near as 48.3
+	}
+}
+
+TEST_CASE("vertices take their place from the points: hull, then inner ones, then the mean") {
+	const std::vector<Vec2> hull = circle_hull(50, 8).value();
+	std::vector<Vec2> moved = hull;
+	moved[3] += { 7, -4 };
+	const Placed ring = placed(FillMesh(hull, 8, {}), moved);
+	CHECK(length(ring.vertices[3] - moved[3]) == 0);
+	CHECK(length(ring.vertices[8] - Vec2{ Real(7) / 8, Real(-4) / 8 }) < 1e-4);
+	std::vector<Vec2> with_centre = hull;
+	with_centre.push_back({ 1, 2 });
+	const Placed centred = placed(FillMesh(with_centre, 8, {}), with_centre);
+	CHECK(centred.vertices.size() == 9);
+	CHECK(length(centred.vertices[8] - Vec2{ 1, 2 }) == 0);
+}
+
+TEST_CASE("a soft edge covers half a pixel more and fades as much inside") {
+	for (const std::vector<Vec2> &hull : bodies()) {
+		const FillMesh hard(hull, hull.size(), {});
+		const FillMesh soft(hull, hull.size(), { 1, 1 });
+		const Placed result = placed(soft, hull);
+		const double rim = perimeter(hull);
+		CHECK(area_of(soft, result.vertices) - area_of(hard, placed(hard, hull).vertices) ==
+				doctest::Approx(rim / 2).epsilon(0.05));
+		for (std::size_t i = soft.faded_start(); i < soft.vertex_count(); ++i) {
+			CHECK(!point_in_polygon(result.vertices[i], hull));
+			CHECK(length(result.vertices[i] - hull[i - soft.faded_start()]) <= 2.01);
+			CHECK(point_in_polygon(result.vertices[i - soft.faded_start()], hull));
+		}
+	}
+}
+
+TEST_CASE("values that are linear in the plane come back linear at every vertex") {
+	for (const std::vector<Vec2> &hull : bodies()) {
+		std::vector<Vec2> points = hull;
+		points.push_back({ 14, 12 });
+		points.push_back({ 16, 20 });
+		const FillMesh mesh(points, hull.size(), {});
+		const auto f = [](Vec2 p) { return 3 + p.x / 2 - 2 * p.y; };
+		std::vector<Real> values;
+		for (const Vec2 p : hull) {
+			values.push_back(f(p));
+		}
+		const std::vector<Real> spread = mesh.spread<Real>(values);
+		const Placed result = placed(mesh, points);
+		for (std::size_t i = 0; i < spread.size(); ++i) {
+			if (point_in_polygon(result.vertices[i], hull)) {
+				CHECK(spread[i] == doctest::Approx(f(result.vertices[i])).epsilon(1e-3));
+			}
+		}
+	}
+}
+
+TEST_CASE("equal values stay equal, on a rim, on an edge and in the middle") {
+	std::vector<Vec2> points = box_hull({ 100, 60 }, 20).value();
+	const std::size_t hull_count = points.size();
+	points.push_back((points[0] + points[1]) * Real(0.5));
+	points.push_back(points[2]);
+	points.push_back({ 0, 0 });
+	const FillMesh mesh(points, hull_count, { 3, 1 });
+	for (const Real value : mesh.spread<Real>(std::vector<Real>(hull_count, Real(0.25)))) {
+		CHECK(value == doctest::Approx(0.25));
+	}
+}
+
+TEST_CASE("an inset ends the triangles that far inside the rim") {
+	for (const std::vector<Vec2> &hull : bodies()) {
+		const FillMesh whole(hull, hull.size(), {});
+		const FillMesh inset(hull, hull.size(), { 1, 0, 1 });
+		CHECK(inset.vertex_count() == whole.vertex_count());
+		const double less = area_of(whole, placed(whole, hull).vertices) - area_of(inset, placed(inset, hull).vertices);
+		CHECK(less == doctest::Approx(perimeter(hull)).epsilon(0.1));
+	}
+}
