@@ -73,7 +73,7 @@ func _fail(label: String, reasons: PackedStringArray) -> void:
 func _run_suite(path: String) -> void:
 	var suite_name := path.get_file().get_basename()
 	var script := load(path) as GDScript
-	if script == null or not script.can_instantiate() or script.get_base_script() != load(SUITE_BASE):
+	if script == null or not script.can_instantiate() or not _is_suite(script):
 		_fail(suite_name, ["does not load, or does not extend " + SUITE_BASE])
 		return
 	var tests := PackedStringArray()
@@ -90,6 +90,13 @@ func _run_suite(path: String) -> void:
 			await _run_test(script, test, label)
 	if _passed > passed_before:
 		print("%s: %d passed" % [suite_name, _passed - passed_before])
+
+
+func _is_suite(script: Script) -> bool:
+	var base := script.get_base_script()
+	while base != null and base != load(SUITE_BASE):
+		base = base.get_base_script()
+	return base != null
 
 
 ## Every test gets an object, a stage and clean engine settings of its own.

@@ -22,24 +22,38 @@ const PROPERTIES := {
 	"collision_layer": [TYPE_INT, ""],
 	"collision_mask": [TYPE_INT, ""],
 	"color": [TYPE_COLOR, ""],
+	"vertex_colors": [TYPE_PACKED_COLOR_ARRAY, ""],
+	"antialiased": [TYPE_BOOL, ""],
+	"smooth": [TYPE_BOOL, ""],
 	"texture": [TYPE_OBJECT, "Texture2D"],
+	"texture_offset": [TYPE_VECTOR2, "suffix:px"],
+	"texture_scale": [TYPE_VECTOR2, ""],
+	"texture_rotation": [TYPE_FLOAT, "radians_as_degrees"],
+	"uv": [TYPE_PACKED_VECTOR2_ARRAY, "suffix:px"],
+	"outline_width": [TYPE_FLOAT, "suffix:px"],
+	"outline_color": [TYPE_COLOR, ""],
+	"outline_texture": [TYPE_OBJECT, "Texture2D"],
+	"outline_texture_mode": [TYPE_INT, "Tile,Stretch"],
 }
 const DEFAULTS := {
 	"mass": 1.0, "stiffness": 100.0, "damping": 0.12, "friction": 0.4, "bounce": 0.0,
 	"rolling_resistance": 0.03, "shape_matching": 0.4, "shape_damping": 0.25, "gravity_scale": 1.0,
 	"center_point": true, "pressure": 0.0, "inflation": 1.0, "integrator": 0,
 	"substeps": 0, "collision_layer": 1, "collision_mask": 1, "color": Color.WHITE, "texture": null,
+	"antialiased": false, "smooth": false, "texture_offset": Vector2.ZERO, "texture_scale": Vector2.ONE,
+	"texture_rotation": 0.0, "outline_width": 0.0, "outline_color": Color.BLACK, "outline_texture": null,
+	"outline_texture_mode": 0,
 }
 const METHODS: Array[String] = [
 	"make_circle_hull", "make_box_hull", "make_capsule_hull", "get_point_count", "get_point_positions",
-	"get_point_velocities", "get_interpolated_hull", "get_nearest_point", "has_point", "apply_point_force",
+	"get_point_velocities", "get_interpolated_hull", "get_interpolated_transform", "get_nearest_point", "has_point", "apply_point_force",
 	"apply_point_impulse", "apply_central_force", "apply_central_impulse", "get_center_of_mass_position",
 	"get_linear_velocity", "get_angular_velocity", "get_area", "get_rest_area", "get_kinetic_energy",
 	"get_penetration", "get_substep_plan", "get_warnings", "reset",
 ]
 const SERVER_METHODS: Array[String] = [
 	"get_body_count", "get_tick_count", "get_last_step_usec", "get_mean_step_usec", "reset_statistics",
-	"measure_max_penetration",
+	"measure_max_penetration", "get_last_drawing_usec", "get_last_drawn_count",
 ]
 
 

@@ -9,6 +9,8 @@ const PROPERTIES := {
 	"mass": 2.5, "stiffness": 640.0, "damping": 0.5, "friction": 0.25, "bounce": 0.125,
 	"rolling_resistance": 0.0625, "shape_matching": 0.75, "shape_damping": 0.5, "gravity_scale": 1.25,
 	"substeps": 9, "collision_layer": 5, "collision_mask": 3, "color": Color(0.25, 0.5, 0.75, 1.0),
+	"antialiased": true, "smooth": true, "texture_offset": Vector2(2, -3), "texture_scale": Vector2(0.5, 2),
+	"texture_rotation": 0.5, "outline_width": 4.0, "outline_color": Color(0.5, 0, 0.25, 1.0), "outline_texture_mode": 1,
 }
 
 

@@ -8,6 +8,7 @@
 #include "godot/server/soft_body_server_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world2d.hpp>
 #include <godot_cpp/core/math.hpp>
 
@@ -74,8 +75,7 @@ void SoftBody2D::rebuild_body() {
 	space_->world().remove_soft_body(body_id_);
 	body_id_ = space_->world().add_soft_body(std::move(fresh.value()));
 	known_transform_ = transform;
-	current_ = current_pose();
-	previous_ = current_;
+	interpolation_.end();
 	update_topology();
 }
 
@@ -84,6 +84,7 @@ void SoftBody2D::enter_space() {
 		return;
 	}
 	space_ = SoftBodyServer2D::get_singleton()->add_body(this);
+	view_ = SoftBodyServer2D::get_singleton()->drawing().add(get_viewport());
 	if (stored_body_) {
 		body_id_ = space_->world().add_soft_body(std::move(*stored_body_));
 		stored_body_.reset();
@@ -91,7 +92,9 @@ void SoftBody2D::enter_space() {
 	} else {
 		rebuild_body();
 	}
-	set_process_internal(true);
+	if (get_tree()->is_debugging_collisions_hint()) {
+		debug_drawing_ = std::make_unique<softbody::DebugDrawing>(get_canvas_item());
+	}
 }
 
 void SoftBody2D::leave_space() {
@@ -104,6 +107,10 @@ void SoftBody2D::leave_space() {
 	}
 	space_ = nullptr;
 	body_id_ = {};
+	interpolation_.end();
+	SoftBodyServer2D::get_singleton()->drawing().remove(view_);
+	view_ = nullptr;
+	debug_drawing_.reset();
 	// Last: the server drops a space that has no nodes left.
 	SoftBodyServer2D::get_singleton()->remove_body(this);
 }
@@ -125,11 +132,10 @@ void SoftBody2D::_notification(int p_what) {
 		case NOTIFICATION_TRANSFORM_CHANGED: {
 			take_over_transform();
 		} break;
-		case NOTIFICATION_INTERNAL_PROCESS: {
-			if (moving_ || redraw_needed_) {
-				redraw_needed_ = false;
-				queue_redraw();
-			}
+		case NOTIFICATION_RESET_PHYSICS_INTERPOLATION: {
+			take_over_transform();
+			interpolation_.end();
+			settled_ = false;
 		} break;
 		case NOTIFICATION_DRAW: {
 			draw();
@@ -155,10 +161,6 @@ Transform2D SoftBody2D::body_transform() const {
 	return transform;
 }
 
-SoftBody2D::Pose SoftBody2D::current_pose() const {
-	return { known_transform_, known_transform_.affine_inverse().xform(to_godot(body()->positions())) };
-}
-
 // A transform that differs from the one the body left behind was set by the user: the body follows.
 void SoftBody2D::take_over_transform() {
 	if (space_ == nullptr || body() == nullptr) {
@@ -175,12 +177,11 @@ void SoftBody2D::take_over_transform() {
 	}
 	if (same_scale(softbody::scale_and_skew(transform), built_scale_)) {
 		body()->teleport(softbody::to_core_pose(known_transform_), softbody::to_core_pose(transform));
+		note_move_by_user(known_transform_, transform);
 		known_transform_ = transform;
-		current_ = current_pose();
-		previous_ = current_;
 	} else {
 		// Another size is another body: keep how it is deformed and how it moves.
-		const PackedVector2Array deformed = current_pose().local_points;
+		const PackedVector2Array deformed = known_transform_.affine_inverse().xform(to_godot(body()->positions()));
 		const std::vector<softbody::Vec2> velocities(body()->velocities().begin(), body()->velocities().end());
 		const bool was_reversed = hull_reversed_;
 		rebuild_body();
@@ -189,10 +190,9 @@ void SoftBody2D::take_over_transform() {
 				body()->set_point(i, to_core(transform.xform(deformed[i])), velocities[i]);
 			}
 		}
-		current_ = current_pose();
-		previous_ = current_;
 	}
-	redraw_needed_ = true;
+	settled_ = false;
+	area_checked_ = false;
 }
 
 // The engine reports a changed transform at the end of the frame; whoever asks earlier gets the body
@@ -218,16 +218,23 @@ void SoftBody2D::finish_step() {
 	if (body() == nullptr) {
 		return;
 	}
-	redraw_needed_ = redraw_needed_ || moving_; // after the last move, draw the end of the interpolation once
-	moving_ = body()->is_active();
-	previous_ = current_;
-	if (moving_) {
+	// A body that has just stopped or fallen asleep is where its last step left it.
+	const bool has_stopped = moving_;
+	const Transform2D before = known_transform_;
+	moving_ = body()->is_active() && !body()->is_asleep();
+	if (moving_ || has_stopped) {
 		body()->set_rotation_memory(softbody::measure_frame(*body()).rotation); // for a body that may collapse later
 		set_global_transform(body_transform());
 		// Read back rather than remembered: under a transformed parent it may differ in the last digit,
 		// and such a digit must not look like a move by the user.
 		known_transform_ = get_global_transform();
-		current_ = current_pose();
+		settled_ = false;
+		area_checked_ = false;
+	}
+	if (moving_) {
+		interpolation_.begin(before);
+	} else {
+		interpolation_.end();
 	}
 }
 

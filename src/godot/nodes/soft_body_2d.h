@@ -5,6 +5,10 @@
 #include "core/base/error.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/world_data.h"
+#include "godot/drawing/body_interpolation.h"
+#include "godot/drawing/debug_drawing.h"
+#include "godot/drawing/drawing_frame.h"
+#include "godot/drawing/soft_body_skin.h"
 
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
@@ -14,6 +18,7 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 
+#include <memory>
 #include <optional>
 
 namespace softbody {
@@ -80,10 +85,40 @@ public:
 	uint32_t get_collision_layer() const { return collision_layer_; }
 	void set_collision_mask(uint32_t p_mask);
 	uint32_t get_collision_mask() const { return collision_mask_; }
+
+	// Drawing.
+	enum OutlineTextureMode {
+		OUTLINE_TEXTURE_TILE,
+		OUTLINE_TEXTURE_STRETCH,
+	};
 	void set_color(const Color &p_color);
-	Color get_color() const { return color_; }
+	Color get_color() const { return skin_.style().color; }
+	void set_vertex_colors(const PackedColorArray &p_colors);
+	PackedColorArray get_vertex_colors() const { return skin_.style().vertex_colors; }
+	void set_antialiased(bool p_antialiased);
+	bool is_antialiased() const { return skin_.style().antialiased; }
+	void set_smooth(bool p_smooth);
+	bool is_smooth() const { return skin_.style().smooth; }
 	void set_texture(const Ref<Texture2D> &p_texture);
-	Ref<Texture2D> get_texture() const { return texture_; }
+	Ref<Texture2D> get_texture() const { return skin_.style().texture; }
+	void set_texture_offset(const Vector2 &p_offset);
+	Vector2 get_texture_offset() const { return skin_.style().texture_offset; }
+	void set_texture_scale(const Vector2 &p_scale);
+	Vector2 get_texture_scale() const { return skin_.style().texture_scale; }
+	void set_texture_rotation(double p_rotation);
+	double get_texture_rotation() const { return skin_.style().texture_rotation; }
+	void set_uv(const PackedVector2Array &p_uv);
+	PackedVector2Array get_uv() const { return skin_.style().uv; }
+	void set_outline_width(double p_width);
+	double get_outline_width() const { return skin_.style().outline_width; }
+	void set_outline_color(const Color &p_color);
+	Color get_outline_color() const { return skin_.style().outline_color; }
+	void set_outline_texture(const Ref<Texture2D> &p_texture);
+	Ref<Texture2D> get_outline_texture() const { return skin_.style().outline_texture; }
+	void set_outline_texture_mode(OutlineTextureMode p_mode);
+	OutlineTextureMode get_outline_texture_mode() const;
+	PackedVector2Array get_interpolated_hull(double p_fraction) const;
+	Transform2D get_interpolated_transform(double p_fraction) const;
 
 	static PackedVector2Array make_circle_hull(double p_radius, int p_point_count);
 	static PackedVector2Array make_box_hull(const Vector2 &p_size, double p_spacing);
@@ -92,7 +127,6 @@ public:
 	int get_point_count() const;
 	PackedVector2Array get_point_positions() const;
 	PackedVector2Array get_point_velocities() const;
-	PackedVector2Array get_interpolated_hull(double p_fraction) const;
 	int get_nearest_point(const Vector2 &p_global_position) const;
 	bool has_point(const Vector2 &p_global_position) const;
 	void apply_point_force(int p_index, const Vector2 &p_force);
@@ -123,6 +157,8 @@ public:
 	void prepare_step();
 	/// After the step: moves the node along and keeps what drawing interpolates.
 	void finish_step();
+	/// Before a frame is drawn: brings the skin to where the body is in it. False when there was nothing to do.
+	bool draw_frame(const softbody::DrawingFrame &p_frame);
 
 protected:
 	static void _bind_methods();
@@ -136,12 +172,6 @@ private:
 	static void bind_collision();
 	static void bind_solver();
 	static void bind_drawing();
-
-	/// One end of the interpolation: the body's frame, and its points in that frame.
-	struct Pose {
-		Transform2D transform;
-		PackedVector2Array local_points; ///< core order
-	};
 
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
 	bool accept_shape(const StringName &p_property);
@@ -164,11 +194,26 @@ private:
 	void apply_settings();
 	void take_over_transform();
 	Transform2D body_transform() const;
-	Pose current_pose() const;
 	void update_topology();
 
-	PackedVector2Array interpolated_points(double p_fraction, const Transform2D &p_relative_to) const;
+	// Drawing, in soft_body_2d_drawing.cpp.
+	void append_drawing_warnings(PackedStringArray &r_warnings) const;
+	void replace_texture(Ref<Texture2D> softbody::SkinStyle::*p_member, const Ref<Texture2D> &p_texture);
+	void follow_texture();
+	void remake_skin();
+	// Frames, in soft_body_2d_frame.cpp.
+	void note_move_by_user(const Transform2D &p_from, const Transform2D &p_to);
+	bool check_fraction(double &r_fraction) const;
+	bool is_drawn_at_tick() const;
+	/// The body's points in the node's frame at that fraction, in the core's order; a rest shape without a body. Valid
+	/// until the next call for any node.
+	std::span<const softbody::Vec2> local_points(double p_fraction) const;
 	void draw();
+	void place_canvas_item(double p_fraction);
+	void update_seen_area();
+	void draw_debug(double p_fraction);
+	void enter_screen() { on_screen_ = true; }
+	void leave_screen() { on_screen_ = false; }
 
 	PackedVector2Array hull_;
 	double mass_ = 1;
@@ -187,8 +232,6 @@ private:
 	int substeps_ = 0;
 	uint32_t collision_layer_ = 1;
 	uint32_t collision_mask_ = 1;
-	Color color_ = Color(1, 1, 1);
-	Ref<Texture2D> texture_;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
 
 	softbody::SoftBodySpace2D *space_ = nullptr;
@@ -198,15 +241,22 @@ private:
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
 	bool hull_reversed_ = false;
-	Pose previous_;
-	Pose current_;
 	bool moving_ = false; ///< whether the last tick stepped the body
-	bool redraw_needed_ = true;
 
-	PackedInt32Array triangles_;
-	PackedVector2Array uvs_;
+	softbody::SoftBodySkin skin_;
+	softbody::BodyInterpolation interpolation_;
+	std::unique_ptr<softbody::DebugDrawing> debug_drawing_; ///< while collision shapes are visible
+	softbody::BodyView *view_ = nullptr; ///< while in a space
+	bool settled_ = false; ///< whether what is drawn holds until the body moves again
+	bool area_checked_ = false; ///< since the last tick, of a body that nobody sees
+	bool item_displaced_ = false; ///< whether the canvas item stands where the body is drawn, not where the node is
+	bool on_screen_ = false; ///< as the rendering server saw it last
+	Rect2 skin_area_; ///< part of the node's plane in which the skin may move before `seen_area` is set anew
+	Callable entered_screen_;
+	Callable left_screen_;
 };
 
 } // namespace godot
 
 VARIANT_ENUM_CAST(SoftBody2D::Integrator);
+VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);

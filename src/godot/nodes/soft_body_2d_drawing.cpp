@@ -1,131 +1,214 @@
 // SPDX-License-Identifier: MIT
-// How the node is drawn: a triangle mesh between the last two physics ticks.
+// The node's looks: their properties, and the rest shape that they are made for.
 #include "godot/nodes/soft_body_2d.h"
 
-#include "core/geometry/polygon.h"
 #include "godot/convert.h"
 
-#include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/geometry2d.hpp>
-#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/class_db.hpp>
-#include <godot_cpp/core/math.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 
-#include <utility>
+#include <algorithm>
 #include <vector>
+
+using softbody::SkinStyle;
+using softbody::Vec2;
 
 namespace godot {
 
 namespace {
 
-Vector2 mean_of(const PackedVector2Array &p_points) {
-	Vector2 sum;
-	for (const Vector2 &point : p_points) {
-		sum += point;
+// Hull and middle in the order the core holds them.
+std::vector<Vec2> rest_points(const PackedVector2Array &p_hull, bool p_reversed, bool p_center_point) {
+	std::vector<Vec2> points = softbody::to_core(p_hull);
+	if (p_reversed) {
+		std::reverse(points.begin() + 1, points.end());
 	}
-	return sum / real_t(p_points.size());
+	if (p_center_point) {
+		Vec2 sum;
+		for (const Vec2 point : points) {
+			sum += point;
+		}
+		points.push_back(sum * (1 / softbody::Real(points.size())));
+	}
+	return points;
 }
 
-// Hull and middle in the order the core holds them.
-PackedVector2Array rest_points(const PackedVector2Array &p_hull, bool p_reversed) {
-	PackedVector2Array points;
-	const int64_t count = p_hull.size();
-	for (int64_t i = 0; i < count; i++) {
-		points.push_back(p_hull[p_reversed ? (count - i) % count : i]);
-	}
-	points.push_back(mean_of(points));
-	return points;
+String size_warning(const char *p_property, int64_t p_size, int64_t p_hull_size) {
+	return "'" + String(p_property) + "' has " + String::num_int64(p_size) + " entries and the hull " + String::num_int64(p_hull_size) + " points, so it is not used. Give it one entry for each point of the hull, or none.";
 }
 
 } // namespace
 
-// Triangles and texture coordinates come from the rest shape once: a fan around the centre point, which
-// follows the body's inside, or, where the hull hides part of itself from it, cut ears.
 void SoftBody2D::update_topology() {
-	const int hull_count = int(hull_.size());
-	const PackedVector2Array points = rest_points(hull_, hull_reversed_);
-	triangles_.clear();
-	const std::vector<softbody::Vec2> hull = softbody::to_core(points.slice(0, hull_count));
-	if (softbody::is_star_shaped_about(softbody::to_core(points[hull_count]), hull)) {
-		for (int i = 0; i < hull_count; i++) {
-			for (const int index : { hull_count, i, (i + 1) % hull_count }) {
-				triangles_.push_back(index);
-			}
-		}
-	} else {
-		triangles_ = Geometry2D::get_singleton()->triangulate_polygon(points.slice(0, hull_count));
-	}
+	// Of the node's scale one pixel is this part; the parent's and the camera's are left out, as Godot's own lines do.
+	const Vector2 scale = built_scale_.get_scale().abs();
+	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);
+	skin_.set_rest(rest_points(hull_, hull_reversed_, center_point_), std::size_t(hull_.size()), hull_reversed_, softbody::Real(pixel));
+	remake_skin();
+}
 
-	const softbody::Aabb box = softbody::bounding_box(hull);
-	const Vector2 corner = softbody::to_godot(box.min);
-	const Vector2 size = softbody::to_godot(box.max - box.min);
-	uvs_.clear();
-	for (const Vector2 &point : points) {
-		uvs_.push_back((point - corner) / size);
-	}
+// The commands of the canvas item hold colours and textures; drawing them again also brings the meshes up to date.
+void SoftBody2D::remake_skin() {
+	settled_ = false;
+	area_checked_ = false;
 	queue_redraw();
 }
 
-PackedVector2Array SoftBody2D::interpolated_points(double p_fraction, const Transform2D &p_relative_to) const {
-	const int64_t count = current_.local_points.size();
-	PackedVector2Array points;
-	if (count == 0 || previous_.local_points.size() != count) {
-		return points;
+void SoftBody2D::append_drawing_warnings(PackedStringArray &r_warnings) const {
+	const SkinStyle &style = skin_.style();
+	if (!style.vertex_colors.is_empty() && style.vertex_colors.size() != hull_.size()) {
+		r_warnings.push_back(size_warning("vertex_colors", style.vertex_colors.size(), hull_.size()));
 	}
-	const real_t fraction = real_t(p_fraction);
-	Transform2D frame;
-	if (p_fraction <= 0 || p_fraction >= 1) {
-		frame = p_fraction <= 0 ? previous_.transform : current_.transform; // exact at the ticks
-	} else {
-		frame = previous_.transform.interpolate_with(current_.transform, fraction);
+	if (!style.uv.is_empty() && style.uv.size() != hull_.size()) {
+		r_warnings.push_back(size_warning("uv", style.uv.size(), hull_.size()));
 	}
-	const Transform2D transform = p_relative_to.affine_inverse() * frame;
-	points.resize(count);
-	Vector2 *write = points.ptrw();
-	for (int64_t i = 0; i < count; i++) {
-		write[i] = transform.xform(previous_.local_points[i].lerp(current_.local_points[i], fraction));
-	}
-	return points;
 }
 
-void SoftBody2D::draw() {
-	PackedVector2Array points;
-	if (space_ == nullptr || current_.local_points.is_empty()) {
-		points = rest_points(hull_, hull_reversed_);
-	} else {
-		const double fraction = Engine::get_singleton()->get_physics_interpolation_fraction();
-		const Transform2D transform = get_global_transform();
-		if (is_physics_interpolated_and_enabled()) {
-			// The engine moves the canvas item between the ticks; only the shape is left to us.
-			const Transform2D frame = previous_.transform.interpolate_with(current_.transform, real_t(fraction));
-			points = interpolated_points(fraction, frame);
-		} else {
-			points = interpolated_points(fraction, transform);
+void SoftBody2D::set_color(const Color &p_color) {
+	skin_.change_style().color = p_color;
+	remake_skin();
+}
+
+void SoftBody2D::set_vertex_colors(const PackedColorArray &p_colors) {
+	skin_.change_style().vertex_colors = p_colors;
+	remake_skin();
+	update_configuration_warnings();
+}
+
+void SoftBody2D::set_antialiased(bool p_antialiased) {
+	skin_.change_style().antialiased = p_antialiased;
+	remake_skin();
+}
+
+void SoftBody2D::set_smooth(bool p_smooth) {
+	skin_.change_style().smooth = p_smooth;
+	remake_skin();
+}
+
+// A texture that changes may have another size, or show another part of an atlas.
+void SoftBody2D::follow_texture() {
+	skin_.change_style();
+	remake_skin();
+}
+
+void SoftBody2D::replace_texture(Ref<Texture2D> SkinStyle::*p_member, const Ref<Texture2D> &p_texture) {
+	const Callable changed = callable_mp(this, &SoftBody2D::follow_texture);
+	SkinStyle &style = skin_.change_style();
+	for (const Ref<Texture2D> &texture : { style.texture, style.outline_texture }) {
+		if (texture.is_valid() && texture->is_connected("changed", changed)) {
+			texture->disconnect("changed", changed);
 		}
 	}
-	if (triangles_.is_empty() || points.is_empty()) {
-		return;
+	style.*p_member = p_texture;
+	for (const Ref<Texture2D> &texture : { style.texture, style.outline_texture }) {
+		if (texture.is_valid() && !texture->is_connected("changed", changed)) {
+			texture->connect("changed", changed);
+		}
 	}
-	if (points.size() == hull_.size()) {
-		points.push_back(mean_of(points)); // the fan needs a middle even where the body has no point there
+	remake_skin();
+}
+
+void SoftBody2D::set_texture(const Ref<Texture2D> &p_texture) {
+	replace_texture(&SkinStyle::texture, p_texture);
+}
+
+void SoftBody2D::set_texture_offset(const Vector2 &p_offset) {
+	skin_.change_style().texture_offset = p_offset;
+	remake_skin();
+}
+
+void SoftBody2D::set_texture_scale(const Vector2 &p_scale) {
+	skin_.change_style().texture_scale = p_scale;
+	remake_skin();
+}
+
+void SoftBody2D::set_texture_rotation(double p_rotation) {
+	skin_.change_style().texture_rotation = p_rotation;
+	remake_skin();
+}
+
+void SoftBody2D::set_uv(const PackedVector2Array &p_uv) {
+	skin_.change_style().uv = p_uv;
+	remake_skin();
+	update_configuration_warnings();
+}
+
+void SoftBody2D::set_outline_width(double p_width) {
+	if (accept("outline_width", softbody::check_at_least("outline_width", p_width, 0, "px"))) {
+		skin_.change_style().outline_width = p_width;
+		remake_skin();
 	}
-	PackedColorArray colors;
-	colors.push_back(color_);
-	RenderingServer::get_singleton()->canvas_item_add_triangle_array(get_canvas_item(), triangles_, points, colors,
-			texture_.is_valid() ? uvs_ : PackedVector2Array(), PackedInt32Array(), PackedFloat32Array(),
-			texture_.is_valid() ? texture_->get_rid() : RID());
+}
+
+void SoftBody2D::set_outline_color(const Color &p_color) {
+	skin_.change_style().outline_color = p_color;
+	remake_skin();
+}
+
+void SoftBody2D::set_outline_texture(const Ref<Texture2D> &p_texture) {
+	replace_texture(&SkinStyle::outline_texture, p_texture);
+}
+
+void SoftBody2D::set_outline_texture_mode(OutlineTextureMode p_mode) {
+	if (accept("outline_texture_mode", softbody::check_between("outline_texture_mode", p_mode, 0, 1, ""))) {
+		skin_.change_style().outline_texture_mode = SkinStyle::OutlineTextureMode(p_mode);
+		remake_skin();
+	}
+}
+
+SoftBody2D::OutlineTextureMode SoftBody2D::get_outline_texture_mode() const {
+	return OutlineTextureMode(skin_.style().outline_texture_mode);
 }
 
 void SoftBody2D::bind_drawing() {
 	ClassDB::bind_method(D_METHOD("set_color", "color"), &SoftBody2D::set_color);
 	ClassDB::bind_method(D_METHOD("get_color"), &SoftBody2D::get_color);
+	ClassDB::bind_method(D_METHOD("set_vertex_colors", "vertex_colors"), &SoftBody2D::set_vertex_colors);
+	ClassDB::bind_method(D_METHOD("get_vertex_colors"), &SoftBody2D::get_vertex_colors);
+	ClassDB::bind_method(D_METHOD("set_antialiased", "antialiased"), &SoftBody2D::set_antialiased);
+	ClassDB::bind_method(D_METHOD("is_antialiased"), &SoftBody2D::is_antialiased);
+	ClassDB::bind_method(D_METHOD("set_smooth", "smooth"), &SoftBody2D::set_smooth);
+	ClassDB::bind_method(D_METHOD("is_smooth"), &SoftBody2D::is_smooth);
 	ClassDB::bind_method(D_METHOD("set_texture", "texture"), &SoftBody2D::set_texture);
 	ClassDB::bind_method(D_METHOD("get_texture"), &SoftBody2D::get_texture);
-	ClassDB::bind_method(D_METHOD("get_interpolated_hull", "fraction"), &SoftBody2D::get_interpolated_hull);
+	ClassDB::bind_method(D_METHOD("set_texture_offset", "texture_offset"), &SoftBody2D::set_texture_offset);
+	ClassDB::bind_method(D_METHOD("get_texture_offset"), &SoftBody2D::get_texture_offset);
+	ClassDB::bind_method(D_METHOD("set_texture_scale", "texture_scale"), &SoftBody2D::set_texture_scale);
+	ClassDB::bind_method(D_METHOD("get_texture_scale"), &SoftBody2D::get_texture_scale);
+	ClassDB::bind_method(D_METHOD("set_texture_rotation", "texture_rotation"), &SoftBody2D::set_texture_rotation);
+	ClassDB::bind_method(D_METHOD("get_texture_rotation"), &SoftBody2D::get_texture_rotation);
+	ClassDB::bind_method(D_METHOD("set_uv", "uv"), &SoftBody2D::set_uv);
+	ClassDB::bind_method(D_METHOD("get_uv"), &SoftBody2D::get_uv);
+	ClassDB::bind_method(D_METHOD("set_outline_width", "outline_width"), &SoftBody2D::set_outline_width);
+	ClassDB::bind_method(D_METHOD("get_outline_width"), &SoftBody2D::get_outline_width);
+	ClassDB::bind_method(D_METHOD("set_outline_color", "outline_color"), &SoftBody2D::set_outline_color);
+	ClassDB::bind_method(D_METHOD("get_outline_color"), &SoftBody2D::get_outline_color);
+	ClassDB::bind_method(D_METHOD("set_outline_texture", "outline_texture"), &SoftBody2D::set_outline_texture);
+	ClassDB::bind_method(D_METHOD("get_outline_texture"), &SoftBody2D::get_outline_texture);
+	ClassDB::bind_method(D_METHOD("set_outline_texture_mode", "outline_texture_mode"), &SoftBody2D::set_outline_texture_mode);
+	ClassDB::bind_method(D_METHOD("get_outline_texture_mode"), &SoftBody2D::get_outline_texture_mode);
+	ClassDB::bind_method(D_METHOD("get_interpolated_hull", "fraction"), &SoftBody2D::get_interpolated_hull, DEFVAL(-1.0));
+	ClassDB::bind_method(D_METHOD("get_interpolated_transform", "fraction"), &SoftBody2D::get_interpolated_transform, DEFVAL(-1.0));
 
 	ADD_GROUP("Drawing", "");
 	ADD_PROPERTY(PropertyInfo(Variant::COLOR, "color"), "set_color", "get_color");
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_COLOR_ARRAY, "vertex_colors"), "set_vertex_colors", "get_vertex_colors");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "antialiased"), "set_antialiased", "is_antialiased");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "smooth"), "set_smooth", "is_smooth");
+	ADD_SUBGROUP("Texture", "");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_texture", "get_texture");
+	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "texture_offset", PROPERTY_HINT_NONE, "suffix:px"), "set_texture_offset", "get_texture_offset");
+	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "texture_scale", PROPERTY_HINT_LINK), "set_texture_scale", "get_texture_scale");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "texture_rotation", PROPERTY_HINT_RANGE, "-360,360,0.1,or_less,or_greater,radians_as_degrees"), "set_texture_rotation", "get_texture_rotation");
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "uv", PROPERTY_HINT_NONE, "suffix:px"), "set_uv", "get_uv");
+	ADD_SUBGROUP("Outline", "outline_");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "outline_width", PROPERTY_HINT_RANGE, "0,64,0.1,or_greater,suffix:px"), "set_outline_width", "get_outline_width");
+	ADD_PROPERTY(PropertyInfo(Variant::COLOR, "outline_color"), "set_outline_color", "get_outline_color");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "outline_texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_outline_texture", "get_outline_texture");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "outline_texture_mode", PROPERTY_HINT_ENUM, "Tile,Stretch"), "set_outline_texture_mode", "get_outline_texture_mode");
+
+	BIND_ENUM_CONSTANT(OUTLINE_TEXTURE_TILE);
+	BIND_ENUM_CONSTANT(OUTLINE_TEXTURE_STRETCH);
 }
 
 } // namespace godot

@@ -62,6 +62,7 @@ PackedStringArray SoftBody2D::get_warnings() const {
 	if (!plan.is_empty() && !bool(plan["safe"])) {
 		warnings.push_back("With these values a step is not stable in " + String::num_int64(plan["substeps"]) + " substeps. Lower the stiffness or the damping, raise the mass, use fewer hull points, or set substeps to 0 (automatic).");
 	}
+	append_drawing_warnings(warnings);
 	return warnings;
 }
 

@@ -77,16 +77,6 @@ PackedVector2Array SoftBody2D::get_point_velocities() const {
 	return velocities;
 }
 
-PackedVector2Array SoftBody2D::get_interpolated_hull(double p_fraction) const {
-	ERR_FAIL_COND_V_MSG(!(p_fraction >= 0 && p_fraction <= 1), PackedVector2Array(), describe() + ": fraction = " + String::num(p_fraction) + " must be between 0 and 1.");
-	const PackedVector2Array points = interpolated_points(p_fraction, Transform2D());
-	PackedVector2Array hull;
-	for (int i = 0; i < int(hull_.size()) && !points.is_empty(); i++) {
-		hull.push_back(points[int64_t(core_index(i))]);
-	}
-	return hull;
-}
-
 int SoftBody2D::get_nearest_point(const Vector2 &p_global_position) const {
 	const PackedVector2Array points = get_point_positions();
 	int nearest = -1;

@@ -173,16 +173,6 @@ void SoftBody2D::set_collision_mask(uint32_t p_mask) {
 	apply_settings();
 }
 
-void SoftBody2D::set_color(const Color &p_color) {
-	color_ = p_color;
-	queue_redraw();
-}
-
-void SoftBody2D::set_texture(const Ref<Texture2D> &p_texture) {
-	texture_ = p_texture;
-	queue_redraw();
-}
-
 // From properties to the core.
 
 softbody::BodySettings SoftBody2D::make_settings() const {

@@ -4,8 +4,10 @@
 
 #include "godot/nodes/soft_body_2d.h"
 
+#include <godot_cpp/classes/os.hpp>
 #include <godot_cpp/classes/performance.hpp>
 #include <godot_cpp/classes/project_settings.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/classes/world2d.hpp>
@@ -105,6 +107,13 @@ void SoftBodyServer2D::watch(SceneTree *p_tree) {
 	watched_tree_ = p_tree->get_instance_id();
 	p_tree->connect("physics_frame", callable_mp(this, &SoftBodyServer2D::step));
 	add_monitors();
+	p_tree->connect("process_frame", callable_mp(this, &SoftBodyServer2D::draw_idle_frame));
+	// After every _process, so that bodies are drawn where this frame has put them.
+	RenderingServer *rendering = RenderingServer::get_singleton();
+	const Callable draw = callable_mp(this, &SoftBodyServer2D::draw_frame);
+	if (!rendering->is_connected("frame_pre_draw", draw)) {
+		rendering->connect("frame_pre_draw", draw);
+	}
 }
 
 void SoftBodyServer2D::step() {
@@ -136,6 +145,30 @@ void SoftBodyServer2D::step_spaces(double p_delta) {
 	threads_.end_step();
 	stepping_ = false;
 	drop_empty_spaces();
+}
+
+void SoftBodyServer2D::draw_frame() {
+	if (spaces_.empty()) {
+		return;
+	}
+	const uint64_t start = Time::get_singleton()->get_ticks_usec();
+	drawing_.begin();
+	last_drawn_count_ = 0;
+	for (Space &space : spaces_) {
+		for (SoftBody2D *node : space.content->nodes()) {
+			if (node != nullptr) { // as those are that have left during a step that draws
+				last_drawn_count_ += node->draw_frame(drawing_);
+			}
+		}
+	}
+	last_drawing_usec_ = double(Time::get_singleton()->get_ticks_usec() - start);
+}
+
+// In low-processor mode the engine draws a frame only when something has asked for it.
+void SoftBodyServer2D::draw_idle_frame() {
+	if (OS::get_singleton()->is_in_low_processor_usage_mode()) {
+		draw_frame();
+	}
 }
 
 int64_t SoftBodyServer2D::get_body_count() const {
@@ -195,6 +228,7 @@ void SoftBodyServer2D::reset_statistics() {
 	total_step_usec_ = 0;
 	last_step_usec_ = 0;
 	profile_ = {};
+	last_drawing_usec_ = 0;
 }
 
 double SoftBodyServer2D::measure_max_penetration() const {
@@ -216,6 +250,8 @@ void SoftBodyServer2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_tick_count"), &SoftBodyServer2D::get_tick_count);
 	ClassDB::bind_method(D_METHOD("get_last_step_usec"), &SoftBodyServer2D::get_last_step_usec);
 	ClassDB::bind_method(D_METHOD("get_mean_step_usec"), &SoftBodyServer2D::get_mean_step_usec);
+	ClassDB::bind_method(D_METHOD("get_last_drawing_usec"), &SoftBodyServer2D::get_last_drawing_usec);
+	ClassDB::bind_method(D_METHOD("get_last_drawn_count"), &SoftBodyServer2D::get_last_drawn_count);
 	ClassDB::bind_method(D_METHOD("reset_statistics"), &SoftBodyServer2D::reset_statistics);
 	ClassDB::bind_method(D_METHOD("measure_max_penetration"), &SoftBodyServer2D::measure_max_penetration);
 }

@@ -2,6 +2,7 @@
 // The singleton that steps every soft body once a physics tick.
 #pragma once
 
+#include "godot/drawing/drawing_frame.h"
 #include "godot/server/soft_body_space_2d.h"
 #include "godot/server/step_settings.h"
 #include "godot/server/step_threads.h"
@@ -35,6 +36,9 @@ public:
 
 	/// What holds for every body of the project, as it was when it was last read.
 	const softbody::StepSettings &settings() const { return settings_; }
+	/// What the nodes need for being drawn.
+	softbody::DrawingFrame &drawing() { return drawing_; }
+	const softbody::DrawingFrame &drawing() const { return drawing_; }
 
 	int64_t get_body_count() const;
 	int64_t get_awake_body_count() const;
@@ -43,6 +47,8 @@ public:
 	int64_t get_tick_count() const;
 	double get_last_step_usec() const;
 	double get_mean_step_usec() const;
+	double get_last_drawing_usec() const { return last_drawing_usec_; }
+	int64_t get_last_drawn_count() const { return last_drawn_count_; }
 	void reset_statistics();
 	Dictionary get_step_profile() const;
 	double measure_max_penetration() const;
@@ -58,6 +64,8 @@ private:
 
 	void step();
 	void step_spaces(double p_delta);
+	void draw_frame();
+	void draw_idle_frame();
 	void watch(SceneTree *p_tree);
 	void read_settings();
 	void add_monitors();
@@ -74,6 +82,9 @@ private:
 	softbody::StepProfile profile_; ///< summed since the last reset
 	double total_step_usec_ = 0;
 	int64_t counted_steps_ = 0;
+	softbody::DrawingFrame drawing_;
+	double last_drawing_usec_ = 0;
+	int64_t last_drawn_count_ = 0;
 };
 
 } // namespace godot

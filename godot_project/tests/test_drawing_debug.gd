@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+extends "res://tests/support/picture_suite.gd"
+## What Debug → Visible Collision Shapes shows.
+
+
+func test_without_the_hint_nothing_is_drawn_besides_the_body() -> void:
+	if not open_viewport():
+		return
+	tree.debug_collisions_hint = false
+	var body := add_to_view({ "color": CLEAR })
+	await ticks(3)
+	check_equal((await picture()).get_used_rect().size, Vector2i.ZERO, "what is drawn of a clear body")
+	check_above(body.get_area(), 0, "its area")
+
+
+func test_with_the_hint_hull_springs_and_stiffness_are_drawn() -> void:
+	if not open_viewport():
+		return
+	tree.debug_collisions_hint = true
+	var body := add_to_view({ "color": CLEAR, "hull": SoftBody2D.make_box_hull(Vector2(160, 160), 80) })
+	tree.debug_collisions_hint = false
+	await ticks(3)
+	var image := await picture()
+	var fill: Color = ProjectSettings.get_setting_with_override("debug/shapes/collision/shape_color")
+	# The viewport's picture is multiplied by its alpha.
+	fill = Color(fill.r * fill.a, fill.g * fill.a, fill.b * fill.a, fill.a)
+	check_pixel(image, body.to_global(Vector2(-60, 25)), fill, "between the springs", 0.1)
+	var spring := image.get_pixelv(Vector2i(body.to_global(Vector2(-40, -40))))
+	check_above(color_difference(spring, fill), 0.2, "colour of a spring against the fill")
+	check_pixel(image, body.to_global(Vector2(0, 0)), Color.YELLOW, "the centre of mass", 0.2)
+	var bright := 0
+	for y in range(180, 200):
+		for x in range(204, 300):
+			bright += int(color_difference(image.get_pixel(x, y), Color.WHITE) < 0.15)
+	check_above(bright, 20, "white pixels of the text beside the centre")
+
+
+func test_stretched_springs_are_red_and_pressed_ones_blue() -> void:
+	if not open_viewport():
+		return
+	tree.debug_collisions_hint = true
+	var body := add_to_view({ "color": CLEAR, "hull": SoftBody2D.make_box_hull(Vector2(120, 120), 60), "collision_mask": 0,
+			"stiffness": 0.0, "shape_matching": 0.0, "damping": 0.0 })
+	tree.debug_collisions_hint = false
+	for i in body.hull.size():
+		body.apply_point_impulse(i, Vector2(body.hull[i].x, -body.hull[i].y) * 0.1)
+	await ticks(16)
+	var image := await picture()
+	var hull := body.get_interpolated_hull()
+	var box := bounds_of(hull)
+	check_above(box.size.x / box.size.y, 1.5, "stretch")
+	var centre := box.get_center()
+	var stretched := image.get_pixelv(Vector2i(centre.lerp(Vector2(box.end.x, centre.y), 0.6)))
+	var pressed := image.get_pixelv(Vector2i(centre.lerp(Vector2(centre.x, box.end.y), 0.6)))
+	check_above(stretched.r - stretched.b, 0.3, "red of a stretched spring")
+	check_above(pressed.b - pressed.r, 0.3, "blue of a pressed spring")

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What a user chooses of a body's looks.
+#pragma once
+
+#include <godot_cpp/classes/texture2d.hpp>
+#include <godot_cpp/variant/color.hpp>
+#include <godot_cpp/variant/packed_color_array.hpp>
+#include <godot_cpp/variant/packed_vector2_array.hpp>
+#include <godot_cpp/variant/vector2.hpp>
+
+namespace softbody {
+
+/// The values of the node's properties; `doc_classes/SoftBody2D.xml` says what each means.
+struct SkinStyle {
+	enum class OutlineTextureMode {
+		TILE,
+		STRETCH,
+	};
+
+	godot::Color color{ 1, 1, 1 };
+	godot::PackedColorArray vertex_colors; ///< one a hull point, in the user's order; ignored when of another size
+	bool antialiased = false;
+	bool smooth = false;
+
+	godot::Ref<godot::Texture2D> texture;
+	godot::Vector2 texture_offset; ///< [px of the texture]
+	godot::Vector2 texture_scale{ 1, 1 };
+	double texture_rotation = 0; ///< [rad]
+	godot::PackedVector2Array uv; ///< one a hull point [px of the texture], like vertex_colors
+
+	godot::Color outline_color{ 0, 0, 0 };
+	double outline_width = 0; ///< [px of the node], 0 for none
+	godot::Ref<godot::Texture2D> outline_texture;
+	OutlineTextureMode outline_texture_mode = OutlineTextureMode::TILE;
+};
+
+} // namespace softbody

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// What a body looks like: two meshes whose vertices follow its points.
+#include "godot/drawing/soft_body_skin.h"
+
+#include "godot/convert.h"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/core/math.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace softbody {
+
+namespace {
+
+// Pieces of a hull edge where the outline is smooth. A hull of very many points is smooth by itself, and making
+// triangles takes a time that grows with the square of their number.
+constexpr std::size_t SMOOTH_PIECES = 4;
+constexpr std::size_t MOST_SMOOTHED_POINTS = 256;
+// Vertices of an arc around a corner of the outline. On a smooth one every corner is blunt.
+constexpr std::uint32_t ARC_POINTS = 5;
+constexpr std::uint32_t SMOOTH_ARC_POINTS = 2;
+
+static_assert(sizeof(Vec2) == 2 * sizeof(float), "the rendering server reads vertices as pairs of float");
+
+// Where a texture's own coordinates lie in the one that the graphics card has: a part of it, for an AtlasTexture.
+struct TexturePart {
+	Vector2 size{ 1, 1 }; // of the part, in pixels
+	Vector2 start; // both as shares of the whole
+	Vector2 share{ 1, 1 };
+};
+
+TexturePart part_of(const Ref<Texture2D> &p_texture) {
+	TexturePart part;
+	if (p_texture.is_null()) {
+		return part;
+	}
+	const Vector2 size = p_texture->get_size();
+	if (!(size.x > 0 && size.y > 0)) {
+		return part;
+	}
+	part.size = size;
+	if (p_texture->is_class("AtlasTexture")) {
+		const Ref<Texture2D> atlas = p_texture->get("atlas");
+		const Rect2 region = p_texture->get("region");
+		const Vector2 whole = atlas.is_valid() ? atlas->get_size() : Vector2();
+		if (whole.x > 0 && whole.y > 0 && region.has_area()) {
+			part.start = region.position / whole;
+			part.share = region.size / whole;
+		}
+	}
+	return part;
+}
+
+RID rid_of(const Ref<Texture2D> &p_texture) {
+	return p_texture.is_valid() ? p_texture->get_rid() : RID();
+}
+
+} // namespace
+
+SoftBodySkin::~SoftBodySkin() {
+	fill_mesh_.free();
+	outline_mesh_.free();
+}
+
+std::span<Vec2> SoftBodySkin::Mesh::vertices() {
+	return { reinterpret_cast<Vec2 *>(bytes.ptrw()), vertex_count };
+}
+
+void SoftBodySkin::Mesh::make(const std::vector<Triangle> &triangles, std::span<const Vector2> uvs,
+		std::span<const Color> colors) {
+	PackedInt32Array indices;
+	indices.resize(int64_t(triangles.size() * 3));
+	int32_t *index = indices.ptrw();
+	for (const Triangle &triangle : triangles) {
+		for (const std::uint32_t corner : triangle) {
+			*index++ = int32_t(corner);
+		}
+	}
+	vertex_count = uvs.size();
+	PackedVector2Array places;
+	places.resize(int64_t(vertex_count)); // all at the origin, until the first update
+	places.fill(Vector2());
+	PackedVector2Array uv_array;
+	uv_array.resize(int64_t(vertex_count));
+	std::ranges::copy(uvs, uv_array.ptrw());
+	Array arrays;
+	arrays.resize(RenderingServer::ARRAY_MAX);
+	arrays[RenderingServer::ARRAY_VERTEX] = places;
+	arrays[RenderingServer::ARRAY_TEX_UV] = uv_array;
+	arrays[RenderingServer::ARRAY_INDEX] = indices;
+	if (!colors.empty()) {
+		PackedColorArray color_array;
+		color_array.resize(int64_t(colors.size()));
+		std::ranges::copy(colors, color_array.ptrw());
+		arrays[RenderingServer::ARRAY_COLOR] = color_array;
+	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	if (rid.is_valid()) {
+		server->mesh_clear(rid);
+	} else {
+		rid = server->mesh_create();
+	}
+	server->mesh_add_surface_from_arrays(rid, RenderingServer::PRIMITIVE_TRIANGLES, arrays, Array(), Dictionary(),
+			RenderingServer::ARRAY_FLAG_USE_DYNAMIC_UPDATE);
+	bytes.resize(int64_t(vertex_count * sizeof(Vec2)));
+}
+
+void SoftBodySkin::Mesh::send() const {
+	RenderingServer::get_singleton()->mesh_surface_update_vertex_region(rid, 0, 0, bytes);
+}
+
+void SoftBodySkin::Mesh::free() {
+	if (rid.is_valid()) {
+		RenderingServer::get_singleton()->free_rid(rid);
+		rid = RID();
+	}
+}
+
+void SoftBodySkin::set_rest(std::vector<Vec2> rest, std::size_t hull_count, bool is_reversed, Real pixel) {
+	rest_ = std::move(rest);
+	hull_count_ = hull_count;
+	is_reversed_ = is_reversed;
+	pixel_ = pixel;
+	is_stale_ = true;
+}
+
+std::size_t SoftBodySkin::user_index(std::size_t index) const {
+	return is_reversed_ ? (hull_count_ - index) % hull_count_ : index;
+}
+
+// The hull's box shows the whole texture, unless the user says which of its pixels each hull point shows. Offset,
+// rotation and scale then move it as those of Polygon2D do, around the middle of the box.
+std::vector<Vector2> SoftBodySkin::texture_coordinates() const {
+	const TexturePart part = part_of(style_.texture);
+	std::vector<Vec2> pixels;
+	Vector2 middle;
+	if (std::size_t(style_.uv.size()) == hull_count_) {
+		for (std::size_t i = 0; i < hull_count_; ++i) {
+			pixels.push_back(to_core(style_.uv[int64_t(user_index(i))]));
+		}
+	} else {
+		const std::span<const Vec2> hull = std::span<const Vec2>(rest_).first(hull_count_);
+		const Aabb box = bounding_box(hull);
+		const Vec2 size = box.max - box.min;
+		for (const Vec2 p : hull) {
+			pixels.push_back({ (p.x - box.min.x) / size.x * Real(part.size.x), (p.y - box.min.y) / size.y * Real(part.size.y) });
+		}
+		middle = part.size / 2;
+	}
+	const Transform2D turn(real_t(style_.texture_rotation), Vector2());
+	std::vector<Vector2> uvs;
+	for (const Vec2 pixel : fill_.spread<Vec2>(pixels)) {
+		const Vector2 moved = (turn.xform(to_godot(pixel) - middle) + style_.texture_offset) * style_.texture_scale + middle;
+		uvs.push_back(part.start + moved / part.size * part.share);
+	}
+	return uvs;
+}
+
+std::vector<Color> SoftBodySkin::colors() const {
+	const bool has_own = std::size_t(style_.vertex_colors.size()) == hull_count_;
+	if (!has_own && fill_.faded_start() == fill_.vertex_count()) {
+		return {};
+	}
+	std::vector<Color> hull(hull_count_, Color(1, 1, 1));
+	if (has_own) {
+		for (std::size_t i = 0; i < hull_count_; ++i) {
+			hull[i] = style_.vertex_colors[int64_t(user_index(i))];
+		}
+	}
+	std::vector<Color> colors = fill_.spread<Color>(hull);
+	for (std::size_t i = 0; i < colors.size(); ++i) {
+		colors[i] = colors[i].clamp();
+		if (i >= fill_.faded_start()) {
+			colors[i].a = 0;
+		}
+	}
+	return colors;
+}
+
+void SoftBodySkin::make_fill() {
+	// A hard edge may not show through the soft one of an outline on top of it.
+	const Real soft_edge = style_.antialiased && !has_outline() ? pixel_ : 0;
+	const Real inset = style_.antialiased && has_outline() ? std::min(pixel_, Real(style_.outline_width) / 2) : 0;
+	const bool is_curved = style_.smooth && hull_count_ <= MOST_SMOOTHED_POINTS;
+	fill_ = FillMesh(rest_, hull_count_, { is_curved ? SMOOTH_PIECES : 1, soft_edge, inset });
+	if (has_fill()) {
+		fill_mesh_.make(fill_.triangles(), texture_coordinates(), colors());
+	} else {
+		fill_mesh_.free();
+	}
+}
+
+// The outline lies inside the hull, so that its outer edge is where the body touches things.
+void SoftBodySkin::make_outline() {
+	if (!has_outline()) {
+		outline_mesh_.free();
+		return;
+	}
+	const Real width = Real(style_.outline_width);
+	const std::uint32_t arc = style_.smooth ? SMOOTH_ARC_POINTS : ARC_POINTS;
+	std::vector<OutlineBand::Rail> rails;
+	if (style_.antialiased) {
+		const Real half = std::min(pixel_, width) / 2;
+		rails = { { -half, 1 }, { half, 1 }, { width - half, arc }, { width + half, arc } };
+	} else {
+		rails = { { 0, 1 }, { width, arc } };
+	}
+	outline_ = OutlineBand(fill_.rim_count(), rails);
+
+	std::vector<Real> way{ 0 }; // along the rim at rest
+	for (std::size_t i = 0; i < rim_.size(); ++i) {
+		way.push_back(way.back() + length(rim_[(i + 1) % rim_.size()] - rim_[i]));
+	}
+	const TexturePart part = part_of(style_.outline_texture);
+	const bool is_tiled = style_.outline_texture_mode == SkinStyle::OutlineTextureMode::TILE;
+	// A whole number of tiles, so that the last one ends where the first begins.
+	const Real tile = width * Real(part.size.x / part.size.y);
+	const Real tiles = is_tiled ? std::max(Real(1), std::round(way.back() / tile)) : Real(1);
+	std::vector<Vector2> uvs(outline_.vertex_count());
+	std::vector<Color> colors(style_.antialiased ? outline_.vertex_count() : 0, Color(1, 1, 1));
+	outline_.for_vertices([&](std::size_t vertex, std::size_t corner, std::size_t rail) {
+		const Vector2 uv(way[corner] / way.back() * tiles, CLAMP(rails[rail].distance / width, Real(0), Real(1)));
+		uvs[vertex] = is_tiled ? uv : part.start + uv * part.share;
+		if (!colors.empty() && (rail == 0 || rail + 1 == rails.size())) {
+			colors[vertex].a = 0;
+		}
+	});
+	outline_mesh_.make(outline_.triangles(), uvs, colors);
+}
+
+void SoftBodySkin::make() {
+	is_stale_ = false;
+	make_fill();
+	rim_.resize(fill_.rim_count());
+	fill_.place_rim(rest_, rim_);
+	make_outline();
+}
+
+void SoftBodySkin::draw(const RID &item) {
+	if (is_stale_) {
+		make();
+	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	if (has_fill()) {
+		server->canvas_item_add_mesh(item, fill_mesh_.rid, Transform2D(), style_.color, rid_of(style_.texture));
+	}
+	if (has_outline()) {
+		server->canvas_item_add_mesh(item, outline_mesh_.rid, Transform2D(), style_.outline_color,
+				rid_of(style_.outline_texture));
+	}
+}
+
+void SoftBodySkin::update(std::span<const Vec2> points) {
+	if (is_stale_) {
+		make();
+	}
+	if (points.size() < rest_.size()) {
+		return;
+	}
+	fill_.place_rim(points, rim_);
+	bounds_ = bounding_box(rim_).grown(pixel_);
+	if (has_fill()) {
+		fill_.place(points, rim_, fill_mesh_.vertices());
+		fill_mesh_.send();
+	}
+	if (has_outline()) {
+		outline_.place(rim_, fill_.side(), outline_mesh_.vertices());
+		outline_mesh_.send();
+	}
+}
+
+} // namespace softbody

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What a body looks like: two meshes whose vertices follow its points.
+#pragma once
+
+#include "core/base/vec2.h"
+#include "core/geometry/aabb.h"
+#include "core/skin/fill_mesh.h"
+#include "core/skin/outline_band.h"
+#include "godot/drawing/skin_style.h"
+
+#include <godot_cpp/variant/array.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Triangles, texture coordinates and colours are made from the rest shape and the style, once. A frame only writes
+/// where the vertices lie into the buffers of the meshes: the draw commands of the canvas item stay as they are, so
+/// that nothing else on the item is touched, and no buffer is made anew. All in the node's coordinates.
+///
+/// Lives on the main thread. Owns what it makes in the rendering server.
+class SoftBodySkin {
+public:
+	SoftBodySkin() = default;
+	SoftBodySkin(const SoftBodySkin &) = delete;
+	SoftBodySkin &operator=(const SoftBodySkin &) = delete;
+	~SoftBodySkin();
+
+	const SkinStyle &style() const { return style_; }
+	/// To change the style; the meshes are made anew when they are needed next.
+	SkinStyle &change_style() {
+		is_stale_ = true;
+		return style_;
+	}
+	/// All points of the body at rest, the hull first, in the order of the core; `is_reversed` if that is not the order of
+	/// the user's hull. One pixel is `pixel` long there.
+	void set_rest(std::vector<Vec2> rest, std::size_t hull_count, bool is_reversed, Real pixel);
+
+	std::span<const Vec2> rest() const { return rest_; }
+
+	/// Adds the commands that draw the meshes to a canvas item.
+	void draw(const godot::RID &item);
+	/// Moves the meshes to where the points are now, in the order of `set_rest`. O(vertices).
+	void update(std::span<const Vec2> points);
+	/// Box around what `update` placed last.
+	const Aabb &bounds() const { return bounds_; }
+
+private:
+	/// A mesh in the rendering server, and its vertices as that reads them: pairs of float.
+	struct Mesh {
+		godot::RID rid;
+		godot::PackedByteArray bytes;
+		std::size_t vertex_count = 0;
+
+		std::span<Vec2> vertices();
+		/// Replaces the mesh; colours may be empty.
+		void make(const std::vector<Triangle> &triangles, std::span<const godot::Vector2> uvs,
+				std::span<const godot::Color> colors);
+		void send() const;
+		void free();
+	};
+
+	bool has_fill() const { return style_.color.a > 0; }
+	bool has_outline() const { return style_.outline_width > 0 && style_.outline_color.a > 0; }
+	void make();
+	void make_fill();
+	void make_outline();
+	std::size_t user_index(std::size_t index) const;
+	std::vector<godot::Vector2> texture_coordinates() const;
+	std::vector<godot::Color> colors() const;
+
+	SkinStyle style_;
+	std::vector<Vec2> rest_;
+	std::size_t hull_count_ = 0;
+	bool is_reversed_ = false;
+	Real pixel_ = 1;
+	bool is_stale_ = true;
+
+	FillMesh fill_;
+	OutlineBand outline_;
+	Mesh fill_mesh_;
+	Mesh outline_mesh_;
+	std::vector<Vec2> rim_;
+	Aabb bounds_;
+};
+
+} // namespace softbody

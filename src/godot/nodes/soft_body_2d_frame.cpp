@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// The node between physics ticks: where it is drawn in a frame, and whether it needs to be.
+#include "godot/nodes/soft_body_2d.h"
+
+#include "godot/convert.h"
+#include "godot/server/soft_body_server_2d.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+#include <vector>
+
+using softbody::Aabb;
+using softbody::Vec2;
+
+namespace godot {
+
+namespace {
+
+// The area in which a skin may move before the rendering server is told again reaches farther by this part of its size.
+constexpr real_t AREA_RESERVE = 0.25;
+// So much larger than needed, as a ratio of areas, it is made smaller again.
+constexpr real_t AREA_EXCESS = 6;
+
+Rect2 rect_of(const Aabb &p_box) {
+	return Rect2(softbody::to_godot(p_box.min), softbody::to_godot(p_box.max - p_box.min));
+}
+
+} // namespace
+
+// Where the engine blends the canvas item's transform, drawing leaves the frame to it. Where it does not, the canvas
+// item is put where the body is drawn, and with it all that is drawn below the node in the tree; the node itself stays
+// at the tick.
+
+// A node set anew from outside is drawn there at once if we blend, and on its way there if the engine does, as all
+// nodes are.
+void SoftBody2D::note_move_by_user(const Transform2D &p_from, const Transform2D &p_to) {
+	interpolation_.carry(p_from, p_to, is_physics_interpolated_and_enabled());
+}
+
+// A camera that hangs on the body moves in ticks, unless the engine blends. So must the body then, or it would tremble
+// on the screen.
+bool SoftBody2D::is_drawn_at_tick() const {
+	return view_ != nullptr && view_->is_carried_by(this) && !is_physics_interpolated_and_enabled();
+}
+
+std::span<const Vec2> SoftBody2D::local_points(double p_fraction) const {
+	static std::vector<Vec2> points;
+	if (space_ == nullptr || body() == nullptr) {
+		return skin_.rest();
+	}
+	const softbody::SoftBodyData &data = *body();
+	points.resize(data.point_count());
+	interpolation_.local_points(known_transform_, p_fraction, data.previous_positions(), data.positions(), points);
+	return points;
+}
+
+bool SoftBody2D::check_fraction(double &r_fraction) const {
+	if (r_fraction == -1) {
+		r_fraction = is_drawn_at_tick() ? 1 : softbody::present_fraction();
+	}
+	ERR_FAIL_COND_V_MSG(!(r_fraction >= 0 && r_fraction <= 1), false, describe() + ": fraction = " + String::num(r_fraction) + " must be between 0 and 1, or -1 for that of the present frame.");
+	return true;
+}
+
+PackedVector2Array SoftBody2D::get_interpolated_hull(double p_fraction) const {
+	PackedVector2Array hull;
+	if (!check_fraction(p_fraction) || followed_body() == nullptr || space_ == nullptr) {
+		return hull;
+	}
+	const Transform2D frame = interpolation_.frame(known_transform_, p_fraction);
+	const std::span<const Vec2> points = local_points(p_fraction);
+	hull.resize(hull_.size());
+	Vector2 *write = hull.ptrw();
+	for (int i = 0; i < int(hull_.size()); i++) {
+		write[i] = frame.xform(softbody::to_godot(points[core_index(i)]));
+	}
+	return hull;
+}
+
+Transform2D SoftBody2D::get_interpolated_transform(double p_fraction) const {
+	if (!check_fraction(p_fraction) || followed_body() == nullptr || space_ == nullptr) {
+		return get_global_transform();
+	}
+	return interpolation_.frame(known_transform_, p_fraction);
+}
+
+void SoftBody2D::draw() {
+	skin_.draw(get_canvas_item());
+	const double fraction = is_drawn_at_tick() ? 1 : softbody::present_fraction();
+	skin_.update(local_points(fraction));
+	update_seen_area();
+}
+
+// While nobody sees the body, its skin stays as it was seen last. All that has to be known then is whether it might
+// grow into view.
+bool SoftBody2D::draw_frame(const softbody::DrawingFrame &p_frame) {
+	if (settled_) {
+		return false;
+	}
+	const double fraction = is_drawn_at_tick() ? 1 : p_frame.fraction();
+	place_canvas_item(fraction);
+	if (on_screen_ || view_->is_unsteady()) {
+		skin_.update(local_points(fraction));
+		update_seen_area();
+		if (debug_drawing_) {
+			draw_debug(fraction);
+		}
+		settled_ = !interpolation_.is_moving();
+		return true;
+	}
+	if (!area_checked_) {
+		area_checked_ = true;
+		const std::span<const Vec2> points = local_points(1);
+		if (!skin_area_.encloses(rect_of(softbody::bounding_box(points)))) {
+			skin_.update(points);
+			update_seen_area();
+			return true;
+		}
+	}
+	return false;
+}
+
+void SoftBody2D::draw_debug(double p_fraction) {
+	const softbody::SoftBodyData *found = body();
+	if (found == nullptr) {
+		return;
+	}
+	// Contacts are sorted by body, but few look at this.
+	std::vector<softbody::Contact> contacts;
+	for (const softbody::Contact &contact : space_->simulator().contacts()) {
+		if (contact.body == body_id_ && interpolation_.is_moving()) {
+			contacts.push_back(contact);
+		}
+	}
+	const double delta = 1.0 / Engine::get_singleton()->get_physics_ticks_per_second();
+	debug_drawing_->draw(*found, local_points(p_fraction), interpolation_.frame(known_transform_, p_fraction), contacts, space_->simulator().plan(*found, softbody::Real(delta)));
+}
+
+void SoftBody2D::place_canvas_item(double p_fraction) {
+	const bool is_ours = interpolation_.is_moving() && (on_screen_ || view_->is_unsteady()) && !is_physics_interpolated_and_enabled();
+	if (is_ours) {
+		const Transform2D frame = interpolation_.frame(known_transform_, p_fraction);
+		RenderingServer::get_singleton()->canvas_item_set_transform(get_canvas_item(), get_transform() * known_transform_.affine_inverse() * frame);
+	} else if (item_displaced_) {
+		RenderingServer::get_singleton()->canvas_item_set_transform(get_canvas_item(), get_transform());
+	}
+	item_displaced_ = is_ours;
+}
+
+// Tells the rendering server in which part of the plane the body is drawn: it draws the canvas item, and says that it
+// is seen, when a viewport shows any of it.
+void SoftBody2D::update_seen_area() {
+	const Rect2 box = rect_of(skin_.bounds());
+	if (skin_area_.encloses(box) && skin_area_.get_area() <= AREA_EXCESS * box.get_area()) {
+		return;
+	}
+	skin_area_ = box.grow(AREA_RESERVE * MAX(box.size.x, box.size.y));
+	if (!entered_screen_.is_valid()) {
+		entered_screen_ = callable_mp(this, &SoftBody2D::enter_screen);
+		left_screen_ = callable_mp(this, &SoftBody2D::leave_screen);
+	}
+	const Vector2 scale = known_transform_.get_scale().abs();
+	const real_t margin = real_t(softbody::DrawingFrame::MARGIN) / MAX(real_t(1e-3), MIN(scale.x, scale.y));
+	RenderingServer::get_singleton()->canvas_item_set_visibility_notifier(get_canvas_item(), true, skin_area_.grow(margin), entered_screen_, left_screen_);
+}
+
+} // namespace godot
