@@ -3,6 +3,8 @@
 #include "godot/register_types.h"
 
 #include "godot/nodes/soft_body_2d.h"
+#include "godot/nodes/soft_body_attachment_2d.h"
+#include "godot/nodes/soft_body_joint_2d.h"
 #include "godot/server/soft_body_server_2d.h"
 #include "godot/server/step_settings.h"
 
@@ -20,6 +22,8 @@ void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	}
 	GDREGISTER_CLASS(SoftBodyServer2D);
 	GDREGISTER_CLASS(SoftBody2D);
+	GDREGISTER_CLASS(SoftBodyAttachment2D);
+	GDREGISTER_CLASS(SoftBodyJoint2D);
 	softbody::register_step_settings();
 	server = memnew(SoftBodyServer2D);
 	Engine::get_singleton()->register_singleton("SoftBodyServer2D", server);

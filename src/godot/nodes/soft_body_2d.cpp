@@ -74,6 +74,8 @@ void SoftBody2D::rebuild_body() {
 	hull_reversed_ = (softbody::signed_area(to_core(hull_)) < 0) != (built_scale_.determinant() < 0);
 	space_->world().remove_soft_body(body_id_);
 	body_id_ = space_->world().add_soft_body(std::move(fresh.value()));
+	apply_pins();
+	pins_.clear(); // their places in the frames of their targets are those of the new shape
 	known_transform_ = transform;
 	interpolation_.end();
 	update_topology();
@@ -209,6 +211,7 @@ softbody::SoftBodyData *SoftBody2D::followed_body() {
 
 void SoftBody2D::prepare_step() {
 	take_over_transform();
+	follow_pin_targets();
 	if (softbody::SoftBodyData *found = body()) {
 		found->set_active(can_process());
 	}

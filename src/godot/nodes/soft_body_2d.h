@@ -16,10 +16,14 @@
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace softbody {
 class SoftBodySpace2D;
@@ -146,6 +150,29 @@ public:
 	PackedStringArray get_warnings() const;
 	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
 
+	// Pins, in soft_body_2d_pins.cpp.
+	void set_pinned_points(const PackedInt32Array &p_points);
+	PackedInt32Array get_pinned_points() const { return pinned_points_; }
+	void set_pin_targets(const TypedArray<NodePath> &p_targets);
+	TypedArray<NodePath> get_pin_targets() const { return pin_targets_; }
+	void set_point_pinned(int p_index, bool p_pinned, const NodePath &p_target);
+	bool is_point_pinned(int p_index) const;
+	NodePath get_pin_target(int p_index) const;
+
+	// For nodes that hold on to this one.
+	softbody::SoftBodySpace2D *get_space() const { return space_; }
+	/// Null before it has entered the tree.
+	const softbody::SoftBodyData *get_body() const { return body(); }
+	/// Another number whenever the rest shape is another.
+	uint64_t get_rest_version() const { return rest_version_; }
+	/// All points at rest in the node's frame, in the core's order.
+	std::span<const softbody::Vec2> rest_points() const { return skin_.rest(); }
+	/// The body's points in the node's frame at that fraction, in the core's order; a rest shape without a body. Valid
+	/// until the next call for any node.
+	std::span<const softbody::Vec2> local_points(double p_fraction) const;
+	/// Whether it is drawn where the last tick left it, not between two.
+	bool is_drawn_at_tick() const;
+
 	// For the server.
 	softbody::BodyId get_body_id() const { return body_id_; }
 	/// Its place in the space's list of nodes.
@@ -172,6 +199,7 @@ private:
 	static void bind_collision();
 	static void bind_solver();
 	static void bind_drawing();
+	static void bind_pins();
 
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
 	bool accept_shape(const StringName &p_property);
@@ -196,6 +224,15 @@ private:
 	Transform2D body_transform() const;
 	void update_topology();
 
+	// Pins, in soft_body_2d_pins.cpp.
+	struct Pin {
+		uint64_t target = 0; ///< instance id, once it was found
+		Vector2 place; ///< in the target's frame
+	};
+	void apply_pins();
+	void follow_pin_targets();
+	void append_pin_warnings(PackedStringArray &r_warnings) const;
+
 	// Drawing, in soft_body_2d_drawing.cpp.
 	void append_drawing_warnings(PackedStringArray &r_warnings) const;
 	void replace_texture(Ref<Texture2D> softbody::SkinStyle::*p_member, const Ref<Texture2D> &p_texture);
@@ -204,10 +241,6 @@ private:
 	// Frames, in soft_body_2d_frame.cpp.
 	void note_move_by_user(const Transform2D &p_from, const Transform2D &p_to);
 	bool check_fraction(double &r_fraction) const;
-	bool is_drawn_at_tick() const;
-	/// The body's points in the node's frame at that fraction, in the core's order; a rest shape without a body. Valid
-	/// until the next call for any node.
-	std::span<const softbody::Vec2> local_points(double p_fraction) const;
 	void draw();
 	void place_canvas_item(double p_fraction);
 	void update_seen_area();
@@ -233,6 +266,11 @@ private:
 	uint32_t collision_layer_ = 1;
 	uint32_t collision_mask_ = 1;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
+
+	PackedInt32Array pinned_points_;
+	TypedArray<NodePath> pin_targets_; ///< one a pinned point; missing ones are the world
+	std::vector<Pin> pins_; ///< likewise
+	uint64_t rest_version_ = 0;
 
 	softbody::SoftBodySpace2D *space_ = nullptr;
 	softbody::BodyId body_id_;

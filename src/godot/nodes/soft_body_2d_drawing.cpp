@@ -40,6 +40,7 @@ String size_warning(const char *p_property, int64_t p_size, int64_t p_hull_size)
 } // namespace
 
 void SoftBody2D::update_topology() {
+	rest_version_++;
 	// Of the node's scale one pixel is this part; the parent's and the camera's are left out, as Godot's own lines do.
 	const Vector2 scale = built_scale_.get_scale().abs();
 	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);

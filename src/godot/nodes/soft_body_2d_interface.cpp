@@ -62,6 +62,7 @@ PackedStringArray SoftBody2D::get_warnings() const {
 	if (!plan.is_empty() && !bool(plan["safe"])) {
 		warnings.push_back("With these values a step is not stable in " + String::num_int64(plan["substeps"]) + " substeps. Lower the stiffness or the damping, raise the mass, use fewer hull points, or set substeps to 0 (automatic).");
 	}
+	append_pin_warnings(warnings);
 	append_drawing_warnings(warnings);
 	return warnings;
 }
@@ -73,6 +74,7 @@ void SoftBody2D::_bind_methods() {
 	bind_points();
 	bind_material();
 	bind_collision();
+	bind_pins();
 	bind_solver();
 	bind_drawing();
 	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBody2D::get_warnings);

@@ -3,6 +3,7 @@
 #include "godot/server/soft_body_server_2d.h"
 
 #include "godot/nodes/soft_body_2d.h"
+#include "godot/nodes/soft_body_joint_2d.h"
 
 #include <godot_cpp/classes/os.hpp>
 #include <godot_cpp/classes/performance.hpp>
@@ -52,7 +53,8 @@ SoftBodyServer2D::~SoftBodyServer2D() {
 	}
 }
 
-softbody::SoftBodySpace2D *SoftBodyServer2D::add_body(SoftBody2D *p_node) {
+// The space of the node's World2D, made when it is asked for first.
+softbody::SoftBodySpace2D &SoftBodyServer2D::space_of(const CanvasItem *p_node) {
 	watch(p_node->get_tree());
 	if (!settings_known_) {
 		read_settings();
@@ -65,8 +67,26 @@ softbody::SoftBodySpace2D *SoftBodyServer2D::add_body(SoftBody2D *p_node) {
 		found = spaces_.end() - 1;
 		found->content->apply_settings(settings_);
 	}
-	found->content->add(p_node);
-	return found->content.get();
+	return *found->content;
+}
+
+softbody::SoftBodySpace2D *SoftBodyServer2D::add_body(SoftBody2D *p_node) {
+	softbody::SoftBodySpace2D &space = space_of(p_node);
+	space.add(p_node);
+	return &space;
+}
+
+softbody::SoftBodySpace2D *SoftBodyServer2D::add_joint(SoftBodyJoint2D *p_node) {
+	softbody::SoftBodySpace2D &space = space_of(p_node);
+	space.add_joint(p_node);
+	return &space;
+}
+
+void SoftBodyServer2D::remove_joint(SoftBodyJoint2D *p_node) {
+	for (Space &space : spaces_) {
+		space.content->remove_joint(p_node);
+	}
+	drop_empty_spaces();
 }
 
 void SoftBodyServer2D::remove_body(SoftBody2D *p_node) {

@@ -7,6 +7,7 @@
 #include "godot/server/step_settings.h"
 #include "godot/server/step_threads.h"
 
+#include <godot_cpp/classes/canvas_item.hpp>
 #include <godot_cpp/classes/object.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
@@ -33,6 +34,8 @@ public:
 	/// Registers a node with the space of its World2D and returns that space's world.
 	softbody::SoftBodySpace2D *add_body(SoftBody2D *p_node);
 	void remove_body(SoftBody2D *p_node);
+	softbody::SoftBodySpace2D *add_joint(SoftBodyJoint2D *p_node);
+	void remove_joint(SoftBodyJoint2D *p_node);
 
 	/// What holds for every body of the project, as it was when it was last read.
 	const softbody::StepSettings &settings() const { return settings_; }
@@ -62,6 +65,7 @@ private:
 		std::unique_ptr<softbody::SoftBodySpace2D> content;
 	};
 
+	softbody::SoftBodySpace2D &space_of(const CanvasItem *p_node);
 	void step();
 	void step_spaces(double p_delta);
 	void draw_frame();

@@ -4,6 +4,7 @@
 
 #include "godot/convert.h"
 #include "godot/nodes/soft_body_2d.h"
+#include "godot/nodes/soft_body_joint_2d.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/classes/time.hpp>
@@ -89,6 +90,30 @@ void SoftBodySpace2D::remove(SoftBody2D *p_node) {
 	}
 }
 
+void SoftBodySpace2D::add_joint(SoftBodyJoint2D *p_node) {
+	joints_.push_back(p_node);
+}
+
+void SoftBodySpace2D::remove_joint(SoftBodyJoint2D *p_node) {
+	std::erase(joints_, p_node);
+}
+
+// Handlers of the signal may free any node.
+void SoftBodySpace2D::tell_of_broken_joints(const StepReport &p_report) {
+	std::vector<uint64_t> broken;
+	for (SoftBodyJoint2D *joint : joints_) {
+		if (std::ranges::find(p_report.broken_joints, joint->get_joint_id()) != p_report.broken_joints.end()) {
+			joint->note_break();
+			broken.push_back(joint->get_instance_id());
+		}
+	}
+	for (const uint64_t id : broken) {
+		if (Object *joint = ObjectDB::get_instance(id)) {
+			joint->emit_signal("broken");
+		}
+	}
+}
+
 void SoftBodySpace2D::close_gaps() {
 	std::erase(nodes_, nullptr);
 	for (size_t i = 0; i < nodes_.size(); i++) {
@@ -121,6 +146,9 @@ void SoftBodySpace2D::step(double p_delta) {
 	read_gravity();
 	stepping_ = true;
 	for_nodes([](SoftBody2D &r_node) { r_node.prepare_step(); });
+	for (SoftBodyJoint2D *joint : joints_) {
+		joint->prepare_step();
+	}
 	profile_.prepare = watch.lap();
 	read_surroundings(p_delta);
 	profile_.surroundings = watch.lap();
@@ -137,6 +165,9 @@ void SoftBodySpace2D::step(double p_delta) {
 	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });
 	stepping_ = false;
 	close_gaps();
+	if (!report.broken_joints.empty()) {
+		tell_of_broken_joints(report);
+	}
 	profile_.finish = watch.lap();
 }
 

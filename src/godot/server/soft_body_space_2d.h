@@ -13,6 +13,7 @@
 
 namespace godot {
 class SoftBody2D;
+class SoftBodyJoint2D;
 }
 
 namespace softbody {
@@ -38,7 +39,7 @@ public:
 	const WorldData &world() const { return world_; }
 	const Simulator &simulator() const { return simulator_; }
 	void apply_settings(const StepSettings &p_settings);
-	bool is_empty() const { return body_count_ == 0; }
+	bool is_empty() const { return body_count_ == 0 && joints_.empty(); }
 	int64_t body_count() const { return body_count_; }
 	/// Null where a node has left during the present step.
 	const std::vector<godot::SoftBody2D *> &nodes() const { return nodes_; }
@@ -52,6 +53,8 @@ public:
 
 	void add(godot::SoftBody2D *p_node);
 	void remove(godot::SoftBody2D *p_node);
+	void add_joint(godot::SoftBodyJoint2D *p_node);
+	void remove_joint(godot::SoftBodyJoint2D *p_node);
 	/// Reads gravity and surroundings, steps the core by `p_delta` [s], hands the result to the nodes.
 	void step(double p_delta);
 
@@ -67,6 +70,7 @@ private:
 		}
 	}
 	void close_gaps();
+	void tell_of_broken_joints(const StepReport &p_report);
 	int64_t count_awake() const;
 	void read_gravity();
 	void read_surroundings(double p_delta);
@@ -77,6 +81,7 @@ private:
 	Simulator simulator_;
 	SurroundingsReader reader_;
 	std::vector<godot::SoftBody2D *> nodes_;
+	std::vector<godot::SoftBodyJoint2D *> joints_;
 	int64_t body_count_ = 0; ///< nodes that are not null
 	bool stepping_ = false;
 	int64_t awake_body_count_ = 0;

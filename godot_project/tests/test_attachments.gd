@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+extends "res://tests/support/suite.gd"
+## Nodes that are carried along by the surface of a body.
+
+
+func attach(body: SoftBody2D, place: Vector2) -> SoftBodyAttachment2D:
+	var attachment := SoftBodyAttachment2D.new()
+	attachment.position = place
+	body.add_child(attachment)
+	return attachment
+
+
+func test_an_attachment_goes_with_a_body_that_flies_and_spins() -> void:
+	var body := add_weightless_body(Vector2(100, 50))
+	var eye := attach(body, Vector2(20, -10))
+	var hat := attach(body, Vector2(0, -70))
+	body.linear_velocity = Vector2(120, 40)
+	body.angular_velocity = 2
+	await seconds(1)
+	check_near(eye.global_position, body.to_global(Vector2(20, -10)), 0.5, "the eye")
+	check_near(hat.global_position, body.to_global(Vector2(0, -70)), 1.0, "the hat")
+	check_near(eye.global_rotation, body.global_rotation, 0.02, "rotation of the eye")
+
+
+func test_an_attachment_at_a_hull_point_stays_on_it_however_the_body_deforms() -> void:
+	add_floor(0)
+	var body := add_body(Vector2(0, -120))
+	var dot := attach(body, body.hull[4]) # the lowest point, which hits the floor
+	for i in 90:
+		await ticks(1)
+		await tree.process_frame
+		var point := body.get_interpolated_hull(Engine.get_physics_interpolation_fraction())[4]
+		check_near(dot.global_position, point, 0.05, "the dot beside its point")
+
+
+func test_an_attachment_sinks_with_the_flesh_under_a_load() -> void:
+	add_floor(0)
+	var body := add_body(Vector2(0, -51), {"stiffness": 60.0})
+	var top := attach(body, Vector2(0, -50))
+	await seconds(3)
+	var hull := hull_of(body)
+	check_near(top.global_position, hull[12], 0.5, "the attachment on the highest point")
+	check_above(top.global_position.y - body.global_position.y, -49.9, "how far the top has sunk")
+
+
+func test_what_does_not_follow_rotation_stays_upright() -> void:
+	var body := add_weightless_body()
+	var name_tag := attach(body, Vector2(0, -60))
+	name_tag.follow_rotation = false
+	body.angular_velocity = 3
+	await seconds(1)
+	check_near(name_tag.rotation, 0.0, 1e-4, "rotation of the tag in the body's frame")
+
+
+func test_attach_at_moves_it_to_another_place() -> void:
+	var body := add_weightless_body()
+	var eye := attach(body, Vector2(20, 0))
+	await ticks(2)
+	eye.attach_at(Vector2(-30, 5), 0.5)
+	await ticks(2)
+	check_near(eye.position, Vector2(-30, 5), 0.05, "position")
+	check_near(eye.rotation, 0.5, 0.01, "rotation")
+	check_equal(eye.get_rest_position(), Vector2(-30, 5), "rest position")
+	check_refused(func() -> void: eye.attach_at(Vector2(NAN, 0)), ["position", "finite"], "a place that is no number")
+
+
+func test_an_attachment_outside_of_a_body_says_so() -> void:
+	var lost := SoftBodyAttachment2D.new()
+	stage.add_child(lost)
+	check(" ".join(lost._get_configuration_warnings()).contains("child of a SoftBody2D"), "a warning says so")
+	await ticks(2)
+	check_equal(lost.position, Vector2.ZERO, "position")
+
+
+func test_a_new_hull_takes_the_attachment_along() -> void:
+	var body := add_weightless_body()
+	var eye := attach(body, Vector2(10, 0))
+	await ticks(2)
+	body.hull = SoftBody2D.make_circle_hull(30, 24)
+	await ticks(2)
+	check_near(eye.position, Vector2(10, 0), 0.05, "place on the new hull")

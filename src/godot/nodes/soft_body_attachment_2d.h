@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The node that carries eyes, a hat or a camera along with the surface of a SoftBody2D.
+#pragma once
+
+#include "core/model/attachment.h"
+
+#include <godot_cpp/classes/node2d.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace godot {
+
+class SoftBody2D;
+
+/// A child of a SoftBody2D. Where it stands on the undeformed body when it enters the tree is where it stays on the deformed
+/// one; its transform is set in step with the drawing of the body. See doc_classes/SoftBodyAttachment2D.xml.
+class SoftBodyAttachment2D : public Node2D {
+	GDCLASS(SoftBodyAttachment2D, Node2D)
+
+public:
+	void set_follow_rotation(bool p_follow);
+	bool is_following_rotation() const { return follow_rotation_; }
+	/// The place on the undeformed body, in the body's coordinates.
+	void attach_at(const Vector2 &p_position, double p_rotation);
+	Vector2 get_rest_position() const;
+	double get_rest_rotation() const;
+
+	PackedStringArray _get_configuration_warnings() const override;
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+private:
+	SoftBody2D *soft_body() const;
+	void follow(double p_fraction);
+
+	bool follow_rotation_ = true;
+	bool has_place_ = false; ///< from when it first has entered the tree of a running game
+	Vector2 rest_position_;
+	double rest_rotation_ = 0;
+	std::optional<softbody::Attachment> attachment_;
+	uint64_t rest_version_ = 0; ///< of the body's rest shape that `attachment_` was made for
+};
+
+} // namespace godot

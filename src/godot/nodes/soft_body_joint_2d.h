@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// The node that ties a SoftBody2D to another one, to a RigidBody2D or to the world.
+#pragma once
+
+#include "core/model/joint.h"
+
+#include <godot_cpp/classes/node2d.hpp>
+#include <godot_cpp/variant/node_path.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace softbody {
+class SoftBodySpace2D;
+}
+
+namespace godot {
+
+class SoftBody2D;
+
+/// Like Godot's Joint2D: two node paths, and the place of the node says where the joint is. Holds the joint of the core for
+/// as long as both ends are in one space. See doc_classes/SoftBodyJoint2D.xml.
+class SoftBodyJoint2D : public Node2D {
+	GDCLASS(SoftBodyJoint2D, Node2D)
+
+public:
+	~SoftBodyJoint2D();
+
+	void set_node_a(const NodePath &p_path);
+	NodePath get_node_a() const { return node_a_; }
+	void set_node_b(const NodePath &p_path);
+	NodePath get_node_b() const { return node_b_; }
+	void set_length(double p_length);
+	double get_length() const { return length_; }
+	void set_rigid(bool p_rigid);
+	bool is_rigid() const { return rigid_; }
+	void set_stiffness(double p_stiffness);
+	double get_stiffness() const { return stiffness_; }
+	void set_damping(double p_damping);
+	double get_damping() const { return damping_; }
+	void set_break_force(double p_force);
+	double get_break_force() const { return break_force_; }
+	void set_disable_collision(bool p_disable);
+	bool is_collision_disabled() const { return disable_collision_; }
+
+	bool is_broken() const { return broken_; }
+	void mend();
+	/// Where the ends are now, in the world.
+	Vector2 get_anchor_a() const;
+	Vector2 get_anchor_b() const;
+
+	PackedStringArray _get_configuration_warnings() const override;
+
+	// For the space.
+	softbody::JointId get_joint_id() const { return id_; }
+	/// Before a step: makes the joint if its ends have come, follows what was changed.
+	void prepare_step();
+	/// The core's joint is no more.
+	void note_break();
+	/// The rigid body at one of the ends, or 0: it must be among the surroundings however far it is.
+	uint64_t get_rigid_body() const;
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+private:
+	/// Of one end, from when the joint was first made.
+	struct End {
+		uint64_t node = 0; ///< instance id; 0 is the world
+		softbody::JointAnchor anchor; ///< without the soft body's id, which is another one each time it enters the tree
+		Vector2 position; ///< in the frame of a node that is no soft body; in the world without a node
+	};
+
+	/// The end at that path, or nothing while it is not there.
+	std::optional<End> find_end(const NodePath &p_path) const;
+	/// The end's anchor as it is now, or nothing while its node is not in this space.
+	std::optional<softbody::JointAnchor> present_anchor(const End &p_end) const;
+	Vector2 place_of(const std::optional<End> &p_end) const;
+	bool change(const char *p_name, double &r_member, double p_value, const softbody::Status &p_status);
+	void enter_space();
+	void leave_space();
+	void forget_ends();
+	softbody::Joint make_joint(const softbody::JointAnchor &p_first, const softbody::JointAnchor &p_second) const;
+
+	NodePath node_a_;
+	NodePath node_b_;
+	double length_ = -1;
+	bool rigid_ = true;
+	double stiffness_ = 100;
+	double damping_ = 0;
+	double break_force_ = 0;
+	bool disable_collision_ = true;
+
+	softbody::SoftBodySpace2D *space_ = nullptr;
+	softbody::JointId id_;
+	std::optional<End> ends_[2];
+	double bound_length_ = 0; ///< distance of the ends when they were found
+	softbody::Joint known_; ///< as the core has it
+	bool broken_ = false;
+	bool complained_ = false; ///< about a refused joint, until something changes
+};
+
+} // namespace godot
