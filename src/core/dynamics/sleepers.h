@@ -24,6 +24,8 @@ public:
 	/// Another list, of which nobody is known to sleep.
 	void reset(std::size_t count);
 	bool operator[](std::uint32_t row) const { return asleep_[row] != 0; }
+	/// One a row, not 0 for who sleeps.
+	std::span<const char> flags() const { return asleep_; }
 	std::size_t count() const { return count_; }
 	bool is_everybody() const { return count_ == asleep_.size(); }
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Contacts between soft bodies through a step.
+#include "core/collision/pair_contacts.h"
+
+#include "core/base/constants.h"
+#include "core/collision/collision_handling.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace softbody {
+
+namespace {
+
+constexpr std::size_t BODIES_A_TASK = 64;
+constexpr std::size_t GROUPS_A_TASK = 4;
+
+} // namespace
+
+PairContacts::PairContacts() :
+		handlings_(MOST_SLICES), contacts_(MOST_SLICES) {}
+
+void PairContacts::begin_arranging() {
+	boxes_.clear();
+	touches_.clear();
+	layers_ = 0;
+	masks_ = 0;
+	bounces_ = false;
+	resists_rolling_ = false;
+}
+
+void PairContacts::add_body(const BodySettings &settings) {
+	boxes_.push_back({ {}, settings.collision_layer, settings.collision_mask });
+	layers_ |= settings.collision_layer;
+	masks_ |= settings.collision_mask;
+	bounces_ |= settings.restitution > 0;
+	resists_rolling_ |= settings.rolling_resistance > 0;
+}
+
+void PairContacts::forget_step() {
+	is_used_ = false;
+	std::ranges::fill(contacts_, 0);
+}
+
+void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t version, const ParallelFor &parallel_for) {
+	is_used_ = boxes_.size() > 1 && (layers_ & masks_) != 0;
+	if (!is_used_) {
+		return;
+	}
+	run_slices(parallel_for, boxes_.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			const TouchingBody &body = bodies.touching[i];
+			boxes_[i].box = bodies.asleep[i] ? body.box : sweep_box(body.positions.first(body.before.size()), body.velocities, dt);
+		}
+	});
+	update_pairs(version, parallel_for);
+	has_pair_.assign(boxes_.size(), 0);
+	for (const BodyPair pair : broad_phase_.pairs()) {
+		const char is_near = !(bodies.asleep[pair.a] && bodies.asleep[pair.b]);
+		has_pair_[pair.a] |= is_near;
+		has_pair_[pair.b] |= is_near;
+	}
+	touched_.assign(broad_phase_.pairs().size(), 0);
+	impulses_.assign(broad_phase_.pairs().size(), 0);
+}
+
+// Bounces that are still to be given back stay with their pairs.
+void PairContacts::update_pairs(std::uint64_t version, const ParallelFor &parallel_for) {
+	const std::uint64_t rebuilt = broad_phase_.rebuild_count();
+	std::vector<std::pair<BodyPair, PairTouch>> open;
+	for (std::size_t i = 0; i < touches_.size(); ++i) {
+		if (touches_[i].touching) {
+			open.emplace_back(broad_phase_.pairs()[i], touches_[i]);
+		}
+	}
+	broad_phase_.update(boxes_, version, parallel_for);
+	if (!bounces_ || (broad_phase_.rebuild_count() == rebuilt && !touches_.empty())) {
+		return;
+	}
+	std::ranges::sort(open, {}, [](const auto &entry) { return entry.first; });
+	touches_.assign(broad_phase_.pairs().size(), {});
+	for (std::size_t i = 0; i < touches_.size() && !open.empty(); ++i) {
+		const BodyPair pair = broad_phase_.pairs()[i];
+		const auto found = std::ranges::lower_bound(open, pair, {}, [](const auto &entry) { return entry.first; });
+		if (found != open.end() && found->first == pair) {
+			touches_[i] = found->second;
+		}
+	}
+}
+
+void PairContacts::begin_substeps(const WorldData &world, Real h) {
+	h_ = h;
+	for (PairHandling &handling : handlings_) {
+		handling.begin_substep(h);
+		handling.begin_response(world);
+	}
+}
+
+void PairContacts::answer(const WorldData &world, const PairBodies &bodies, const ParallelFor &parallel_for) {
+	if (!is_used_) {
+		return; // coupled by a rigid body alone
+	}
+	const Real bounce_threshold = RESTITUTION_SUBSTEPS * length(world.gravity()) * h_;
+	for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
+		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(colour);
+		const bool may_share_bodies = colour + 1 == BroadPhase::COLOURS;
+		const std::size_t least = may_share_bodies ? groups.size() + 1 : GROUPS_A_TASK;
+		run_slices(parallel_for, groups.size(), least, [&](std::size_t task, std::size_t begin, std::size_t end) {
+			PairHandling &handling = handlings_[task];
+			std::uint64_t all_contacts = 0;
+			for (std::size_t i = begin; i < end; ++i) {
+				for (std::uint32_t k = groups[i].begin; k < groups[i].end; ++k) {
+					const BodyPair pair = broad_phase_.pairs()[k];
+					if (bodies.asleep[pair.a] && bodies.asleep[pair.b]) {
+						continue;
+					}
+					const std::size_t contacts = handling.handle(bodies.touching[pair.a], bodies.touching[pair.b]);
+					all_contacts += contacts;
+					touched_[k] |= char(contacts > 0);
+					impulses_[k] += handling.last_impulse();
+					if (bounces_) {
+						give_back_pair_bounce(bodies.all[bodies.places[pair.a]], bodies.all[bodies.places[pair.b]],
+								handling.last_push(), touches_[k], bounce_threshold, h_);
+					}
+				}
+			}
+			contacts_[task] += all_contacts;
+		});
+	}
+}
+
+void PairContacts::resist_rolling(const PairBodies &bodies) {
+	const std::span<const BodyPair> all = pairs();
+	for (std::size_t i = 0; i < all.size(); ++i) {
+		const auto [a, b] = all[i];
+		if (impulses_[i] > 0 && !bodies.asleep[a] && !bodies.asleep[b]) {
+			resist_pair_rolling(bodies.touching[a], bodies.touching[b], impulses_[i]);
+		}
+	}
+}
+
+std::uint64_t PairContacts::contact_count() const {
+	return std::accumulate(contacts_.begin(), contacts_.end(), std::uint64_t(0));
+}
+
+} // namespace softbody
