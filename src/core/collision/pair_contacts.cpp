@@ -23,7 +23,6 @@ PairContacts::PairContacts() :
 
 void PairContacts::begin_arranging() {
 	boxes_.clear();
-	touches_.clear();
 	layers_ = 0;
 	masks_ = 0;
 	bounces_ = false;
@@ -51,57 +50,60 @@ void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t v
 	run_slices(parallel_for, boxes_.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			const TouchingBody &body = bodies.touching[i];
+			boxes_[i].rests = bodies.asleep[i] != 0;
 			boxes_[i].box = bodies.asleep[i] ? body.box : sweep_box(body.positions.first(body.before.size()), body.velocities, dt);
 		}
 	});
-	update_pairs(version, parallel_for);
+	broad_phase_.update(boxes_, version, parallel_for);
 	has_pair_.assign(boxes_.size(), 0);
 	for (const BodyPair pair : broad_phase_.pairs()) {
-		const char is_near = !(bodies.asleep[pair.a] && bodies.asleep[pair.b]);
-		has_pair_[pair.a] |= is_near;
-		has_pair_[pair.b] |= is_near;
+		has_pair_[pair.a] = 1;
+		has_pair_[pair.b] = 1;
 	}
+	recall_touches(bodies);
 	touched_.assign(broad_phase_.pairs().size(), 0);
 	impulses_.assign(broad_phase_.pairs().size(), 0);
 }
 
-// Bounces that are still to be given back stay with their pairs.
-void PairContacts::update_pairs(std::uint64_t version, const ParallelFor &parallel_for) {
-	const std::uint64_t rebuilt = broad_phase_.rebuild_count();
-	std::vector<std::pair<BodyPair, PairTouch>> open;
-	for (std::size_t i = 0; i < touches_.size(); ++i) {
-		if (touches_[i].touching) {
-			open.emplace_back(broad_phase_.pairs()[i], touches_[i]);
-		}
-	}
-	broad_phase_.update(boxes_, version, parallel_for);
-	if (!bounces_ || (broad_phase_.rebuild_count() == rebuilt && !touches_.empty())) {
+void PairContacts::recall_touches(const PairBodies &bodies) {
+	if (!bounces_) {
 		return;
 	}
-	std::ranges::sort(open, {}, [](const auto &entry) { return entry.first; });
-	touches_.assign(broad_phase_.pairs().size(), {});
-	for (std::size_t i = 0; i < touches_.size() && !open.empty(); ++i) {
-		const BodyPair pair = broad_phase_.pairs()[i];
-		const auto found = std::ranges::lower_bound(open, pair, {}, [](const auto &entry) { return entry.first; });
-		if (found != open.end() && found->first == pair) {
-			touches_[i] = found->second;
+	open_.clear();
+	for (std::uint32_t row = 0; row < boxes_.size(); ++row) {
+		for (const PairMemory &memory : bodies.data(row).pair_memories()) {
+			const SoftBodyData *other = bodies.world.find(memory.other);
+			const std::uint32_t place = other ? std::uint32_t(other - bodies.world.soft_bodies().data()) : UINT32_MAX;
+			const auto found = std::ranges::lower_bound(bodies.places, place);
+			if (found != bodies.places.end() && *found == place) {
+				const std::uint32_t other_row = std::uint32_t(found - bodies.places.begin());
+				open_.push_back({ { std::min(row, other_row), std::max(row, other_row) }, memory.touch });
+			}
+		}
+	}
+	std::ranges::sort(open_, {}, &Open::pair);
+	touches_.assign(pairs().size(), {});
+	for (std::size_t i = 0; i < touches_.size() && !open_.empty(); ++i) {
+		const auto found = std::ranges::lower_bound(open_, pairs()[i], {}, &Open::pair);
+		if (found != open_.end() && found->pair == pairs()[i]) {
+			touches_[i] = found->touch;
 		}
 	}
 }
 
-void PairContacts::begin_substeps(const WorldData &world, Real h) {
+void PairContacts::begin_substeps(const PairBodies &bodies, Real h) {
 	h_ = h;
 	for (PairHandling &handling : handlings_) {
 		handling.begin_substep(h);
-		handling.begin_response(world);
+		handling.begin_response(bodies.world);
 	}
 }
 
-void PairContacts::answer(const WorldData &world, const PairBodies &bodies, const ParallelFor &parallel_for) {
+void PairContacts::answer(const PairBodies &bodies, const ParallelFor &parallel_for) {
 	if (!is_used_) {
 		return; // coupled by a rigid body alone
 	}
-	const Real bounce_threshold = RESTITUTION_SUBSTEPS * length(world.gravity()) * h_;
+	const Real bounce_threshold = RESTITUTION_SUBSTEPS * length(bodies.world.gravity()) * h_;
 	for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
 		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(colour);
 		const bool may_share_bodies = colour + 1 == BroadPhase::COLOURS;
@@ -112,16 +114,13 @@ void PairContacts::answer(const WorldData &world, const PairBodies &bodies, cons
 			for (std::size_t i = begin; i < end; ++i) {
 				for (std::uint32_t k = groups[i].begin; k < groups[i].end; ++k) {
 					const BodyPair pair = broad_phase_.pairs()[k];
-					if (bodies.asleep[pair.a] && bodies.asleep[pair.b]) {
-						continue;
-					}
 					const std::size_t contacts = handling.handle(bodies.touching[pair.a], bodies.touching[pair.b]);
 					all_contacts += contacts;
 					touched_[k] |= char(contacts > 0);
 					impulses_[k] += handling.last_impulse();
 					if (bounces_) {
-						give_back_pair_bounce(bodies.all[bodies.places[pair.a]], bodies.all[bodies.places[pair.b]],
-								handling.last_push(), touches_[k], bounce_threshold, h_);
+						give_back_pair_bounce(bodies.data(pair.a), bodies.data(pair.b), handling.last_push(), touches_[k],
+								bounce_threshold, h_);
 					}
 				}
 			}
@@ -136,6 +135,21 @@ void PairContacts::resist_rolling(const PairBodies &bodies) {
 		const auto [a, b] = all[i];
 		if (impulses_[i] > 0 && !bodies.asleep[a] && !bodies.asleep[b]) {
 			resist_pair_rolling(bodies.touching[a], bodies.touching[b], impulses_[i]);
+		}
+	}
+}
+
+void PairContacts::end_step(const PairBodies &bodies) {
+	if (!is_used_ || !bounces_) {
+		return;
+	}
+	for (std::uint32_t row = 0; row < boxes_.size(); ++row) {
+		bodies.data(row).pair_memories().clear();
+	}
+	const std::span<const BodyPair> all = pairs();
+	for (std::size_t i = 0; i < all.size(); ++i) {
+		if (touches_[i].touching) {
+			bodies.data(all[i].a).pair_memories().push_back({ bodies.world.id_at(bodies.places[all[i].b]), touches_[i] });
 		}
 	}
 }

@@ -19,13 +19,15 @@ namespace softbody {
 struct PairBodies {
 	std::span<TouchingBody> touching;
 	std::span<const char> asleep; ///< not 0 for who sleeps
-	std::span<const std::uint32_t> places; ///< in `all`
-	std::span<SoftBodyData> all; ///< of the world
+	std::span<const std::uint32_t> places; ///< in the world, ascending
+	WorldData &world;
+
+	SoftBodyData &data(std::uint32_t row) const { return world.soft_bodies()[places[row]]; }
 };
 
 /// Finds the pairs of a step, answers their contacts in each substep, on several threads where pairs share no body, and
-/// keeps what a pair has seen until the step ends. Owns nothing but scratch memory and the bounces that are still to be
-/// given back.
+/// keeps what a pair has seen until the step ends. A bounce that is still to be given back is kept by the bodies. Owns
+/// nothing but scratch memory.
 class PairContacts {
 public:
 	PairContacts();
@@ -45,11 +47,13 @@ public:
 	bool has_pair(std::uint32_t row) const { return is_used_ && has_pair_[row] != 0; }
 
 	/// What holds for all substeps of `h` [s] of the step.
-	void begin_substeps(const WorldData &world, Real h);
+	void begin_substeps(const PairBodies &bodies, Real h);
 	/// Answers the contacts of all pairs after a substep.
-	void answer(const WorldData &world, const PairBodies &bodies, const ParallelFor &parallel_for);
+	void answer(const PairBodies &bodies, const ParallelFor &parallel_for);
 	/// Brakes spins by what pairs pressed on each other in all substeps, once their frames have been taken.
 	void resist_rolling(const PairBodies &bodies);
+	/// Leaves with the bodies what they must remember. After the last substep.
+	void end_step(const PairBodies &bodies);
 
 	/// The pairs of the step, and for each whether it touched.
 	std::span<const BodyPair> pairs() const { return is_used_ ? broad_phase_.pairs() : std::span<const BodyPair>{}; }
@@ -60,7 +64,7 @@ public:
 	std::span<PairHandling> handlings() { return handlings_; }
 
 private:
-	void update_pairs(std::uint64_t version, const ParallelFor &parallel_for);
+	void recall_touches(const PairBodies &bodies);
 
 	BroadPhase broad_phase_;
 	// One a task, so that no two threads share scratch memory.
@@ -72,6 +76,11 @@ private:
 	std::vector<char> touched_; ///< in this step
 	std::vector<Real> impulses_; ///< likewise: summed normal impulse [mass·length/s]
 	std::vector<PairTouch> touches_; ///< empty when nothing bounces
+	struct Open {
+		BodyPair pair;
+		PairTouch touch;
+	};
+	std::vector<Open> open_; ///< of the last step
 	Real h_ = 0;
 	std::uint32_t layers_ = 0; ///< of all bodies
 	std::uint32_t masks_ = 0;

@@ -56,9 +56,38 @@ bool Simulator::arrange(Real dt) {
 	pressed_crews_.clear();
 	touching_.clear();
 	places_.clear();
-	crew_of_.clear();
 	pair_contacts_.begin_arranging();
 	std::size_t hull_points = 0;
+	first_hull_point_.clear();
+	// Rows in the order of the world, whatever the crews: pairs go by it.
+	row_of_.assign(world_.soft_bodies().size(), 0);
+	for (std::uint32_t place = 0; place < world_.soft_bodies().size(); ++place) {
+		SoftBodyData &body = world_.soft_bodies()[place];
+		if (!body.is_active()) {
+			continue;
+		}
+		const BodySettings &settings = body.settings();
+		row_of_[place] = std::uint32_t(touching_.size());
+		places_.push_back(place);
+		TouchingBody &touching = touching_.emplace_back();
+		touching.positions = body.mutable_positions();
+		touching.velocities = body.mutable_velocities();
+		touching.inverse_masses = body.inverse_masses();
+		touching.inverse_mass = body.has_pins() ? Real(0) : 1 / body.shape().total_mass();
+		touching.width = body.shape().width();
+		touching.friction = settings.friction;
+		touching.rolling_resistance = settings.rolling_resistance;
+		touching.rolling_radius = body.shape().radius();
+		touching.place = place;
+		touching.is_monitored = settings.contact_monitor;
+		first_hull_point_.push_back(hull_points);
+		hull_points += body.shape().hull_count();
+		pair_contacts_.add_body(settings);
+	}
+	sleepers_.reset(touching_.size());
+	before_.resize(hull_points);
+	swept_from_.resize(hull_points);
+	crew_of_.resize(touching_.size());
 	for (const Crew &crew : roster_.crews()) {
 		CrewState &state = crews_.emplace_back();
 		state.plan = plan(world_.soft_bodies()[crew.bodies[0]], dt);
@@ -66,38 +95,12 @@ bool Simulator::arrange(Real dt) {
 			pressed_crews_.push_back(std::uint32_t(crews_.size() - 1));
 		}
 		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-			SoftBodyData &body = world_.soft_bodies()[crew.bodies[lane]];
-			const BodySettings &settings = body.settings();
-			state.rows[lane] = std::uint32_t(touching_.size());
+			const std::uint32_t row = row_of_[crew.bodies[lane]];
+			state.rows[lane] = row;
 			state.awake |= 1u << lane;
-			places_.push_back(crew.bodies[lane]);
-			crew_of_.push_back(std::uint32_t(crews_.size() - 1));
-			TouchingBody &touching = touching_.emplace_back();
-			touching.positions = body.mutable_positions();
-			touching.velocities = body.mutable_velocities();
-			touching.inverse_masses = body.inverse_masses();
-			touching.inverse_mass = body.has_pins() ? Real(0) : 1 / body.shape().total_mass();
-			touching.width = body.shape().width();
-			touching.velocity_leads = integrator_traits(state.plan.integrator).velocity_leads;
-			touching.friction = settings.friction;
-			touching.rolling_resistance = settings.rolling_resistance;
-			touching.rolling_radius = body.shape().radius();
-			touching.place = crew.bodies[lane];
-			touching.is_monitored = settings.contact_monitor;
-			hull_points += body.shape().hull_count();
-			pair_contacts_.add_body(settings);
-		}
-	}
-	sleepers_.reset(touching_.size());
-	before_.resize(hull_points);
-	swept_from_.resize(hull_points);
-	first_hull_point_.resize(touching_.size());
-	std::size_t begin = 0;
-	for (std::size_t row = 0; const Crew &crew : roster_.crews()) {
-		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-			first_hull_point_[row] = begin;
-			touching_[row++].before = std::span(before_).subspan(begin, crew.shape->hull_count());
-			begin += crew.shape->hull_count();
+			crew_of_[row] = std::uint32_t(crews_.size() - 1);
+			touching_[row].velocity_leads = integrator_traits(state.plan.integrator).velocity_leads;
+			touching_[row].before = std::span(before_).subspan(first_hull_point_[row], crew.shape->hull_count());
 		}
 	}
 	bodies_meet_themselves_ = std::ranges::any_of(roster_.crews(), [](const Crew &c) { return c.settings->self_collision; });
@@ -184,19 +187,32 @@ void Simulator::divide_crews(Real dt) {
 
 void Simulator::wake_by_surroundings() {
 	watch_.update(surroundings_);
-	if (!watch_.has_border_changed() && watch_.changed_boxes().empty()) {
+	const bool was_restored = std::exchange(seen_restores_, world_.change_counts().restores) != seen_restores_;
+	const bool asks_all = was_restored || watch_.has_border_changed();
+	if (!asks_all && watch_.changed_boxes().empty()) {
 		return;
 	}
+	const auto is_in = [](std::span<const Aabb> boxes, const Aabb &box) {
+		return std::ranges::any_of(boxes, [&](const Aabb &b) { return b.overlaps(box); });
+	};
 	for (std::uint32_t row = 0; row < places_.size(); ++row) {
-		// What it rests on touches its box at most. Who is awake does not rest either while that changes.
-		const TouchingBody &body = touching_[row];
-		const Aabb box = (sleepers_[row] ? body.box : bounding_box(body.hull())).grown(body.rolling_radius / 8);
-		if (watch_.has_border_changed() ||
-				std::ranges::any_of(watch_.changed_boxes(), [&](const Aabb &b) { return b.overlaps(box); })) {
-			world_.soft_bodies()[places_[row]].wake();
+		SoftBodyData &body = world_.soft_bodies()[places_[row]];
+		const Aabb box = rest_box(row);
+		// Who sleeps goes by what was there when it fell asleep, not in the last step, so that it does not matter how
+		// this state came about. Who is awake does not rest beside what moves.
+		const bool has_changed = sleepers_[row] && (asks_all || is_in(watch_.changed_boxes(), box)) &&
+				watch_.describe(surroundings_, box) != body.rest_state().surroundings;
+		if (has_changed || is_in(watch_.moving_boxes(), box)) {
+			body.wake();
 		}
 	}
 	take_over_sleepers(false);
+}
+
+// What a body rests on touches its box at most.
+Aabb Simulator::rest_box(std::uint32_t row) const {
+	const TouchingBody &body = touching_[row];
+	return (sleepers_[row] ? body.box : bounding_box(body.positions.first(body.before.size()))).grown(body.rolling_radius / 8);
 }
 
 // Which bodies may meet a rigid body that they push back. None of them sleeps: what rests on it would sink in.
@@ -295,7 +311,7 @@ void Simulator::step_coupled(Real dt) {
 		}
 	}
 	const Real duration = dt / Real(contact_substeps);
-	pair_contacts_.begin_substeps(world_, duration);
+	pair_contacts_.begin_substeps(pair_bodies(), duration);
 	for (int substep = 0; substep < contact_substeps; ++substep) {
 		rigid_contacts_.begin_substep(duration);
 		for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
@@ -320,12 +336,13 @@ void Simulator::step_coupled(Real dt) {
 				}
 			}
 		});
-		pair_contacts_.answer(world_, pair_bodies(), parallel_for_);
+		pair_contacts_.answer(pair_bodies(), parallel_for_);
 		if (rigid_contacts_.has_bodies()) {
 			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
 		}
 		answer_self_contacts(duration);
 	}
+	pair_contacts_.end_step(pair_bodies());
 	measure_frames();
 	resist_rolling_between_bodies();
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
@@ -404,6 +421,7 @@ void Simulator::note_awake(std::uint32_t row, bool awake) {
 	}
 	SoftBodyData &body = world_.soft_bodies()[places_[row]];
 	body.touch_memory() = {};
+	body.pair_memories().clear();
 	std::ranges::fill(body.mutable_velocities(), Vec2{});
 	std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
 	touching_[row].begin_substep();
@@ -416,7 +434,10 @@ void Simulator::take_over_sleepers(bool is_rearranged) {
 
 void Simulator::let_sleep() {
 	sleepers_.let_sleep(world_, places_, pair_contacts_.pairs(), pair_contacts_.touched(), has_rigid_body_,
-			[this](std::uint32_t row, bool awake) { note_awake(row, awake); });
+			[this](std::uint32_t row, bool awake) {
+				note_awake(row, awake);
+				world_.soft_bodies()[places_[row]].rest_state().surroundings = watch_.describe(surroundings_, rest_box(row));
+			});
 }
 
 // Before anything falls asleep or wakes: what slept during the step has found no contact and yet lost no touch.

@@ -84,7 +84,7 @@ private:
 	void find_rigid_contacts(Real dt);
 	void move_rigid_bodies_alone(Real dt);
 	void divide_crews(Real dt);
-	PairBodies pair_bodies() { return { touching_, sleepers_.flags(), places_, world_.soft_bodies() }; }
+	PairBodies pair_bodies() { return { touching_, sleepers_.flags(), places_, world_ }; }
 	void advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts, bool is_coupled);
 	void step_coupled(Real dt);
 	void measure_frames();
@@ -94,6 +94,7 @@ private:
 	/// Called when a body falls asleep or wakes.
 	void note_awake(std::uint32_t row, bool awake);
 	void wake_by_surroundings();
+	Aabb rest_box(std::uint32_t row) const;
 	void let_sleep();
 	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
@@ -123,11 +124,13 @@ private:
 	std::vector<Vec2> swept_from_; ///< hull points of all bodies when they last had looked at the surroundings
 	std::vector<std::size_t> first_hull_point_; ///< in the two above
 	std::vector<char> has_rigid_body_; ///< near it; empty when nothing can be pushed
-	std::vector<std::uint32_t> places_; ///< in the world
+	std::vector<std::uint32_t> places_; ///< in the world, ascending
+	std::vector<std::uint32_t> row_of_; ///< the other way round
 	std::vector<std::uint32_t> crew_of_;
 	Sleepers sleepers_;
 
 	std::uint64_t seen_forces_ = 0;
+	std::uint64_t seen_restores_ = 0;
 	std::uint64_t arranged_roster_ = 0;
 	Real arranged_dt_ = 0;
 	bool arranged_with_contacts_ = false;

@@ -46,7 +46,7 @@ private:
 	std::size_t count_ = 0;
 	Islands islands_;
 	std::vector<Real> least_rest_; ///< of each island [s]
-	std::uint64_t island_count_ = 0; ///< of all steps, so that no two islands ever share a number
+	std::vector<std::uint64_t> names_; ///< of those islands that fall asleep, else 0
 };
 
 } // namespace softbody

@@ -47,7 +47,7 @@ Result<SoftBodyData> SoftBodyData::create(std::shared_ptr<const SoftBodyShape> s
 
 void SoftBodyData::wake() {
 	if (rest_state_.asleep && changes_) {
-		changes_->woken_islands.push_back(rest_state_.island);
+		changes_->woken_islands.push_back({ rest_state_.island, rest_state_.restored });
 	}
 	rest_state_.asleep = false;
 	rest_state_.rest_time = 0;

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/vec2.h"
 #include "core/model/body_settings.h"
+#include "core/model/body_state.h"
 #include "core/model/point2d.h"
 #include "core/model/pose.h"
 #include "core/model/soft_body_shape.h"
@@ -16,33 +17,20 @@
 
 namespace softbody {
 
-/// A force on one point, acting during the whole of the next step (thesis 4.4.2).
-struct ExternalForce {
-	std::uint32_t point = 0; ///< point index
-	Vec2 force; ///< [mass·length/s²]
-};
-
-/// What a body remembers of the touch it is in, so that it can be given its bounce when it leaves.
-struct TouchMemory {
-	bool touching = false;
-	Real approach = 0; ///< fastest approach of the centre of mass during this touch [length/s]
-	Real restitution = 0; ///< of body and surface together [1]
-	Vec2 normal; ///< of the last contacts, weighted by their impulses; unit
-	Vec2 surface_velocity; ///< [length/s]
-};
-
-/// Whether a body sleeps, and how long it has hardly moved.
-struct RestState {
-	Real rest_time = 0; ///< [s]
-	bool asleep = false;
-	std::uint64_t island = 0; ///< while asleep: the same for all bodies that fell asleep together
+/// Names those that fell asleep together. Who has been put back into an island since the last step is not of one with
+/// those who were in it before.
+struct WokenIsland {
+	std::uint64_t island = 0;
+	std::uint32_t restored = 0;
+	friend auto operator<=>(const WokenIsland &, const WokenIsland &) = default;
 };
 
 /// How often bodies were changed from outside, so that a step need not ask each of them.
 struct ChangeCounts {
 	std::uint64_t arrangement = 0; ///< shape, settings, pins, activity: what the order of stepping depends on
 	std::uint64_t forces = 0; ///< external forces queued
-	std::vector<std::uint64_t> woken_islands; ///< of sleeping bodies that were woken, until a step takes note
+	std::uint64_t restores = 0; ///< states put back
+	std::vector<WokenIsland> woken_islands; ///< of sleeping bodies that were woken, until a step takes note
 };
 
 /// One soft body of the world: a shared shape, its settings, and the state that a step advances.
@@ -86,6 +74,14 @@ public:
 	/// previous positions follow, so that nothing is drawn in between. Refuses non-finite poses.
 	Status teleport(const Pose &reference, const Pose &pose);
 
+	/// The whole state as a value. O(points).
+	BodyState save_state() const;
+	/// Puts a state back, of this body or of one like it, and forgets what was. Bodies that had fallen asleep with this one
+	/// wake, unless they are put back as well before the next step. Refuses a state of another number of points or hull
+	/// points, or with values that are not finite (see `check_body_state`). O(points), and the next step looks at all
+	/// bodies.
+	Status restore_state(const BodyState &state);
+
 	/// An inactive body is left out of the step: it keeps its state and queued forces, and nothing it
 	/// would collide with notices it. Default true.
 	bool is_active() const { return active_; }
@@ -114,6 +110,7 @@ public:
 	Rotation rotation_memory() const { return rotation_memory_; }
 	void set_rotation_memory(Rotation rotation) { rotation_memory_ = rotation; }
 	TouchMemory &touch_memory() { return touch_memory_; }
+	std::vector<PairMemory> &pair_memories() { return pair_memories_; }
 	RestState &rest_state() { return rest_state_; }
 	/// Of a body that collides with itself and has pushed itself since: its hull as it last was moved out of the
 	/// surroundings. Empty when it is where it was moved to.
@@ -132,6 +129,7 @@ private:
 	std::vector<ExternalForce> external_forces_;
 	Rotation rotation_memory_;
 	TouchMemory touch_memory_;
+	std::vector<PairMemory> pair_memories_;
 	RestState rest_state_;
 	std::vector<Vec2> outside_hull_;
 	std::shared_ptr<ChangeCounts> changes_;

@@ -83,6 +83,7 @@ BodyId WorldData::add_soft_body(SoftBodyData body) {
 	free_slots_.pop_back();
 	slots_[slot].dense = std::uint32_t(bodies_.size());
 	const BodyId id{ slot, slots_[slot].generation };
+	body.wake(); // those with whom it may have fallen asleep are elsewhere
 	body.set_change_counts(changes_);
 	bodies_.push_back(std::move(body));
 	ids_.push_back(id);

@@ -5,6 +5,7 @@
 #include "core/base/constants.h"
 #include "core/base/error.h"
 #include "core/base/vec2.h"
+#include "core/model/body_id.h"
 #include "core/model/contact_response.h"
 #include "core/model/rigid_body.h"
 #include "core/model/soft_body_data.h"
@@ -17,14 +18,6 @@
 #include <vector>
 
 namespace softbody {
-
-/// Names a body for as long as it lives; after its removal the id refers to nothing, even when
-/// the place is used again.
-struct BodyId {
-	std::uint32_t index = UINT32_MAX;
-	std::uint32_t generation = 0;
-	friend bool operator==(BodyId a, BodyId b) = default;
-};
 
 /// The environment of a simulation (thesis 4.4.2, "WorldData"). Bodies are stored densely and
 /// stepped in the order of that storage; removing one moves the last into its place.
@@ -56,6 +49,7 @@ public:
 	/// Wakes every sleeping body.
 	void wake_all();
 
+	/// It is awake, however it was before.
 	BodyId add_soft_body(SoftBodyData body);
 	/// False when the id refers to nothing.
 	bool remove_soft_body(BodyId id);
@@ -70,7 +64,7 @@ public:
 	/// How often bodies came, went, or were changed.
 	const ChangeCounts &change_counts() const { return *changes_; }
 	/// For the step: islands with a body that was woken since it last asked.
-	std::vector<std::uint64_t> take_woken_islands() { return std::exchange(changes_->woken_islands, {}); }
+	std::vector<WokenIsland> take_woken_islands() { return std::exchange(changes_->woken_islands, {}); }
 	/// Whether the step keeps the positions that it starts from, for interpolated drawing. Default true.
 	bool is_interpolated() const { return interpolated_; }
 	void set_interpolated(bool interpolated) { interpolated_ = interpolated; }
