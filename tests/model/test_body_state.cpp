@@ -25,6 +25,7 @@ BodyState full_state() {
 	state.rotation_memory = Rotation::from_angle(Real(0.3));
 	state.touch = { true, 5, Real(0.5), { 0, 1 }, { 3, 2 } };
 	state.pair_touches = { { { 3, 9 }, { true, 4, 1e-3 } }, { { 5, 1 }, { true, 2, 7 } } };
+	state.one_ways = { { 77, true }, { 78, false } };
 	state.rest = { Real(0.25), true, 12, 0x123456789abcdefu, 0 };
 	state.outside_hull.assign(body.hull().begin(), body.hull().end());
 	state.active = false;

@@ -49,7 +49,8 @@ std::uint64_t mix(std::uint64_t key) {
 
 } // namespace
 
-void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for) {
+void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for,
+		std::span<const BodyPair> exceptions) {
 	const bool same_bodies = version == version_ && boxes_.size() == bodies.size() && rebuild_count_ > 0;
 	version_ = version;
 	boxes_.resize(bodies.size());
@@ -63,7 +64,7 @@ void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t ve
 		}
 	}
 	if (same_bodies && moved_.empty()) {
-		keep_overlapping(bodies);
+		keep_overlapping(bodies, exceptions);
 		group_pairs(bodies);
 		return;
 	}
@@ -78,7 +79,7 @@ void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t ve
 		fill_grid();
 		replace_pairs_of_moved(bodies);
 	}
-	keep_overlapping(bodies);
+	keep_overlapping(bodies, exceptions);
 	group_pairs(bodies);
 }
 
@@ -251,7 +252,7 @@ void BroadPhase::replace_pairs_of_moved(std::span<const BroadPhaseBody> bodies) 
 	std::ranges::merge(kept_, fresh, found_.begin());
 }
 
-void BroadPhase::keep_overlapping(std::span<const BroadPhaseBody> bodies) {
+void BroadPhase::keep_overlapping(std::span<const BroadPhaseBody> bodies, std::span<const BodyPair> exceptions) {
 	overlapping_.clear();
 	for (const BodyPair pair : found_) {
 		const BroadPhaseBody &a = bodies[pair.a];
@@ -259,6 +260,9 @@ void BroadPhase::keep_overlapping(std::span<const BroadPhaseBody> bodies) {
 		if (!(a.rests && b.rests) && a.box.overlaps(b.box)) {
 			overlapping_.push_back(pair);
 		}
+	}
+	if (!exceptions.empty()) {
+		std::erase_if(overlapping_, [&](BodyPair pair) { return std::ranges::binary_search(exceptions, pair); });
 	}
 }
 

@@ -42,7 +42,9 @@ public:
 	static constexpr std::size_t COLOURS = 5;
 
 	/// `version` tells whether the list still means the same bodies. O(bodies) expected.
-	void update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for = {});
+	/// `exceptions`, sorted, are no pairs.
+	void update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for = {},
+			std::span<const BodyPair> exceptions = {});
 
 	std::span<const BodyPair> pairs() const { return pairs_; }
 	/// The groups of a colour, each a run of `pairs()`.
@@ -70,7 +72,7 @@ private:
 	void find_pairs_of(std::uint32_t i, std::span<const BroadPhaseBody> bodies, bool moved_only, std::vector<BodyPair> &found) const;
 	void find_all_pairs(std::span<const BroadPhaseBody> bodies, const ParallelFor &parallel_for);
 	void replace_pairs_of_moved(std::span<const BroadPhaseBody> bodies);
-	void keep_overlapping(std::span<const BroadPhaseBody> bodies);
+	void keep_overlapping(std::span<const BroadPhaseBody> bodies, std::span<const BodyPair> exceptions);
 	void group_pairs(std::span<const BroadPhaseBody> bodies);
 	Entry cell_of(const Aabb &box, std::uint32_t body) const;
 	std::size_t bucket_of(std::int32_t x, std::int32_t y, std::uint32_t level) const;

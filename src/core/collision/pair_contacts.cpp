@@ -16,6 +16,18 @@ namespace {
 constexpr std::size_t BODIES_A_TASK = 64;
 constexpr std::size_t GROUPS_A_TASK = 4;
 
+constexpr std::uint32_t NO_ROW = UINT32_MAX; // removed, or inactive
+
+std::uint32_t row_of(const PairBodies &bodies, BodyId id) {
+	const SoftBodyData *body = bodies.world.find(id);
+	if (body == nullptr) {
+		return NO_ROW;
+	}
+	const std::uint32_t place = std::uint32_t(body - bodies.world.soft_bodies().data());
+	const auto found = std::ranges::lower_bound(bodies.places, place);
+	return found != bodies.places.end() && *found == place ? std::uint32_t(found - bodies.places.begin()) : NO_ROW;
+}
+
 } // namespace
 
 PairContacts::PairContacts() :
@@ -54,7 +66,8 @@ void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t v
 			boxes_[i].box = bodies.asleep[i] ? body.box : sweep_box(body.positions.first(body.before.size()), body.velocities, dt);
 		}
 	});
-	broad_phase_.update(boxes_, version, parallel_for);
+	find_exceptions(bodies);
+	broad_phase_.update(boxes_, version, parallel_for, exceptions_);
 	has_pair_.assign(boxes_.size(), 0);
 	for (const BodyPair pair : broad_phase_.pairs()) {
 		has_pair_[pair.a] = 1;
@@ -65,6 +78,18 @@ void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t v
 	impulses_.assign(broad_phase_.pairs().size(), 0);
 }
 
+void PairContacts::find_exceptions(const PairBodies &bodies) {
+	exceptions_.clear();
+	for (const auto &[a, b] : bodies.world.collision_exceptions()) {
+		const std::uint32_t row = row_of(bodies, a);
+		const std::uint32_t other = row_of(bodies, b);
+		if (row != NO_ROW && other != NO_ROW) {
+			exceptions_.push_back({ std::min(row, other), std::max(row, other) });
+		}
+	}
+	std::ranges::sort(exceptions_);
+}
+
 void PairContacts::recall_touches(const PairBodies &bodies) {
 	if (!bounces_) {
 		return;
@@ -72,12 +97,9 @@ void PairContacts::recall_touches(const PairBodies &bodies) {
 	open_.clear();
 	for (std::uint32_t row = 0; row < boxes_.size(); ++row) {
 		for (const PairMemory &memory : bodies.data(row).pair_memories()) {
-			const SoftBodyData *other = bodies.world.find(memory.other);
-			const std::uint32_t place = other ? std::uint32_t(other - bodies.world.soft_bodies().data()) : UINT32_MAX;
-			const auto found = std::ranges::lower_bound(bodies.places, place);
-			if (found != bodies.places.end() && *found == place) {
-				const std::uint32_t other_row = std::uint32_t(found - bodies.places.begin());
-				open_.push_back({ { std::min(row, other_row), std::max(row, other_row) }, memory.touch });
+			const std::uint32_t other = row_of(bodies, memory.other);
+			if (other != NO_ROW) {
+				open_.push_back({ { std::min(row, other), std::max(row, other) }, memory.touch });
 			}
 		}
 	}

@@ -65,6 +65,7 @@ public:
 
 private:
 	void recall_touches(const PairBodies &bodies);
+	void find_exceptions(const PairBodies &bodies);
 
 	BroadPhase broad_phase_;
 	// One a task, so that no two threads share scratch memory.
@@ -81,6 +82,7 @@ private:
 		PairTouch touch;
 	};
 	std::vector<Open> open_; ///< of the last step
+	std::vector<BodyPair> exceptions_; ///< sorted rows
 	Real h_ = 0;
 	std::uint32_t layers_ = 0; ///< of all bodies
 	std::uint32_t masks_ = 0;

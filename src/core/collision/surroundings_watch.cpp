@@ -42,6 +42,8 @@ std::uint64_t hash_of(const ConvexCollider &collider) {
 	hash.add(collider.radius);
 	hash.add(collider.surface);
 	hash.add(std::uint64_t(collider.concave));
+	hash.add(collider.one_way);
+	hash.add(collider.one_way_margin);
 	return hash.value();
 }
 

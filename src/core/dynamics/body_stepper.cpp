@@ -318,6 +318,7 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 		data.mutable_velocities()[i] = is_pinned ? Vec2{} : velocity;
 	}
 	data.touch_memory() = {};
+	data.one_ways().clear();
 	data.outside_hull().clear();
 	counts_.non_finite.push_back(place);
 }

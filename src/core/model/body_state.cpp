@@ -235,6 +235,10 @@ std::vector<std::uint8_t> to_bytes(const BodyState &state) {
 		body.add(external.force);
 	});
 	body.add_list(state.pair_touches, [&](const PairMemory &memory) { visit_pair(memory, add); });
+	body.add_list(state.one_ways, [&](const OneWayMemory &memory) {
+		body.add(memory.collider);
+		body.add(memory.held);
+	});
 	visit_values(state, add);
 
 	Writer all;
@@ -274,6 +278,10 @@ Result<BodyState> body_state_from_bytes(std::span<const std::uint8_t> bytes) {
 	});
 	reader.read_list(state.pair_touches, 2 * sizeof(std::uint32_t) + 1 + sizeof(Real) + sizeof(double),
 			[&](PairMemory &memory) { visit_pair(memory, read); });
+	reader.read_list(state.one_ways, sizeof(std::uint64_t) + 1, [&](OneWayMemory &memory) {
+		reader.read(memory.collider);
+		reader.read(memory.held);
+	});
 	visit_values(state, read);
 	if (!reader.is_sound() || !reader.is_at_end()) {
 		return refused("length", std::to_string(bytes.size()) + " bytes", "must be what its lists say", DAMAGED);
@@ -298,6 +306,7 @@ BodyState SoftBodyData::save_state() const {
 	state.rotation_memory = rotation_memory_;
 	state.touch = touch_memory_;
 	state.pair_touches = pair_memories_;
+	state.one_ways = one_ways_;
 	state.rest = rest_state_;
 	state.rest.restored = 0;
 	state.outside_hull = outside_hull_;
@@ -325,6 +334,7 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 	rotation_memory_ = state.rotation_memory;
 	touch_memory_ = state.touch;
 	pair_memories_ = state.pair_touches;
+	one_ways_ = state.one_ways;
 	rest_state_ = state.rest;
 	rest_state_.restored = restored;
 	outside_hull_ = state.outside_hull;

@@ -45,6 +45,13 @@ struct PairMemory {
 	friend bool operator==(const PairMemory &, const PairMemory &) = default;
 };
 
+/// What a body is to a one-way collider that it meets: held by it, or on its way through.
+struct OneWayMemory {
+	std::uint64_t collider = 0; ///< as `one_way_name` has it
+	bool held = false;
+	friend bool operator==(const OneWayMemory &, const OneWayMemory &) = default;
+};
+
 /// Whether a body sleeps, and how long it has hardly moved.
 struct RestState {
 	Real rest_time = 0; ///< [s]
@@ -70,6 +77,7 @@ struct BodyState {
 	Rotation rotation_memory;
 	TouchMemory touch;
 	std::vector<PairMemory> pair_touches;
+	std::vector<OneWayMemory> one_ways;
 	RestState rest;
 	std::vector<Vec2> outside_hull; ///< see SoftBodyData::outside_hull; empty, or one a hull point
 	bool active = true;

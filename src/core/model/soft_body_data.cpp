@@ -68,6 +68,21 @@ void SoftBodyData::set_active(bool active) {
 	}
 }
 
+void SoftBodyData::set_ignored_tags(std::span<const std::uint64_t> tags) {
+	std::vector<std::uint64_t> wanted(tags.begin(), tags.end());
+	std::ranges::sort(wanted);
+	wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+	std::erase(wanted, 0u);
+	if (wanted != ignored_tags_) {
+		ignored_tags_ = std::move(wanted);
+		note_change();
+	}
+}
+
+bool SoftBodyData::ignores_tag(std::uint64_t tag) const {
+	return !ignored_tags_.empty() && std::ranges::binary_search(ignored_tags_, tag);
+}
+
 Status SoftBodyData::set_settings(const BodySettings &settings) {
 	if (Status status = check_settings(settings)) {
 		return status;
@@ -146,6 +161,7 @@ Status SoftBodyData::set_point(std::uint32_t point, Vec2 position, Vec2 velocity
 	}
 	wake();
 	outside_hull_.clear();
+	one_ways_.clear();
 	mutable_positions()[point] = position;
 	mutable_velocities()[point] = velocity;
 	return {};
@@ -185,6 +201,7 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 	wake();
 	outside_hull_.clear();
 	touch_memory_ = {};
+	one_ways_.clear();
 	const Rotation from = reference.rotation;
 	const Rotation to = pose.rotation;
 	const Rotation turn{ to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s };

@@ -74,6 +74,12 @@ public:
 	/// previous positions follow, so that nothing is drawn in between. Refuses non-finite poses.
 	Status teleport(const Pose &reference, const Pose &pose);
 
+	/// Surroundings with one of these tags (Surface::tag) do not exist for this body, from the next step on. 0 names
+	/// nothing and is left out. Such a body is stepped on its own. Wakes it. Default none: costs nothing. O(n log n).
+	void set_ignored_tags(std::span<const std::uint64_t> tags);
+	std::span<const std::uint64_t> ignored_tags() const { return ignored_tags_; } ///< ascending
+	bool ignores_tag(std::uint64_t tag) const;
+
 	/// The whole state as a value. O(points).
 	BodyState save_state() const;
 	/// Puts a state back, of this body or of one like it, and forgets what was. Bodies that had fallen asleep with this one
@@ -111,6 +117,9 @@ public:
 	void set_rotation_memory(Rotation rotation) { rotation_memory_ = rotation; }
 	TouchMemory &touch_memory() { return touch_memory_; }
 	std::vector<PairMemory> &pair_memories() { return pair_memories_; }
+	/// The one-way colliders by which it is held or through which it passes. Few at a time.
+	std::vector<OneWayMemory> &one_ways() { return one_ways_; }
+	std::span<const OneWayMemory> one_ways() const { return one_ways_; }
 	RestState &rest_state() { return rest_state_; }
 	/// Of a body that collides with itself and has pushed itself since: its hull as it last was moved out of the
 	/// surroundings. Empty when it is where it was moved to.
@@ -130,8 +139,10 @@ private:
 	Rotation rotation_memory_;
 	TouchMemory touch_memory_;
 	std::vector<PairMemory> pair_memories_;
+	std::vector<OneWayMemory> one_ways_;
 	RestState rest_state_;
 	std::vector<Vec2> outside_hull_;
+	std::vector<std::uint64_t> ignored_tags_;
 	std::shared_ptr<ChangeCounts> changes_;
 	bool active_ = true;
 };
