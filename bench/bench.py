@@ -14,6 +14,7 @@ from typing import Callable
 import machine
 import tables_b
 import tables_c
+import tables_engine
 import tables_peers
 import work_precision
 
@@ -30,7 +31,7 @@ class Bench:
     summarize: Callable  # {precision: result of the program} -> the section of the result file
     print_table: Callable  # the same section -> None
     timed: bool = False  # measures time: its programs run one after the other
-    program: str = "softbody_bench"  # with _PRECISION
+    program: str | None = "softbody_bench"  # with _PRECISION; None: scripts/bench.sh has measured already
 
 
 def per_precision(summarize):
@@ -57,12 +58,15 @@ BENCHES = {
     "peers": Bench(
         ("float",), tables_peers.summarize, tables_peers.print_table, timed=True, program="softbody_peers"
     ),
+    "engine": Bench(("release",), tables_engine.summarize, tables_engine.print_table, timed=True, program=None),
 }
 
 
 def measure(name, precision, quick):
     """Runs the program of that precision and returns what it wrote."""
     output = BUILD / f"{name}_{precision}.json"
+    if BENCHES[name].program is None:
+        return json.loads(output.read_text(encoding="utf-8"))
     output.unlink(missing_ok=True)
     command = [BUILD / f"{BENCHES[name].program}_{precision}", name, output] + (["--quick"] if quick else [])
     subprocess.run(command, check=True, stdout=sys.stderr)
@@ -103,7 +107,7 @@ def main():
     begin = time.monotonic()
     with ThreadPoolExecutor(max_workers=1 if bench.timed else len(bench.precisions)) as pool:
         measured = list(pool.map(lambda precision: measure(name, precision, quick), bench.precisions))
-    program = BUILD / f"{bench.program}_{bench.precisions[0]}"
+    program = BUILD / f"{bench.program or name}_{bench.precisions[0]}.program"
     section = machine.head(f"scripts/bench.sh {name}{' --quick' if quick else ''}", program)
     section.update(bench.summarize(dict(zip(bench.precisions, measured))))
     bench.print_table(section)

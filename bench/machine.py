@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 # What a result depends on. Other files may differ from the commit without making it another program.
-SOURCES = ("src/core", "bench/*.cpp", "bench/*.h", "bench/*.py", "tests/scenes", "SConstruct")
+SOURCES = ("src/core", "bench/*.cpp", "bench/*.h", "bench/*.py", "bench/engine", "src/godot", "tests/scenes", "SConstruct")
 
 
 def output_of(*command):

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Measures the core, prints a table and keeps the full result in bench/results; installs first what is missing for that.
+# Measures, prints a table and keeps the full result in bench/results; installs first what is missing for that.
 #
 # Usage: scripts/bench.sh NAME [--json] [--quick]
 #   work-precision  error against an independent reference, time and force evaluations of every integrator; their orders
@@ -13,6 +13,7 @@
 #   scaling         step time from 100 to 100,000 bodies, by phase, and what a second thread saves
 #   contact-accuracy friction, restitution and momentum against theory; penetration against time
 #   peers           a pile in other engines, Box2D and Chipmunk, against ours
+#   engine          nodes in an exported game: how many hold 60 ticks per second, and where their time goes
 #   --json   with the result as one JSON object in the last line
 #   --quick  fewer cases, within 40 s; its result goes to build/bench/quick_results and leaves the full one alone
 set -euo pipefail
@@ -20,7 +21,7 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/bench.sh"
 
-names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy peers)
+names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy peers engine)
 name=
 for argument in "$@"; do
 	case $argument in
@@ -38,12 +39,21 @@ fi
 
 need_packages scons g++ nlohmann-json3-dev
 need_bench_python
-target=bench
-if [[ $name == peers ]]; then
-	need_packages libbox2d-dev libchipmunk-dev
-	target=peers
+if [[ $name == engine ]]; then
+	. "$REPO_DIR/scripts/lib/godot.sh"
+	. "$REPO_DIR/scripts/lib/export.sh"
+	. "$REPO_DIR/scripts/lib/engine_bench.sh"
+	quick=no
+	[[ " $* " != *" --quick "* ]] || quick=yes
+	measure_engine "$quick"
+else
+	target=bench
+	if [[ $name == peers ]]; then
+		need_packages libbox2d-dev libchipmunk-dev
+		target=peers
+	fi
+	step "Building the benchmarks"
+	run_scons "$target" || problem "the core or its benchmarks do not compile"
+	step "Measuring $name"
 fi
-step "Building the benchmarks"
-run_scons "$target" || problem "the core or its benchmarks do not compile"
-step "Measuring $name"
 exec "$BENCH_PYTHON" "$REPO_DIR/bench/bench.py" "$@"

@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: MIT
 # Builds and runs all tests, and installs first what is missing for that; the last line is the result.
 #
-# Usage: scripts/test.sh [core|engine]
+# Usage: scripts/test.sh [core|engine|export]
 #   core    only the tests of the simulation core, which need neither Godot nor godot-cpp
 #   engine  only the tests inside of Godot
+#   export  only the test of the exported demo
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 . "$REPO_DIR/scripts/lib/godot.sh"
 . "$REPO_DIR/scripts/lib/build.sh"
+. "$REPO_DIR/scripts/lib/export.sh"
 
 TIME_LIMIT=600
 passed=0
@@ -66,6 +68,42 @@ test_engine() {
 	count_engine "$status" "$log"
 }
 
+# The demo as players get it: exported with the release template it does the same as in the editor, to the last digit.
+test_export() {
+	local options=(--headless --fixed-fps 60 --audio-driver Dummy) seconds=5 editor exported
+	build_extension target=template_debug || return 1
+	build_extension target=template_release || return 1
+	find_godot || return 1
+	import_project || return 1
+	step "Exporting the demo"
+	export_project "$PROJECT_DIR" soft_body_2d_demo || return 1
+	step "Testing the exported demo"
+	editor=$(summary_of "$LOG_DIR/demo_in_editor.log" limited 300 "${GODOT_COMMAND[@]}" --path "$PROJECT_DIR" "${options[@]}" \
+		-- --summary --quit-after-seconds=$seconds) || return 1
+	exported=$(summary_of "$LOG_DIR/demo_exported.log" exported_game soft_body_2d_demo 300 "${options[@]}" \
+		-- --summary --quit-after-seconds=$seconds) || return 1
+	echo "exported: $exported"
+	if [[ $editor == "$exported" ]]; then
+		count 0 1 0
+	else
+		echo "FAILED: in the editor: $editor"
+		count 0 0 1
+	fi
+}
+
+# summary_of LOG COMMAND…: what the demo sums up, without what a clock had a part in; fails if it reports an error.
+summary_of() {
+	local log=$1
+	shift
+	"$@" >"$log" 2>&1 || { tail -n 20 "$log" >&2; problem "the demo failed (all of its output: $log)"; return 1; }
+	if grep -E '^ *(USER )?(SCRIPT )?ERROR:' -A 2 "$log" >&2; then
+		problem "the demo reported the errors above (all of its output: $log)"
+		return 1
+	fi
+	sed -nE 's/^SUMMARY (\{.*\})[[:space:]]*$/\1/p' "$log" | sed -E 's/"mean_step_us":[0-9.]+,//' | grep . ||
+		problem "the demo printed no summary (all of its output: $log)"
+}
+
 # count_engine STATUS LOG: adds the result of one run in the engine.
 count_engine() {
 	local summary
@@ -77,8 +115,9 @@ count_engine() {
 case ${1:-all} in
 	core) parts=(core) ;;
 	engine) parts=(engine) ;;
-	all) parts=(core engine) ;;
-	*) problem "usage: scripts/test.sh [core|engine]" || exit 2 ;;
+	export) parts=(export) ;;
+	all) parts=(core engine export) ;;
+	*) problem "usage: scripts/test.sh [core|engine|export]" || exit 2 ;;
 esac
 for part in "${parts[@]}"; do
 	"test_$part" || failed=$((failed + 1))

@@ -8,6 +8,13 @@
 GODOT_ROOT=$CACHE_DIR/godot-root
 GODOT_LIBRARIES=$GODOT_ROOT/usr/lib/x86_64-linux-gnu
 GODOT_REMEDY="get it from https://godotengine.org/download and set GODOT=/path/to/it"
+# How programs built for our own engine's libraries are started: told where Mesa and fontconfig are, as that is not where
+# they were built to be, and by the loader of those libraries.
+GODOT_ENVIRONMENT=(env
+	LIBGL_DRIVERS_PATH="$GODOT_LIBRARIES/dri" GBM_BACKENDS_PATH="$GODOT_LIBRARIES/gbm"
+	__EGL_VENDOR_LIBRARY_DIRS="$GODOT_ROOT/usr/share/glvnd/egl_vendor.d" __GLX_VENDOR_LIBRARY_NAME=mesa
+	FONTCONFIG_FILE="$GODOT_ROOT/etc/fonts/fonts.conf")
+GODOT_LIBRARY_PATH=(--library-path "$GODOT_LIBRARIES:$GODOT_LIBRARIES/pulseaudio")
 GODOT_COMMAND=()
 
 # godot_version COMMAND…: the version that the engine reports, or nothing.
@@ -39,13 +46,9 @@ find_godot() {
 		fi
 	done
 	install_godot || return 1
-	# Its Mesa and its fontconfig are told where they are, as that is not where they were built to be. There is no driver
-	# for Vulkan among them.
-	accept_godot "$GODOT_ROOT/usr/bin/godot" env \
-		LIBGL_DRIVERS_PATH="$GODOT_LIBRARIES/dri" GBM_BACKENDS_PATH="$GODOT_LIBRARIES/gbm" \
-		__EGL_VENDOR_LIBRARY_DIRS="$GODOT_ROOT/usr/share/glvnd/egl_vendor.d" __GLX_VENDOR_LIBRARY_NAME=mesa \
-		FONTCONFIG_FILE="$GODOT_ROOT/etc/fonts/fonts.conf" \
-		"$GODOT_LIBRARIES/ld-linux-x86-64.so.2" --library-path "$GODOT_LIBRARIES:$GODOT_LIBRARIES/pulseaudio" \
+	# There is no driver for Vulkan among its libraries.
+	accept_godot "$GODOT_ROOT/usr/bin/godot" "${GODOT_ENVIRONMENT[@]}" \
+		"$GODOT_LIBRARIES/ld-linux-x86-64.so.2" "${GODOT_LIBRARY_PATH[@]}" \
 		"$GODOT_ROOT/usr/bin/godot" --rendering-driver opengl3 ||
 		problem "the Godot in $GODOT_ROOT does not run: delete that folder and try again"
 }
@@ -124,4 +127,23 @@ godot_windowed() {
 		limited "$limit" xvfb-run -a -s "-screen 0 1280x720x24" \
 			env LIBGL_ALWAYS_SOFTWARE=1 "${GODOT_COMMAND[@]}" --rendering-driver opengl3 --audio-driver Dummy "$@"
 	fi
+}
+
+# with_screen COMMAND…: runs a command or function with a screen; where there is none, with one that nobody sees.
+with_screen() {
+	local number status=0 server
+	if has_screen; then
+		"$@"
+		return
+	fi
+	need_window || return 1
+	coproc XVFB { exec Xvfb -displayfd 1 -screen 0 1280x720x24 2>"$LOG_DIR/xvfb.log"; }
+	server=$XVFB_PID
+	if ! read -r -t 20 number <&"${XVFB[0]}"; then
+		problem "Xvfb does not start (see $LOG_DIR/xvfb.log)"
+		return 1
+	fi
+	DISPLAY=:$number LIBGL_ALWAYS_SOFTWARE=1 "$@" || status=$?
+	kill "$server" && wait "$server" 2>/dev/null
+	return $status
 }

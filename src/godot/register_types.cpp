@@ -2,8 +2,9 @@
 // Registers the extension's classes and its singleton with Godot.
 #include "godot/register_types.h"
 
-#include "godot/soft_body_2d.h"
-#include "godot/soft_body_server_2d.h"
+#include "godot/nodes/soft_body_2d.h"
+#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/step_settings.h"
 
 #include <gdextension_interface.h>
 #include <godot_cpp/classes/engine.hpp>
@@ -19,6 +20,7 @@ void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	}
 	GDREGISTER_CLASS(SoftBodyServer2D);
 	GDREGISTER_CLASS(SoftBody2D);
+	softbody::register_step_settings();
 	server = memnew(SoftBodyServer2D);
 	Engine::get_singleton()->register_singleton("SoftBodyServer2D", server);
 }

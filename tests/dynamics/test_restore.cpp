@@ -36,8 +36,8 @@ WorldData pile_world(bool is_lively = true) {
 	for (int i = 0; i < 60; ++i) {
 		BodySettings settings;
 		settings.rolling_resistance = Real(0.05);
-		settings.shape_stiffness = i % 3 == 0 ? 400 : 0;
-		settings.shape_damping = i % 3 == 0 ? 4 : 0;
+		settings.shape_stiffness = !is_lively || i % 3 == 0 ? 400 : 0;
+		settings.shape_damping = !is_lively || i % 3 == 0 ? 4 : 0;
 		settings.restitution = is_lively && i % 10 == 9 ? Real(0.5) : Real(0);
 		settings.self_collision = is_lively && i % 20 == 7;
 		world.add_soft_body(SoftBodyData::create(i % 2 ? firm : soft, settings,
@@ -100,7 +100,7 @@ constexpr int ASLEEP = 590; // the lift sets off again at 620
 // Until all sleep.
 void settle(WorldData &world, Simulator &simulator) {
 	run(world, simulator, 0, 60);
-	for (int i = 0; i < 100 && run(world, simulator, 60, 60).asleep < 60; ++i) {
+	for (int i = 0; i < 40 && run(world, simulator, 60, 60).asleep < 60; ++i) {
 	}
 }
 

@@ -138,6 +138,18 @@ inline constexpr Real TOUCH_GAP = Real(0.02);
 /// several bodies rocks longer.
 inline constexpr int RIGID_CONTACT_PASSES = 4;
 
+/// How often the joints are gone through in each substep [1]. Fewer: several joints on one point or rigid body give way to
+/// one another.
+inline constexpr int JOINT_PASSES = 4;
+
+/// Share of the smaller body's radius by which a rigid joint that was made or torn open closes in a substep, beyond what has
+/// opened it within the substep [1]. Larger: bodies are snatched together. Smaller: slowly drawn.
+inline constexpr Real JOINT_GAP_CLOSING = Real(0.02);
+
+/// Share of its gap that a rigid joint closes in a step where only the rigid body can move [1]. Larger: it overshoots, as
+/// its engine moves the body once a step. Smaller: the gap closes slowly.
+inline constexpr Real JOINT_PULL = Real(0.2);
+
 /// Least mobility of a place on a hull edge, as a share of its lighter end's [1]. An end is moved by at
 /// most 1 / sqrt of this, 5 times, what the place must move.
 inline constexpr Real LEAST_EDGE_MOBILITY = Real(0.04);

@@ -37,10 +37,14 @@ bool is_there(const SoftBodyData *body) {
 	return body != nullptr && body->is_active();
 }
 
+bool lies_still(const SoftBodyData &body) {
+	return body.is_asleep() || body.is_frozen();
+}
+
 // Neither side was stepped, so that nothing could be found.
 bool is_resting(const WorldData &world, const Touch &touch) {
-	return world.find(touch.body)->is_asleep() &&
-			(touch.other.kind != OtherKind::SOFT_BODY || world.find(touch.other.body)->is_asleep());
+	return lies_still(*world.find(touch.body)) &&
+			(touch.other.kind != OtherKind::SOFT_BODY || lies_still(*world.find(touch.other.body)));
 }
 
 } // namespace

@@ -44,7 +44,7 @@ struct Bouncing {
 };
 
 Bouncing bouncing(SoftBodyData &body) {
-	return { body, measure_frame(body), body.has_pins() ? Real(0) : 1 / body.shape().total_mass() };
+	return { body, measure_frame(body), body.is_free() ? 1 / body.shape().total_mass() : Real(0) };
 }
 
 } // namespace

@@ -28,6 +28,13 @@ std::uint32_t row_of(const PairBodies &bodies, BodyId id) {
 	return found != bodies.places.end() && *found == place ? std::uint32_t(found - bodies.places.begin()) : NO_ROW;
 }
 
+// Of gravity, and of what the body has of its own.
+Real pull_on(const PairBodies &bodies, std::uint32_t row) {
+	const Real gravity = length(bodies.world.gravity());
+	const SoftBodyData &body = bodies.data(row);
+	return body.acceleration() == Vec2{} ? gravity : std::max(gravity, length(body.total_acceleration(bodies.world.gravity())));
+}
+
 } // namespace
 
 PairContacts::PairContacts() :
@@ -54,7 +61,8 @@ void PairContacts::forget_step() {
 	std::ranges::fill(contacts_, 0);
 }
 
-void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t version, const ParallelFor &parallel_for) {
+void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t version,
+		std::span<const BodyPair> separated, const ParallelFor &parallel_for) {
 	is_used_ = boxes_.size() > 1 && (layers_ & masks_) != 0;
 	if (!is_used_) {
 		return;
@@ -66,7 +74,7 @@ void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t v
 			boxes_[i].box = bodies.asleep[i] ? body.box : sweep_box(body.positions.first(body.before.size()), body.velocities, dt);
 		}
 	});
-	find_exceptions(bodies);
+	find_exceptions(bodies, separated);
 	broad_phase_.update(boxes_, version, parallel_for, exceptions_);
 	has_pair_.assign(boxes_.size(), 0);
 	for (const BodyPair pair : broad_phase_.pairs()) {
@@ -78,8 +86,8 @@ void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t v
 	impulses_.assign(broad_phase_.pairs().size(), 0);
 }
 
-void PairContacts::find_exceptions(const PairBodies &bodies) {
-	exceptions_.clear();
+void PairContacts::find_exceptions(const PairBodies &bodies, std::span<const BodyPair> separated) {
+	exceptions_.assign(separated.begin(), separated.end());
 	for (const auto &[a, b] : bodies.world.collision_exceptions()) {
 		const std::uint32_t row = row_of(bodies, a);
 		const std::uint32_t other = row_of(bodies, b);
@@ -125,7 +133,9 @@ void PairContacts::answer(const PairBodies &bodies, const ParallelFor &parallel_
 	if (!is_used_) {
 		return; // coupled by a rigid body alone
 	}
-	const Real bounce_threshold = RESTITUTION_SUBSTEPS * length(bodies.world.gravity()) * h_;
+	const auto bounce_threshold = [&](BodyPair pair) {
+		return RESTITUTION_SUBSTEPS * h_ * std::max(pull_on(bodies, pair.a), pull_on(bodies, pair.b));
+	};
 	for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
 		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(colour);
 		const bool may_share_bodies = colour + 1 == BroadPhase::COLOURS;
@@ -142,7 +152,7 @@ void PairContacts::answer(const PairBodies &bodies, const ParallelFor &parallel_
 					impulses_[k] += handling.last_impulse();
 					if (bounces_) {
 						give_back_pair_bounce(bodies.data(pair.a), bodies.data(pair.b), handling.last_push(), touches_[k],
-								bounce_threshold, h_);
+								bounce_threshold(pair), h_);
 					}
 				}
 			}

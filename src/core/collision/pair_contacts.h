@@ -41,8 +41,11 @@ public:
 	/// Forgets the pairs and counts of the last step.
 	void forget_step();
 	/// Finds the pairs of the coming step of `dt` [s]. `version` tells whether the rows still mean the same bodies.
-	/// O(bodies) expected.
-	void begin_step(const PairBodies &bodies, Real dt, std::uint64_t version, const ParallelFor &parallel_for);
+	/// `separated`, in order, are not to collide, nor are collision exceptions. O(bodies) expected.
+	void begin_step(const PairBodies &bodies, Real dt, std::uint64_t version, std::span<const BodyPair> separated,
+			const ParallelFor &parallel_for);
+	/// Whether any two bodies notice each other, or else nothing is looked for in this step.
+	bool is_used() const { return is_used_; }
 	/// Whether the body may touch another, of which one at least is awake.
 	bool has_pair(std::uint32_t row) const { return is_used_ && has_pair_[row] != 0; }
 
@@ -65,7 +68,7 @@ public:
 
 private:
 	void recall_touches(const PairBodies &bodies);
-	void find_exceptions(const PairBodies &bodies);
+	void find_exceptions(const PairBodies &bodies, std::span<const BodyPair> separated);
 
 	BroadPhase broad_phase_;
 	// One a task, so that no two threads share scratch memory.

@@ -42,10 +42,13 @@ void RigidContacts::begin_substep(Real h) {
 			pull = std::max(pull, length(rigid.acceleration));
 		}
 	}
-	bounce_threshold_ = RESTITUTION_SUBSTEPS * pull * h;
 	for (const NearBody &near : bodies_) {
+		if (near.body->acceleration() != Vec2{}) {
+			pull = std::max(pull, length(near.body->total_acceleration(world_->gravity())));
+		}
 		std::ranges::copy(near.body->hull(), before_.begin() + std::ptrdiff_t(near.first_before));
 	}
+	bounce_threshold_ = RESTITUTION_SUBSTEPS * pull * h;
 }
 
 void RigidContacts::find(const NearBody &near, Task &task) const {

@@ -93,7 +93,7 @@ std::size_t SelfCollision::handle(SoftBodyData &body, std::span<const Vec2> befo
 				if (is_left_alone) {
 					return;
 				}
-				spin = body.has_pins() ? 0 : angular_momentum(body, to_, origin_);
+				spin = !body.is_free() ? 0 : angular_momentum(body, to_, origin_);
 			}
 			++contacts;
 			answer(body, point, edge, *contact, h);

@@ -3,7 +3,9 @@
 #include "core/dynamics/body_stepper.h"
 
 #include "core/base/constants.h"
+#include "core/dynamics/rigid_damping.h"
 #include "core/model/body_frame.h"
+#include "core/model/rigid_motion.h"
 
 #include <algorithm>
 #include <array>
@@ -50,6 +52,20 @@ bool is_together(const SoftBodyData &body) {
 	return is_sound<Real>(body.positions(), body.velocities(), CREDIBLE_REACH * body.shape().radius());
 }
 
+// Where the centre of a body at rest has to be for its pins, on average, to be where they are: torn off from them, it would
+// be torn again in every step. Without pins that can be believed, `otherwise`.
+Vec2 centre_by_pins(const SoftBodyData &data, Rotation rotation, Vec2 otherwise) {
+	Vec2 sum;
+	std::size_t count = 0;
+	for (std::uint32_t i = 0; i < data.point_count(); ++i) {
+		if (data.is_pinned(i) && is_finite(data.positions()[i])) {
+			sum += data.positions()[i] - rotation.apply(data.shape().rest_positions()[i]);
+			++count;
+		}
+	}
+	return count > 0 ? sum * (1 / Real(count)) : otherwise;
+}
+
 } // namespace
 
 void BodyStepper::begin_step(WorldData &world, const SurroundingsIndex &surroundings, bool has_forces) {
@@ -92,13 +108,13 @@ void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &pl
 
 void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
 	const std::span<const Real> masses = crew.shape->masses();
-	const bool is_weightless = world_->gravity() * crew.settings->gravity_scale == Vec2{};
-	const Real slow = (is_weightless ? SLEEP_SPEED_WEIGHTLESS : SLEEP_SPEED) * world_->length_unit();
-	const Real wobble = is_weightless ? Real(1) : SLEEP_WOBBLE;
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		if (!(lanes >> lane & 1)) {
 			continue;
 		}
+		const bool is_weightless = body(crew.bodies[lane]).total_acceleration(world_->gravity()) == Vec2{};
+		const Real slow = (is_weightless ? SLEEP_SPEED_WEIGHTLESS : SLEEP_SPEED) * world_->length_unit();
+		const Real wobble = is_weightless ? Real(1) : SLEEP_WOBBLE;
 		Real twice_energy = 0;
 		Vec2 momentum;
 		for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -128,7 +144,7 @@ bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, con
 	if (has_forces_ || surroundings_->has_colliders()) {
 		for (const std::uint32_t place : crew.bodies) {
 			const SoftBodyData &data = body(place);
-			if (!data.external_forces().empty() || surroundings_->has_collider_in(sweep_box(data.hull(), data.velocities(), duration))) {
+			if (data.is_pushed() || surroundings_->has_collider_in(sweep_box(data.hull(), data.velocities(), duration))) {
 				return false;
 			}
 		}
@@ -166,6 +182,9 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 	const Real h = duration / Real(substeps);
 	for (int i = 0; i < substeps; ++i) {
 		step(lanes, { world_->gravity(), {}, h }, pack_workspace_);
+		if (crew.settings->has_damp()) {
+			damp_rigid_motion<RealPack>(lanes, h);
+		}
 		if (!world_->borders().empty()) {
 			const RealPack contacts = collision_.handle_borders_side_by_side(lanes, world_->borders(), h,
 					crew.bodies, crew.monitored);
@@ -205,13 +224,19 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 	for (const ExternalForce &external : data.external_forces()) {
 		external_[external.point] += external.force;
 	}
+	// Like forces on the points: XPBD keeps its books by the world's gravity.
+	const Vec2 gravity = data.total_acceleration(world_->gravity());
+	const Vec2 extra = gravity - world_->gravity() * data.settings().gravity_scale;
+	for (std::size_t i = 0; extra != Vec2{} && i < count; ++i) {
+		external_[i] += extra * data.shape().masses()[i];
+	}
 	start_.assign(data.positions().begin(), data.positions().end());
 	start_.insert(start_.end(), data.velocities().begin(), data.velocities().end());
 	const IntegratorStep step = integrator_traits(plan.integrator).step;
 	const Real h = duration / Real(substeps);
-	const SubstepInput input{ world_->gravity(), external_, h };
+	const bool has_load = data.queued_load() != RigidLoad{};
+	SubstepInput input{ world_->gravity(), external_, h };
 	const std::span<Vec2> before(before_.data(), count);
-	const Vec2 gravity = world_->gravity() * data.settings().gravity_scale;
 	collision_.begin_body(*surroundings_, data, elapsed, duration);
 	const bool meets_itself = data.settings().self_collision && !is_coupled;
 	// Nor may what a body pushes itself by carry it through a thin wall, not even between two steps.
@@ -228,7 +253,17 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 			std::copy_n(swept_from, data.shape().hull_count(), before.begin());
 			swept_from = nullptr;
 		}
+		if (has_load) {
+			load_.assign(external_.begin(), external_.end());
+			add_rigid_load(data, load_);
+			input.external = load_;
+			workspace_.forces_are_current = false; // as the load turns with the body
+		}
 		step(data, input, workspace_);
+		if (data.settings().has_damp()) {
+			damp_rigid_motion(lanes_of(data), h);
+			workspace_.forces_are_current &= !data.has_pins(); // or else no spring feels it
+		}
 		std::size_t contacts = collision_.handle(data, before, gravity, h);
 		counts_.contacts += contacts;
 		if (meets_itself) {
@@ -303,13 +338,17 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 	Vec2 centre = frame.centre;
 	Rotation rotation = data.rotation_memory();
 	Vec2 velocity;
+	const bool is_whole = is_finite(centre) && is_together(data);
 	if (!is_finite(centre)) {
 		centre = is_finite(data.positions()[0]) ? data.positions()[0] : Vec2{};
-	} else if (is_together(data)) {
+	} else if (is_whole) {
 		rotation = frame.rotation;
 		if (!data.has_pins() && length(frame.velocity) * dt <= CREDIBLE_REACH * data.shape().radius()) {
 			velocity = frame.velocity;
 		}
+	}
+	if (!is_whole) {
+		centre = centre_by_pins(data, rotation, centre);
 	}
 	for (std::size_t i = 0; i < data.point_count(); ++i) {
 		const bool is_pinned = data.inverse_masses()[i] == 0;

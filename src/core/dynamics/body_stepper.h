@@ -83,6 +83,7 @@ private:
 	StepCounts counts_;
 	IntegratorWorkspace workspace_;
 	std::vector<Vec2> external_;
+	std::vector<Vec2> load_; ///< with what acts on the body as a whole, in a substep
 	std::vector<Vec2> start_; ///< positions, then velocities, at the start of `advance`
 	std::vector<Vec2> before_; ///< positions at the start of the substep
 	std::vector<Vec2> hull_before_; ///< likewise, of the hull of a body that meets itself

@@ -13,7 +13,7 @@ namespace {
 // each body for itself, like contacts with itself. Nothing here may depend on how bodies move: whole crews are coupled,
 // so that who shares one shows in the result.
 bool can_share_a_crew(const SoftBodyData &body) {
-	return !body.has_pins() && body.ignored_tags().empty() && body.settings().integrator != Integrator::XPBD &&
+	return body.is_free() && body.ignored_tags().empty() && body.settings().integrator != Integrator::XPBD &&
 			body.settings().restitution == 0 && !body.settings().self_collision;
 }
 

@@ -57,6 +57,7 @@ bool Simulator::arrange(Real dt) {
 	touching_.clear();
 	places_.clear();
 	pair_contacts_.begin_arranging();
+	frozen_count_ = 0;
 	std::size_t hull_points = 0;
 	first_hull_point_.clear();
 	// Rows in the order of the world, whatever the crews: pairs go by it.
@@ -67,13 +68,14 @@ bool Simulator::arrange(Real dt) {
 			continue;
 		}
 		const BodySettings &settings = body.settings();
+		frozen_count_ += body.is_frozen();
 		row_of_[place] = std::uint32_t(touching_.size());
 		places_.push_back(place);
 		TouchingBody &touching = touching_.emplace_back();
 		touching.positions = body.mutable_positions();
 		touching.velocities = body.mutable_velocities();
 		touching.inverse_masses = body.inverse_masses();
-		touching.inverse_mass = body.has_pins() ? Real(0) : 1 / body.shape().total_mass();
+		touching.inverse_mass = body.is_free() ? 1 / body.shape().total_mass() : Real(0);
 		touching.width = body.shape().width();
 		touching.friction = settings.friction;
 		touching.rolling_resistance = settings.rolling_resistance;
@@ -167,7 +169,7 @@ void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, 
 
 // Which crews take the common contact substeps: those with a body that may touch another or a dynamic rigid body.
 void Simulator::divide_crews(Real dt) {
-	pair_contacts_.begin_step(pair_bodies(), dt, roster_.version(), parallel_for_);
+	pair_contacts_.begin_step(pair_bodies(), dt, roster_.version(), joint_solver_.separated(), parallel_for_);
 	for (std::uint32_t i = 0; i < crews_.size(); ++i) {
 		const CrewState &state = crews_[i];
 		if (state.awake == 0) {
@@ -180,6 +182,9 @@ void Simulator::divide_crews(Real dt) {
 				is_coupled = true;
 			}
 			is_coupled |= pair_contacts_.has_pair(state.rows[lane]);
+		}
+		for (std::uint32_t lane = 0; joint_solver_.has_joints() && lane < roster_.crews()[i].count; ++lane) {
+			is_coupled |= joint_solver_.holds(state.rows[lane]);
 		}
 		(is_coupled ? coupled_crews_ : free_crews_).push_back(i);
 	}
@@ -215,6 +220,31 @@ Aabb Simulator::rest_box(std::uint32_t row) const {
 	return (sleepers_[row] ? body.box : bounding_box(body.positions.first(body.before.size()))).grown(body.rolling_radius / 8);
 }
 
+// Where one was, is now, or both.
+void Simulator::wake_by_frozen_bodies() {
+	const std::vector<Aabb> boxes = world_.take_disturbed_boxes();
+	if (boxes.empty()) {
+		return;
+	}
+	wake_in(boxes);
+	for (std::uint32_t row = 0; row < places_.size(); ++row) {
+		SoftBodyData &body = world_.soft_bodies()[places_[row]];
+		if (body.is_frozen()) {
+			note_awake(row, false); // it may lie elsewhere now
+		}
+	}
+}
+
+void Simulator::wake_in(std::span<const Aabb> boxes) {
+	for (std::uint32_t row = 0; row < places_.size(); ++row) {
+		const Aabb box = rest_box(row); // who is awake does not rest either while that changes
+		if (std::ranges::any_of(boxes, [&](const Aabb &b) { return b.overlaps(box); })) {
+			world_.soft_bodies()[places_[row]].wake();
+		}
+	}
+	take_over_sleepers(false);
+}
+
 // Which bodies may meet a rigid body that they push back. None of them sleeps: what rests on it would sink in.
 void Simulator::find_rigid_contacts(Real dt) {
 	rigid_contacts_.begin_step(world_, surroundings_);
@@ -233,7 +263,11 @@ void Simulator::find_rigid_contacts(Real dt) {
 	});
 	for (std::size_t i = 0; sleepers_.count() > 0 && i < count; ++i) {
 		if (has_rigid_body_[i] && sleepers_[i]) {
-			world_.soft_bodies()[places_[i]].wake();
+			SoftBodyData &body = world_.soft_bodies()[places_[i]];
+			body.wake();
+			if (body.is_frozen()) {
+				rigid_contacts_.add_body(body); // it is in no crew that is stepped
+			}
 		}
 	}
 	take_over_sleepers(false);
@@ -249,12 +283,19 @@ StepReport Simulator::simulate(Real dt) {
 	const std::uint64_t old_roster = roster_.version();
 	roster_.update(world_);
 	surroundings_.update(world_, dt);
-	take_over_sleepers(arrange(dt));
+	const bool is_arranged = arrange(dt);
+	take_over_sleepers(is_arranged);
 	// Bodies that came or were activated may have brought forces along.
-	const bool has_forces = seen_forces_ != world_.change_counts().forces || roster_.version() != old_roster;
+	const bool is_rearranged = roster_.version() != old_roster;
+	const bool has_forces = seen_forces_ != world_.change_counts().forces || is_rearranged;
 	seen_forces_ = world_.change_counts().forces;
+	if (has_forces) {
+		has_accelerated_bodies_ = std::ranges::any_of(world_.soft_bodies(),
+				[](const SoftBodyData &body) { return body.acceleration() != Vec2{}; });
+	}
+	pin_motion_.begin_step(world_, dt, is_rearranged);
 	for (BodyStepper &stepper : steppers_) {
-		stepper.begin_step(world_, surroundings_, has_forces);
+		stepper.begin_step(world_, surroundings_, has_forces || has_accelerated_bodies_);
 	}
 	pair_contacts_.forget_step();
 	free_crews_.clear();
@@ -262,8 +303,13 @@ StepReport Simulator::simulate(Real dt) {
 	if (world_.has_sleeping()) {
 		wake_by_surroundings();
 	}
+	wake_by_frozen_bodies();
+	joint_solver_.begin_step(world_, places_, is_arranged, dt);
+	while (joint_solver_.wake_joined()) {
+		take_over_sleepers(false);
+	}
 	find_rigid_contacts(dt);
-	if (!sleepers_.is_everybody()) {
+	if (!sleepers_.is_everybody() || rigid_contacts_.has_bodies()) {
 		plan_pressure(dt);
 		divide_crews(dt);
 	}
@@ -279,19 +325,21 @@ StepReport Simulator::simulate(Real dt) {
 			stepper.time_rest(crew, crews_[i].awake, dt);
 		}
 	});
-	if (!coupled_crews_.empty()) {
+	if (!coupled_crews_.empty() || rigid_contacts_.has_bodies()) {
 		step_coupled(dt);
 	} else {
 		move_rigid_bodies_alone(dt);
 	}
 	rigid_contacts_.end_step(dt);
+	pin_motion_.end_step(world_);
+	joint_solver_.end_step(report.broken_joints);
 	if (has_monitored_bodies_ || contact_monitor_.has_touches()) {
 		report_contacts(dt);
 	}
 	if (world_.has_sleeping()) {
 		let_sleep();
 	}
-	report.sleeping_bodies = sleepers_.count();
+	report.sleeping_bodies = sleepers_.count() - frozen_count_;
 	for (const std::uint32_t place : roster_.inactive_bodies()) {
 		SoftBodyData &body = world_.soft_bodies()[place];
 		std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
@@ -314,6 +362,7 @@ void Simulator::step_coupled(Real dt) {
 	pair_contacts_.begin_substeps(pair_bodies(), duration);
 	for (int substep = 0; substep < contact_substeps; ++substep) {
 		rigid_contacts_.begin_substep(duration);
+		joint_solver_.begin_substep();
 		for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 			const Crew &crew = roster_.crews()[i];
 			const CrewState &state = crews_[i];
@@ -337,6 +386,7 @@ void Simulator::step_coupled(Real dt) {
 			}
 		});
 		pair_contacts_.answer(pair_bodies(), parallel_for_);
+		joint_solver_.solve(Real(substep + 1) * duration, duration);
 		if (rigid_contacts_.has_bodies()) {
 			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
 		}
@@ -357,6 +407,21 @@ void Simulator::step_coupled(Real dt) {
 			stepper.time_rest(crew, crews_[i].awake, dt);
 		}
 	});
+	check_touched_sleepers(dt);
+}
+
+// Who sleeps is in no crew that is stepped, but what has blown up may have touched it.
+void Simulator::check_touched_sleepers(Real dt) {
+	for (std::uint32_t i = 0; sleepers_.count() > 0 && i < crews_.size(); ++i) {
+		const Crew &crew = roster_.crews()[i];
+		bool has_pair = false;
+		for (std::uint32_t lane = 0; crews_[i].awake == 0 && lane < crew.count; ++lane) {
+			has_pair |= pair_contacts_.has_pair(crews_[i].rows[lane]);
+		}
+		if (has_pair) {
+			steppers_[0].check(crew, dt);
+		}
+	}
 }
 
 // As they would among soft bodies, so that their fall does not depend on whether one is near.
@@ -397,7 +462,7 @@ void Simulator::answer_self_contacts(Real h) {
 
 // Once a step, with the impulses of all its substeps: spins change little within one.
 void Simulator::resist_rolling_between_bodies() {
-	if (!pair_contacts_.resists_rolling()) {
+	if (!pair_contacts_.resists_rolling() || !pair_contacts_.is_used()) {
 		return;
 	}
 	pair_contacts_.resist_rolling(pair_bodies());
@@ -433,8 +498,8 @@ void Simulator::take_over_sleepers(bool is_rearranged) {
 }
 
 void Simulator::let_sleep() {
-	sleepers_.let_sleep(world_, places_, pair_contacts_.pairs(), pair_contacts_.touched(), has_rigid_body_,
-			[this](std::uint32_t row, bool awake) {
+	sleepers_.let_sleep(world_, places_, pair_contacts_.pairs(), pair_contacts_.touched(), joint_solver_.joined(),
+			has_rigid_body_, [this](std::uint32_t row, bool awake) {
 				note_awake(row, awake);
 				world_.soft_bodies()[places_[row]].rest_state().surroundings = watch_.describe(surroundings_, rest_box(row));
 			});

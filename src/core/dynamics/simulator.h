@@ -10,6 +10,8 @@
 #include "core/collision/rigid_contacts.h"
 #include "core/collision/surroundings_watch.h"
 #include "core/dynamics/body_stepper.h"
+#include "core/dynamics/joint_solver.h"
+#include "core/dynamics/pin_motion.h"
 #include "core/dynamics/roster.h"
 #include "core/dynamics/sleepers.h"
 #include "core/dynamics/substep_plan.h"
@@ -35,12 +37,14 @@ struct StepReport {
 	/// untouched.
 	std::vector<BodyId> reset_bodies;
 	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves answered, summed over substeps
+	/// Joints that bore more than they can (Joint::break_force) and are gone. Each is told once.
+	std::vector<JointId> broken_joints;
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
-/// other. Bodies that may touch one another or a dynamic rigid body take the world's contact substeps together: in each
+/// other. Bodies that may touch one another or a dynamic rigid body, or are joined to something, take the world's contact substeps together: in each
 /// of them every body advances, in as many force substeps as it needs, and then contacts between bodies are answered,
-/// and with dynamic rigid bodies. Owns nothing but scratch memory, which grows with the world.
+/// with dynamic rigid bodies, and joints. Owns nothing but scratch memory, which grows with the world.
 /// Islands of bodies at rest fall asleep (`Sleepers`).
 class Simulator {
 public:
@@ -90,11 +94,14 @@ private:
 	void measure_frames();
 	void answer_self_contacts(Real h);
 	void resist_rolling_between_bodies();
+	void check_touched_sleepers(Real dt);
 	void take_over_sleepers(bool is_rearranged);
 	/// Called when a body falls asleep or wakes.
 	void note_awake(std::uint32_t row, bool awake);
 	void wake_by_surroundings();
 	Aabb rest_box(std::uint32_t row) const;
+	void wake_by_frozen_bodies();
+	void wake_in(std::span<const Aabb> boxes);
 	void let_sleep();
 	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
@@ -128,12 +135,16 @@ private:
 	std::vector<std::uint32_t> row_of_; ///< the other way round
 	std::vector<std::uint32_t> crew_of_;
 	Sleepers sleepers_;
+	std::size_t frozen_count_ = 0;
+	PinMotion pin_motion_;
+	JointSolver joint_solver_;
 
 	std::uint64_t seen_forces_ = 0;
 	std::uint64_t seen_restores_ = 0;
 	std::uint64_t arranged_roster_ = 0;
 	Real arranged_dt_ = 0;
 	bool arranged_with_contacts_ = false;
+	bool has_accelerated_bodies_ = false;
 	bool has_monitored_bodies_ = false;
 	bool bodies_meet_themselves_ = false;
 };

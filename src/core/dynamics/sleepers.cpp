@@ -20,6 +20,10 @@ void Sleepers::set_asleep(std::uint32_t row, bool asleep, const OnChange &on_cha
 	on_change(row, !asleep);
 }
 
+bool Sleepers::is_frozen(const WorldData &world, std::span<const std::uint32_t> places, std::uint32_t row) const {
+	return asleep_[row] && world.soft_bodies()[places[row]].is_frozen();
+}
+
 void Sleepers::take_over(WorldData &world, std::span<const std::uint32_t> places, bool is_new, const OnChange &on_change) {
 	std::vector<WokenIsland> woken = world.take_woken_islands();
 	if (!is_new && woken.empty()) {
@@ -33,26 +37,34 @@ void Sleepers::take_over(WorldData &world, std::span<const std::uint32_t> places
 			body.wake();
 		}
 		rest.restored = 0;
-		if (body.is_asleep() != (asleep_[row] != 0)) {
-			set_asleep(row, body.is_asleep(), on_change);
+		const bool is_still = body.is_asleep() || body.is_frozen();
+		if (is_still != (asleep_[row] != 0)) {
+			set_asleep(row, is_still, on_change);
 		}
 	}
 	world.take_woken_islands(); // what this has added
 }
 
 void Sleepers::let_sleep(WorldData &world, std::span<const std::uint32_t> places, std::span<const BodyPair> pairs,
-		std::span<const char> touched, std::span<const char> restless, const OnChange &on_change) {
+		std::span<const char> touched, std::span<const BodyPair> joined, std::span<const char> restless,
+		const OnChange &on_change) {
 	islands_.reset(std::uint32_t(places.size()));
-	for (std::size_t i = 0; i < pairs.size(); ++i) {
-		if (!touched[i]) {
-			continue;
+	const auto join = [&](BodyPair pair) {
+		const auto [a, b] = pair;
+		if (is_frozen(world, places, a) || is_frozen(world, places, b)) {
+			return; // what rests on one frozen body is no island
 		}
-		const auto [a, b] = pairs[i];
 		if (asleep_[a] != asleep_[b]) {
 			world.soft_bodies()[places[asleep_[a] ? a : b]].wake();
 		}
 		islands_.join(a, b);
+	};
+	for (std::size_t i = 0; i < pairs.size(); ++i) {
+		if (touched[i]) {
+			join(pairs[i]);
+		}
 	}
+	std::ranges::for_each(joined, join);
 	least_rest_.assign(places.size(), std::numeric_limits<Real>::max());
 	for (std::uint32_t row = 0; row < places.size(); ++row) {
 		const SoftBodyData &body = world.soft_bodies()[places[row]];

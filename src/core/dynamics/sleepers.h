@@ -15,7 +15,7 @@ namespace softbody {
 
 /// Bodies that touch form an island. When all its bodies have hardly moved (SLEEP_SPEED, SLEEP_SPEED_WEIGHTLESS) for
 /// SLEEP_TIME, they fall asleep together, and wake together. Bodies go by their row in a list of active bodies, of which
-/// `places` tells where each stands in the world.
+/// `places` tells where each stands in the world. A frozen body counts as one that sleeps and never wakes; it joins nobody.
 class Sleepers {
 public:
 	/// Told of each body that falls asleep or wakes, once.
@@ -34,12 +34,14 @@ public:
 	void take_over(WorldData &world, std::span<const std::uint32_t> places, bool is_new, const OnChange &on_change);
 
 	/// After a step: whom somebody awake has touched is woken for the next one, and islands at rest fall asleep. `pairs`
-	/// with `touched` are the contacts of the step. Bodies whose `restless` is set (or nobody, if it is empty) stay awake.
+	/// with `touched` are the contacts of the step, `joined` those that joints hold together. Bodies whose `restless` is set (or nobody, if it is empty) stay awake.
 	/// O(bodies + pairs).
 	void let_sleep(WorldData &world, std::span<const std::uint32_t> places, std::span<const BodyPair> pairs,
-			std::span<const char> touched, std::span<const char> restless, const OnChange &on_change);
+			std::span<const char> touched, std::span<const BodyPair> joined, std::span<const char> restless,
+			const OnChange &on_change);
 
 private:
+	bool is_frozen(const WorldData &world, std::span<const std::uint32_t> places, std::uint32_t row) const;
 	void set_asleep(std::uint32_t row, bool asleep, const OnChange &on_change);
 
 	std::vector<char> asleep_;

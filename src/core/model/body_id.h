@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The name of a body in a world.
+// The name of a body.
 #pragma once
 
 #include <compare>

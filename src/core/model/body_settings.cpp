@@ -31,6 +31,12 @@ Status check_settings(const BodySettings &settings) {
 	if (Status status = check_finite("gravity_scale", settings.gravity_scale, "")) {
 		return status;
 	}
+	if (Status status = check_at_least("linear_damp", settings.linear_damp, 0, "1/s")) {
+		return status;
+	}
+	if (Status status = check_at_least("angular_damp", settings.angular_damp, 0, "1/s")) {
+		return status;
+	}
 	if (Status status = check_between("integrator", int(settings.integrator), 0, INTEGRATOR_COUNT - 1, "")) {
 		return status;
 	}

@@ -36,6 +36,11 @@ struct BodySettings {
 	Real restitution = 0;
 	/// Factor on the world's gravity [1], any finite value.
 	Real gravity_scale = 1;
+	/// With which the velocity of the body as a whole dies away [1/s], >= 0: by exp(-damp t), in any substeps. Springs and
+	/// wobble feel nothing of it. Surroundings that damp (an area, water) are added to it by the caller. Default 0: none.
+	Real linear_damp = 0;
+	/// The same for the spin of the body as a whole [1/s], >= 0. Default 0.
+	Real angular_damp = 0;
 	/// How the points advance; see `plan_substeps` for what AUTOMATIC chooses.
 	Integrator integrator = Integrator::AUTOMATIC;
 	/// Substeps a step, 1..MAX_SUBSTEPS, or 0 for the automatic rule (see `plan_substeps`).
@@ -56,6 +61,8 @@ struct BodySettings {
 
 	/// Whether shape matching takes part at all.
 	bool matches_shape() const { return shape_stiffness > 0 || shape_damping > 0; }
+	/// Whether its motion as a whole is damped.
+	bool has_damp() const { return linear_damp > 0 || angular_damp > 0; }
 
 	friend bool operator==(const BodySettings &, const BodySettings &) = default;
 };

@@ -61,6 +61,8 @@ Status check_values(const BodyState &state) {
 	bool are_finite = std::isfinite(state.rotation_memory.c) && std::isfinite(state.rotation_memory.s);
 	are_finite &= std::isfinite(touch.approach) && std::isfinite(touch.restitution);
 	are_finite &= is_finite(touch.normal) && is_finite(touch.surface_velocity);
+	are_finite &= is_finite(state.load.force) && std::isfinite(state.load.torque) && is_finite(state.acceleration);
+	are_finite &= std::ranges::all_of(state.pin_targets, [](const PinTarget &each) { return is_finite(each.position); });
 	are_finite &= std::ranges::all_of(state.external_forces, [](const ExternalForce &each) { return is_finite(each.force); });
 	are_finite &= std::ranges::all_of(state.pair_touches, [](const PairMemory &each) {
 		return std::isfinite(each.touch.approach) && std::isfinite(each.touch.energy);
@@ -179,6 +181,10 @@ void visit_values(State &state, const auto &each) {
 	each(state.rest.island);
 	each(state.rest.surroundings);
 	each(state.active);
+	each(state.frozen);
+	each(state.load.force);
+	each(state.load.torque);
+	each(state.acceleration);
 }
 
 template <class Memory>
@@ -215,6 +221,11 @@ Status check_body_state(const BodyState &state, std::size_t point_count, std::si
 			return refused("pinned_points", "out of order", "must ascend", "sort them, each once");
 		}
 	}
+	for (const PinTarget &target : state.pin_targets) {
+		if (!std::ranges::binary_search(state.pinned_points, target.point)) {
+			return refused("pin_targets", std::to_string(target.point), "must be pinned points", "pin the point as well");
+		}
+	}
 	for (const ExternalForce &external : state.external_forces) {
 		if (Status status = check_index("external_forces", external.point, point_count)) {
 			return status;
@@ -233,6 +244,10 @@ std::vector<std::uint8_t> to_bytes(const BodyState &state) {
 	body.add_list(state.external_forces, [&](const ExternalForce &external) {
 		body.add(external.point);
 		body.add(external.force);
+	});
+	body.add_list(state.pin_targets, [&](const PinTarget &target) {
+		body.add(target.point);
+		body.add(target.position);
 	});
 	body.add_list(state.pair_touches, [&](const PairMemory &memory) { visit_pair(memory, add); });
 	body.add_list(state.one_ways, [&](const OneWayMemory &memory) {
@@ -276,6 +291,10 @@ Result<BodyState> body_state_from_bytes(std::span<const std::uint8_t> bytes) {
 		reader.read(external.point);
 		reader.read(external.force);
 	});
+	reader.read_list(state.pin_targets, sizeof(std::uint32_t) + 2 * sizeof(Real), [&](PinTarget &target) {
+		reader.read(target.point);
+		reader.read(target.position);
+	});
 	reader.read_list(state.pair_touches, 2 * sizeof(std::uint32_t) + 1 + sizeof(Real) + sizeof(double),
 			[&](PairMemory &memory) { visit_pair(memory, read); });
 	reader.read_list(state.one_ways, sizeof(std::uint64_t) + 1, [&](OneWayMemory &memory) {
@@ -302,7 +321,10 @@ BodyState SoftBodyData::save_state() const {
 			state.pinned_points.push_back(i);
 		}
 	}
+	state.pin_targets = pin_targets_;
 	state.external_forces = external_forces_;
+	state.load = load_;
+	state.acceleration = acceleration_;
 	state.rotation_memory = rotation_memory_;
 	state.touch = touch_memory_;
 	state.pair_touches = pair_memories_;
@@ -311,6 +333,7 @@ BodyState SoftBodyData::save_state() const {
 	state.rest.restored = 0;
 	state.outside_hull = outside_hull_;
 	state.active = active_;
+	state.frozen = frozen_;
 	return state;
 }
 
@@ -320,6 +343,11 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 	}
 	const std::uint32_t restored = rest_state_.restored + 1;
 	wake(); // for those who fell asleep with it
+	// What rests on a frozen body wakes where that changes.
+	const bool is_other = frozen_ != state.frozen || !std::ranges::equal(state.positions, positions());
+	if (is_other) {
+		disturb();
+	}
 	std::ranges::copy(state.positions, mutable_positions().begin());
 	std::ranges::copy(state.velocities, mutable_velocities().begin());
 	previous_positions_ = state.previous_positions;
@@ -339,9 +367,18 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 	rest_state_.restored = restored;
 	outside_hull_ = state.outside_hull;
 	active_ = state.active;
+	frozen_ = state.frozen;
+	frozen_inverse_masses_.assign(frozen_ ? point_count() : 0, Real(0));
+	if (is_other && frozen_) {
+		disturb();
+	}
+	pin_targets_ = state.pin_targets;
+	load_ = state.load;
+	acceleration_ = state.acceleration;
 	if (changes_) {
 		++changes_->arrangement;
 		++changes_->forces;
+		++changes_->pin_targets;
 		++changes_->restores;
 	}
 	return {};

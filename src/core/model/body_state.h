@@ -20,6 +20,20 @@ struct ExternalForce {
 	friend bool operator==(const ExternalForce &, const ExternalForce &) = default;
 };
 
+/// Where a pinned point is to be at the end of the next step.
+struct PinTarget {
+	std::uint32_t point = 0; ///< point index
+	Vec2 position; ///< [length]
+	friend bool operator==(const PinTarget &, const PinTarget &) = default;
+};
+
+/// What pushes and turns a body as a whole during the next step (see `add_rigid_force`).
+struct RigidLoad {
+	Vec2 force; ///< [mass·length/s²]
+	Real torque = 0; ///< about the centre of mass [mass·length²/s²]
+	friend bool operator==(const RigidLoad &, const RigidLoad &) = default;
+};
+
 /// What a body remembers of the touch it is in, so that it can be given its bounce when it leaves.
 struct TouchMemory {
 	bool touching = false;
@@ -66,14 +80,17 @@ struct RestState {
 /// settings, world and surroundings, it goes on in the same bits, on any number of threads. What pairs remember goes by
 /// `BodyId`: it means something in the same world, or in one that was built alike.
 ///
-/// Not part of it: shape and settings; gravity and surroundings with their rigid bodies, which belong to the world; and
-/// what has been told of contacts, so that after putting a state back, touches may be told to begin or end anew.
+/// Not part of it: shape, settings, ignored tags and collision exceptions; gravity and surroundings with their rigid bodies, which belong to the world; and
+/// joints; what has been told of contacts, so that after putting a state back, touches may be told to begin or end anew.
 struct BodyState {
 	std::vector<Vec2> positions; ///< of all points [length]
 	std::vector<Vec2> velocities; ///< likewise [length/s]
 	std::vector<Vec2> previous_positions; ///< likewise, for drawing [length]
 	std::vector<std::uint32_t> pinned_points; ///< ascending
+	std::vector<PinTarget> pin_targets; ///< of the next step
 	std::vector<ExternalForce> external_forces; ///< queued for the next step
+	RigidLoad load; ///< likewise
+	Vec2 acceleration; ///< SoftBodyData::acceleration [length/s²]
 	Rotation rotation_memory;
 	TouchMemory touch;
 	std::vector<PairMemory> pair_touches;
@@ -81,6 +98,7 @@ struct BodyState {
 	RestState rest;
 	std::vector<Vec2> outside_hull; ///< see SoftBodyData::outside_hull; empty, or one a hull point
 	bool active = true;
+	bool frozen = false;
 
 	friend bool operator==(const BodyState &, const BodyState &) = default;
 };

@@ -7,6 +7,8 @@
 #include "core/model/pose.h"
 #include "core/model/surroundings.h"
 
+#include <cstdint>
+
 namespace softbody {
 
 /// A rigid body that owns colliders. With both inverse values 0 it is kinematic: it moves with its velocities, whatever
@@ -22,6 +24,8 @@ struct RigidBody {
 	Vec2 acceleration;
 	Real inverse_mass = 0; ///< [1/mass], >= 0; 0: no contact moves it
 	Real inverse_inertia = 0; ///< about the centre of mass [1/(mass·length²)], >= 0; 0: no contact turns it
+	/// Names the body for joints (JointAnchor::tag), however often the surroundings are made anew. 0: no joint knows it.
+	std::uint64_t tag = 0;
 
 	bool is_dynamic() const { return inverse_mass > 0 || inverse_inertia > 0; }
 	/// Centre of mass in the world [length].

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -46,6 +47,9 @@ Result<SoftBodyData> SoftBodyData::create(std::shared_ptr<const SoftBodyShape> s
 }
 
 void SoftBodyData::wake() {
+	if (frozen_) {
+		return; // it does not sleep, and what touches it is no reason to look at it
+	}
 	if (rest_state_.asleep && changes_) {
 		changes_->woken_islands.push_back({ rest_state_.island, rest_state_.restored });
 	}
@@ -53,12 +57,33 @@ void SoftBodyData::wake() {
 	rest_state_.rest_time = 0;
 }
 
+void SoftBodyData::disturb() {
+	wake();
+	if (frozen_ && changes_) {
+		changes_->disturbed_boxes.push_back(bounding_box(hull())); // whoever rests on it shares no island with it
+	}
+}
+
 void SoftBodyData::note_change() {
 	outside_hull_.clear();
-	wake();
+	disturb();
 	if (changes_) {
 		++changes_->arrangement;
 	}
+}
+
+void SoftBodyData::set_frozen(bool frozen) {
+	if (frozen == frozen_) {
+		return;
+	}
+	note_change();
+	frozen_ = frozen;
+	disturb();
+	frozen_inverse_masses_.assign(frozen ? point_count() : 0, Real(0));
+	std::ranges::fill(mutable_velocities(), Vec2{});
+	touch_memory_ = {};
+	clear_external_forces();
+	clear_pin_targets();
 }
 
 void SoftBodyData::set_active(bool active) {
@@ -135,6 +160,9 @@ Status SoftBodyData::add_external_force(std::uint32_t point, Vec2 force) {
 	if (Status status = check_point(point, "force", force)) {
 		return status;
 	}
+	if (frozen_) {
+		return {};
+	}
 	wake();
 	external_forces_.push_back({ point, force });
 	if (changes_) {
@@ -143,9 +171,48 @@ Status SoftBodyData::add_external_force(std::uint32_t point, Vec2 force) {
 	return {};
 }
 
+Status SoftBodyData::set_acceleration(Vec2 acceleration) {
+	if (Status status = check_point(0, "acceleration", acceleration)) {
+		return status;
+	}
+	if (acceleration != acceleration_) {
+		acceleration_ = acceleration;
+		wake();
+		if (changes_) {
+			++changes_->forces;
+		}
+	}
+	return {};
+}
+
+Vec2 SoftBodyData::total_acceleration(Vec2 gravity) const {
+	const Vec2 falling = gravity * settings_.gravity_scale;
+	if (acceleration_ == Vec2{}) {
+		return falling;
+	}
+	const Vec2 total = falling + acceleration_;
+	const Real rounding = 4 * std::numeric_limits<Real>::epsilon();
+	return length_squared(total) > rounding * rounding * length_squared(falling) ? total : Vec2{};
+}
+
+void SoftBodyData::queue_load(const RigidLoad &load) {
+	if (is_frozen()) {
+		return;
+	}
+	wake();
+	load_.force += load.force;
+	load_.torque += load.torque;
+	if (changes_) {
+		++changes_->forces;
+	}
+}
+
 Status SoftBodyData::apply_impulse(std::uint32_t point, Vec2 impulse) {
 	if (Status status = check_point(point, "impulse", impulse)) {
 		return status;
+	}
+	if (frozen_) {
+		return {};
 	}
 	wake();
 	mutable_velocities()[point] += impulse * inverse_masses()[point];
@@ -159,11 +226,12 @@ Status SoftBodyData::set_point(std::uint32_t point, Vec2 position, Vec2 velocity
 	if (Status status = check_point(point, "velocity", velocity)) {
 		return status;
 	}
-	wake();
+	disturb();
 	outside_hull_.clear();
 	one_ways_.clear();
 	mutable_positions()[point] = position;
-	mutable_velocities()[point] = velocity;
+	mutable_velocities()[point] = frozen_ ? Vec2{} : velocity;
+	disturb();
 	return {};
 }
 
@@ -174,6 +242,7 @@ Status SoftBodyData::set_pinned(std::uint32_t point, bool pinned) {
 	if (pinned && !has_pins()) {
 		pinned_inverse_masses_.assign(shape_->inverse_masses().begin(), shape_->inverse_masses().end());
 	}
+	std::erase_if(pin_targets_, [point](const PinTarget &target) { return target.point == point; });
 	if (pinned) {
 		pinned_inverse_masses_[point] = 0;
 		mutable_velocities()[point] = {};
@@ -187,18 +256,41 @@ Status SoftBodyData::set_pinned(std::uint32_t point, bool pinned) {
 	return {};
 }
 
+Status SoftBodyData::set_pin_target(std::uint32_t point, Vec2 position) {
+	if (Status status = check_point(point, "position", position)) {
+		return status;
+	}
+	if (!is_pinned(point)) {
+		return Error{ "point", std::to_string(point), "must be pinned", "pin it with set_pinned first" };
+	}
+	if (frozen_) {
+		return {};
+	}
+	std::erase_if(pin_targets_, [point](const PinTarget &target) { return target.point == point; });
+	if (position == positions()[point]) {
+		return {};
+	}
+	wake();
+	pin_targets_.push_back({ point, position });
+	if (changes_) {
+		++changes_->pin_targets;
+	}
+	return {};
+}
+
 Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 	for (const Pose &each : { reference, pose }) {
 		if (Status status = check_pose(each)) {
 			return status;
 		}
 	}
+	disturb();
 	for (const std::span<Vec2> points : { mutable_positions(), mutable_previous_positions() }) {
 		for (Vec2 &p : points) {
 			p = pose.apply(reference.apply_inverse(p));
 		}
 	}
-	wake();
+	disturb();
 	outside_hull_.clear();
 	touch_memory_ = {};
 	one_ways_.clear();

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
+#include "core/geometry/aabb.h"
 #include "core/model/body_settings.h"
 #include "core/model/body_state.h"
 #include "core/model/point2d.h"
@@ -28,8 +29,11 @@ struct WokenIsland {
 /// How often bodies were changed from outside, so that a step need not ask each of them.
 struct ChangeCounts {
 	std::uint64_t arrangement = 0; ///< shape, settings, pins, activity: what the order of stepping depends on
-	std::uint64_t forces = 0; ///< external forces queued
+	std::uint64_t forces = 0; ///< external forces queued, accelerations changed
+	std::uint64_t pin_targets = 0; ///< set
+	std::uint64_t joints = 0; ///< added, changed, removed
 	std::uint64_t restores = 0; ///< states put back
+	std::vector<Aabb> disturbed_boxes; ///< in which a frozen body was, came to be or went, until a step takes note
 	std::vector<WokenIsland> woken_islands; ///< of sleeping bodies that were woken, until a step takes note
 };
 
@@ -53,7 +57,11 @@ public:
 	std::span<const Vec2> positions() const { return { state_.data(), point_count() }; }
 	std::span<const Vec2> velocities() const { return { state_.data() + point_count(), point_count() }; }
 	std::span<const Vec2> hull() const { return { state_.data(), shape_->hull_count() }; }
+	/// Of points as contacts and integrators feel them [1/mass]: 0 where pinned, and everywhere while frozen.
 	std::span<const Real> inverse_masses() const {
+		if (frozen_) {
+			return frozen_inverse_masses_;
+		}
 		return pinned_inverse_masses_.empty() ? shape_->inverse_masses() : pinned_inverse_masses_;
 	}
 	/// Positions at the start of the last step, for interpolated drawing (see `WorldData::set_interpolated`).
@@ -70,6 +78,13 @@ public:
 	Status set_point(std::uint32_t point, Vec2 position, Vec2 velocity);
 	/// Pins the point where it is (infinite mass, no velocity) or lets it go again.
 	Status set_pinned(std::uint32_t point, bool pinned);
+	bool is_pinned(std::uint32_t point) const { return has_pins() && pinned_inverse_masses_[point] == 0; }
+	/// Moves a pinned point straight to `position` during the next step: in each substep it is where it belongs at that
+	/// time, and springs, contacts and friction feel its velocity. After the step it is there and rests, unless it has been
+	/// given another target by then. Wakes the body if that is another place. A target that no body can follow tears at
+	/// the body until it is reset beside its pins (StepReport::reset_bodies). Refuses a point that is not pinned and what
+	/// is not finite. A frozen body ignores it. O(pins that move).
+	Status set_pin_target(std::uint32_t point, Vec2 position);
 	/// Moves every point by the map p -> pose(reference⁻¹(p)) without touching velocities; the
 	/// previous positions follow, so that nothing is drawn in between. Refuses non-finite poses.
 	Status teleport(const Pose &reference, const Pose &pose);
@@ -93,16 +108,41 @@ public:
 	bool is_active() const { return active_; }
 	void set_active(bool active);
 
+	/// A frozen body keeps its shape and place whatever pushes it, as if of infinite mass, and others collide with it; it
+	/// is not stepped and costs no more than one that sleeps. Forces, impulses and pin targets on it are ignored, and its
+	/// queue is emptied. It may still be teleported, its points set, its pins changed: what lies near wakes. When it
+	/// is let go it goes on at rest, with the pins that it has. It is not asleep, nor is it counted as such. A rigid body
+	/// that lies on it is stopped, not moved out. Default false.
+	bool is_frozen() const { return frozen_; }
+	void set_frozen(bool frozen);
+
 	const std::vector<ExternalForce> &external_forces() const { return external_forces_; }
+	/// Adds to what acts on the body as a whole during the next step. Callers of the core use `add_rigid_force` and
+	/// `add_torque`, which check it.
+	void queue_load(const RigidLoad &load);
+	const RigidLoad &queued_load() const { return load_; }
+	/// An acceleration of all its points [length/s²], added to gravity times `gravity_scale` until it is changed: that of an
+	/// area with a gravity of its own, or of wind. A change of it wakes the body and rearranges nothing; a body that has
+	/// one is stepped alone. Refuses what is not finite. Default 0.
+	Vec2 acceleration() const { return acceleration_; }
+	Status set_acceleration(Vec2 acceleration);
+	/// Gravity and acceleration together [length/s²]; exactly 0 where they cancel but for rounding.
+	Vec2 total_acceleration(Vec2 gravity) const;
+	/// Whether anything queued, or an acceleration of its own, acts on the body in the next step.
+	bool is_pushed() const { return !external_forces_.empty() || load_ != RigidLoad{} || acceleration_ != Vec2{}; }
 
 	/// A sleeping body is at rest and left out of the step. It wakes, with all that it touched, when something awake
 	/// touches it and when a force, an impulse or any other change is applied to it.
 	bool is_asleep() const { return rest_state_.asleep; }
 	Real rest_time() const { return rest_state_.rest_time; } ///< for how long it has hardly moved [s]
 	void wake();
+	/// For who moves or removes it: wakes it, or, if it is frozen, what lies near.
+	void disturb();
 
 	/// Whether any point is pinned.
 	bool has_pins() const { return !pinned_inverse_masses_.empty(); }
+	/// Whether it can be moved as a whole: it is neither pinned nor frozen.
+	bool is_free() const { return !has_pins() && !frozen_; }
 	/// `WorldData` gives its bodies a common count of changes.
 	void set_change_counts(std::shared_ptr<ChangeCounts> counts) { changes_ = std::move(counts); }
 
@@ -110,7 +150,12 @@ public:
 	std::span<Vec2> mutable_positions() { return { state_.data(), point_count() }; }
 	std::span<Vec2> mutable_velocities() { return { state_.data() + point_count(), point_count() }; }
 	std::span<Vec2> mutable_previous_positions() { return previous_positions_; }
-	void clear_external_forces() { external_forces_.clear(); }
+	const std::vector<PinTarget> &pin_targets() const { return pin_targets_; }
+	void clear_pin_targets() { pin_targets_.clear(); }
+	void clear_external_forces() {
+		external_forces_.clear();
+		load_ = {};
+	}
 	/// Last well-defined orientation; see `measure_frame`. The step keeps it for bodies with shape matching, whose
 	/// motion depends on it; for others, whoever measures the frame may.
 	Rotation rotation_memory() const { return rotation_memory_; }
@@ -135,7 +180,11 @@ private:
 	std::vector<Vec2> state_; ///< positions, then velocities: a step reads and writes both, and nothing else
 	std::vector<Vec2> previous_positions_;
 	std::vector<Real> pinned_inverse_masses_; ///< empty while nothing is pinned: then those of the shape hold
+	std::vector<Real> frozen_inverse_masses_; ///< zeros, while it is frozen
+	std::vector<PinTarget> pin_targets_;
 	std::vector<ExternalForce> external_forces_;
+	RigidLoad load_;
+	Vec2 acceleration_;
 	Rotation rotation_memory_;
 	TouchMemory touch_memory_;
 	std::vector<PairMemory> pair_memories_;
@@ -145,6 +194,7 @@ private:
 	std::vector<std::uint64_t> ignored_tags_;
 	std::shared_ptr<ChangeCounts> changes_;
 	bool active_ = true;
+	bool frozen_ = false;
 };
 
 } // namespace softbody

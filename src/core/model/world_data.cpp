@@ -97,8 +97,13 @@ bool WorldData::remove_soft_body(BodyId id) {
 		return false;
 	}
 	const std::uint32_t dense = slots_[id.index].dense;
-	bodies_[dense].wake(); // and with it what rested on it
+	bodies_[dense].disturb(); // and with it what rested on it
 	std::erase_if(collision_exceptions_, [id](const CollisionException &each) { return each.a == id || each.b == id; });
+	for (std::size_t i = joints().size(); i-- > 0;) {
+		if (joints()[i].first.body == id || joints()[i].second.body == id) {
+			remove_joint(joint_id_at(i));
+		}
+	}
 	if (dense + 1 != bodies_.size()) {
 		bodies_[dense] = std::move(bodies_.back());
 		ids_[dense] = ids_.back();
@@ -158,6 +163,70 @@ bool WorldData::remove_collision_exception(BodyId a, BodyId b) {
 
 bool WorldData::has_collision_exception(BodyId a, BodyId b) const {
 	return std::ranges::binary_search(collision_exceptions_, CollisionException{ std::min(a, b), std::max(a, b) });
+}
+
+Status WorldData::check_joint_here(const Joint &joint) const {
+	if (Status status = check_joint(joint)) {
+		return status;
+	}
+	for (const bool is_first : { true, false }) {
+		const JointAnchor &anchor = is_first ? joint.first : joint.second;
+		const std::string name = is_first ? "joint.first" : "joint.second";
+		if (!anchor.is_soft()) {
+			continue;
+		}
+		const SoftBodyData *body = find(anchor.body);
+		if (!body) {
+			return Error{ name + ".body", "an id without a body", "must refer to a body of this world",
+				"use the id that add_soft_body returned" };
+		}
+		const std::size_t count = anchor.fraction != 0 ? body->shape().hull_count() : body->point_count();
+		if (anchor.point >= count) {
+			return Error{ name + ".point", std::to_string(anchor.point), "must be below " + std::to_string(count),
+				anchor.fraction != 0 ? "use an index of a hull point" : "use an index of an existing point" };
+		}
+	}
+	return {};
+}
+
+void WorldData::note_joint(const Joint &joint) {
+	++changes_->joints;
+	for (const JointAnchor &anchor : { joint.first, joint.second }) {
+		if (SoftBodyData *body = anchor.is_soft() ? find(anchor.body) : nullptr) {
+			body->wake();
+		}
+	}
+}
+
+Result<JointId> WorldData::add_joint(const Joint &joint) {
+	if (Status status = check_joint_here(joint)) {
+		return *status;
+	}
+	note_joint(joint);
+	return joints_.add(joint);
+}
+
+Status WorldData::set_joint(JointId id, const Joint &joint) {
+	Joint *known = joints_.find(id);
+	if (!known) {
+		return Error{ "id", std::to_string(id.index), "must refer to a joint", "use the id that add_joint returned" };
+	}
+	if (Status status = check_joint_here(joint)) {
+		return status;
+	}
+	note_joint(*known);
+	note_joint(joint);
+	*known = joint;
+	return {};
+}
+
+bool WorldData::remove_joint(JointId id) {
+	const Joint *joint = joints_.find(id);
+	if (!joint) {
+		return false;
+	}
+	note_joint(*joint);
+	return joints_.remove(id);
 }
 
 Status WorldData::add_border(const Border &border) {

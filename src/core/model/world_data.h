@@ -7,6 +7,7 @@
 #include "core/base/vec2.h"
 #include "core/model/body_id.h"
 #include "core/model/contact_response.h"
+#include "core/model/joint.h"
 #include "core/model/rigid_body.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/surroundings.h"
@@ -79,9 +80,24 @@ public:
 	const ChangeCounts &change_counts() const { return *changes_; }
 	/// For the step: islands with a body that was woken since it last asked.
 	std::vector<WokenIsland> take_woken_islands() { return std::exchange(changes_->woken_islands, {}); }
+	/// For the step: where frozen bodies were moved, came or went since it last asked.
+	std::vector<Aabb> take_disturbed_boxes() { return std::exchange(changes_->disturbed_boxes, {}); }
 	/// Whether the step keeps the positions that it starts from, for interpolated drawing. Default true.
 	bool is_interpolated() const { return interpolated_; }
 	void set_interpolated(bool interpolated) { interpolated_ = interpolated; }
+
+	/// Joins two anchors; the soft bodies that it joins wake. Refuses what `check_joint` refuses, bodies that are not there,
+	/// points out of range, and edges that do not begin at a hull point. Removing a body removes its joints.
+	Result<JointId> add_joint(const Joint &joint);
+	/// Changes it: another length, another place in the world. Refuses likewise, and an id that refers to nothing.
+	Status set_joint(JointId id, const Joint &joint);
+	/// False when the id refers to nothing.
+	bool remove_joint(JointId id);
+	/// Null when the id refers to nothing. Valid until a joint is added or removed.
+	const Joint *find_joint(JointId id) { return joints_.find(id); }
+	std::span<const Joint> joints() const { return joints_.joints(); }
+	/// Id of the joint stored at `index` of `joints()`.
+	JointId joint_id_at(std::size_t index) const { return joints_.id_at(index); }
 
 	const std::vector<Border> &borders() const { return borders_; }
 	const std::vector<ConvexCollider> &colliders() const { return colliders_; }
@@ -121,6 +137,9 @@ private:
 		std::uint32_t generation = 0;
 	};
 
+	Status check_joint_here(const Joint &joint) const;
+	void note_joint(const Joint &joint);
+
 	std::shared_ptr<ChangeCounts> changes_ = std::make_shared<ChangeCounts>();
 	Vec2 gravity_{ 0, 0 };
 	Real length_unit_ = 1;
@@ -132,6 +151,7 @@ private:
 	std::vector<Slot> slots_;
 	std::vector<std::uint32_t> free_slots_;
 	std::vector<CollisionException> collision_exceptions_;
+	JointList joints_;
 	std::vector<Border> borders_;
 	std::vector<ConvexCollider> colliders_;
 	std::vector<RigidBody> rigid_bodies_;

@@ -4,11 +4,13 @@
 
 #include "core/base/constants.h"
 #include "core/dynamics/energy.h"
+#include "core/dynamics/forces.h"
 #include "core/dynamics/pressure.h"
 #include "core/model/body_frame.h"
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace softbody {
 
@@ -125,6 +127,23 @@ void balance_energy(SoftBodyData &body, double allowed, const SubstepInput &inpu
 	}
 }
 
+// What pins that move have done to the body on the ways that they went within the substep: against the forces on them at
+// its start and at its end, each for half of it. Without it in the books, balance_energy would hold a body back from the
+// pins that carry it. `forces` is overwritten.
+double work_of_pins(const SoftBodyData &body, std::span<const Vec2> before, std::span<const Vec2> x, std::span<const Vec2> v,
+		std::span<Vec2> forces) {
+	double work = 0;
+	for (const std::span<const Vec2> positions : { before, x }) {
+		evaluate_forces<Real>(model_of(body), {}, {}, positions, v, forces);
+		for (std::size_t i = 0; i < x.size(); ++i) {
+			if (body.inverse_masses()[i] == 0) {
+				work -= double(dot(forces[i], x[i] - before[i])) / 2;
+			}
+		}
+	}
+	return work;
+}
+
 // The rigid motion that a substep without contacts cannot change but from outside.
 struct RigidMotion {
 	Vec2 centre;
@@ -206,6 +225,11 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 		allowed += dot(input.external[i], x[i] - before[i]);
 		rigid.velocity += input.external[i] * (input.h / body.shape().total_mass());
 		rigid.spin += double(input.h) * cross(before[i] - rigid.centre, input.external[i]);
+	}
+	const auto is_driven = [&](std::size_t i) { return w[i] == 0 && v[i] != Vec2{}; };
+	if (!is_free && std::ranges::any_of(std::views::iota(std::size_t(0), x.size()), is_driven)) {
+		const std::span<Vec2> forces(workspace.velocity_slopes.data(), x.size());
+		allowed += work_of_pins(body, before, x, v, forces);
 	}
 	balance_energy(body, allowed, input, before);
 	if (is_free) {

@@ -114,6 +114,9 @@ public:
 
 	// For the server.
 	softbody::BodyId get_body_id() const { return body_id_; }
+	/// Its place in the space's list of nodes.
+	size_t get_space_index() const { return space_index_; }
+	void set_space_index(size_t p_index) { space_index_ = p_index; }
 	/// "SoftBody2D 'Jelly' (/root/Main/Jelly)": how messages name this node.
 	String describe() const;
 	/// Before the step: takes over a transform that the user set, and whether the node may process.
@@ -126,6 +129,14 @@ protected:
 	void _notification(int p_what);
 
 private:
+	static void bind_shape();
+	static void bind_motion();
+	static void bind_points();
+	static void bind_material();
+	static void bind_collision();
+	static void bind_solver();
+	static void bind_drawing();
+
 	/// One end of the interpolation: the body's frame, and its points in that frame.
 	struct Pose {
 		Transform2D transform;
@@ -182,6 +193,7 @@ private:
 
 	softbody::SoftBodySpace2D *space_ = nullptr;
 	softbody::BodyId body_id_;
+	size_t space_index_ = 0;
 	std::optional<softbody::SoftBodyData> stored_body_;
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads the static shapes near soft bodies from Godot's physics server.
-#include "godot/surroundings_reader.h"
+#include "godot/surroundings/surroundings_reader.h"
 
 #include "godot/convert.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The node: its life in the tree and its agreement with the body in the core.
-#include "godot/soft_body_2d.h"
+#include "godot/nodes/soft_body_2d.h"
 
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 #include "godot/convert.h"
-#include "godot/soft_body_server_2d.h"
+#include "godot/server/soft_body_server_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/world2d.hpp>

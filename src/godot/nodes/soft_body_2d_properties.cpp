@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The node's properties: checked, kept, and handed on to the core.
-#include "godot/soft_body_2d.h"
+#include "godot/nodes/soft_body_2d.h"
 
 #include "core/base/constants.h"
 #include "core/creator/soft_body_creator.h"
 #include "core/geometry/polygon.h"
 #include "godot/convert.h"
-#include "godot/soft_body_space_2d.h"
+#include "godot/server/soft_body_space_2d.h"
 
+#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <cmath>
@@ -245,6 +246,91 @@ void SoftBody2D::apply_shape() {
 		}
 	}
 	apply_settings(); // the damping of shape matching depends on stiffness and mass
+}
+
+void SoftBody2D::bind_shape() {
+	ClassDB::bind_method(D_METHOD("set_hull", "hull"), &SoftBody2D::set_hull);
+	ClassDB::bind_method(D_METHOD("get_hull"), &SoftBody2D::get_hull);
+	ClassDB::bind_method(D_METHOD("set_mass", "mass"), &SoftBody2D::set_mass);
+	ClassDB::bind_method(D_METHOD("get_mass"), &SoftBody2D::get_mass);
+	ClassDB::bind_method(D_METHOD("set_gravity_scale", "gravity_scale"), &SoftBody2D::set_gravity_scale);
+	ClassDB::bind_method(D_METHOD("get_gravity_scale"), &SoftBody2D::get_gravity_scale);
+	ClassDB::bind_method(D_METHOD("set_center_point", "center_point"), &SoftBody2D::set_center_point);
+	ClassDB::bind_method(D_METHOD("has_center_point"), &SoftBody2D::has_center_point);
+	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_circle_hull", "radius", "point_count"), &SoftBody2D::make_circle_hull);
+	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_box_hull", "size", "spacing"), &SoftBody2D::make_box_hull);
+	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_capsule_hull", "radius", "height", "spacing"), &SoftBody2D::make_capsule_hull);
+
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "hull", PROPERTY_HINT_NONE, "suffix:px"), "set_hull", "get_hull");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "mass", PROPERTY_HINT_RANGE, "0.001,1000,0.001,or_greater,exp,suffix:kg"), "set_mass", "get_mass");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "gravity_scale", PROPERTY_HINT_RANGE, "-8,8,0.001,or_less,or_greater"), "set_gravity_scale", "get_gravity_scale");
+
+	ADD_GROUP("Structure", "");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "center_point"), "set_center_point", "has_center_point");
+}
+
+void SoftBody2D::bind_material() {
+	ClassDB::bind_method(D_METHOD("set_stiffness", "stiffness"), &SoftBody2D::set_stiffness);
+	ClassDB::bind_method(D_METHOD("get_stiffness"), &SoftBody2D::get_stiffness);
+	ClassDB::bind_method(D_METHOD("set_damping", "damping"), &SoftBody2D::set_damping);
+	ClassDB::bind_method(D_METHOD("get_damping"), &SoftBody2D::get_damping);
+	ClassDB::bind_method(D_METHOD("set_shape_matching", "shape_matching"), &SoftBody2D::set_shape_matching);
+	ClassDB::bind_method(D_METHOD("get_shape_matching"), &SoftBody2D::get_shape_matching);
+	ClassDB::bind_method(D_METHOD("set_shape_damping", "shape_damping"), &SoftBody2D::set_shape_damping);
+	ClassDB::bind_method(D_METHOD("get_shape_damping"), &SoftBody2D::get_shape_damping);
+	ClassDB::bind_method(D_METHOD("set_pressure", "pressure"), &SoftBody2D::set_pressure);
+	ClassDB::bind_method(D_METHOD("get_pressure"), &SoftBody2D::get_pressure);
+	ClassDB::bind_method(D_METHOD("set_inflation", "inflation"), &SoftBody2D::set_inflation);
+	ClassDB::bind_method(D_METHOD("get_inflation"), &SoftBody2D::get_inflation);
+	ClassDB::bind_method(D_METHOD("set_friction", "friction"), &SoftBody2D::set_friction);
+	ClassDB::bind_method(D_METHOD("get_friction"), &SoftBody2D::get_friction);
+	ClassDB::bind_method(D_METHOD("set_bounce", "bounce"), &SoftBody2D::set_bounce);
+	ClassDB::bind_method(D_METHOD("get_bounce"), &SoftBody2D::get_bounce);
+	ClassDB::bind_method(D_METHOD("set_rolling_resistance", "rolling_resistance"), &SoftBody2D::set_rolling_resistance);
+	ClassDB::bind_method(D_METHOD("get_rolling_resistance"), &SoftBody2D::get_rolling_resistance);
+
+	ADD_GROUP("Material", "");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "stiffness", PROPERTY_HINT_RANGE, "0,10000,0.1,or_greater,exp,suffix:N/m"), "set_stiffness", "get_stiffness");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "damping", PROPERTY_HINT_RANGE, String::utf8("0,20,0.001,or_greater,suffix:N·s/m")), "set_damping", "get_damping");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "shape_matching", PROPERTY_HINT_RANGE, "0,2,0.01,or_greater"), "set_shape_matching", "get_shape_matching");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "shape_damping", PROPERTY_HINT_RANGE, "0,1,0.01,or_greater"), "set_shape_damping", "get_shape_damping");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "pressure", PROPERTY_HINT_RANGE, "0,10000,0.1,or_greater,exp,suffix:N/m"), "set_pressure", "get_pressure");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "inflation", PROPERTY_HINT_RANGE, "0,3,0.01,or_greater"), "set_inflation", "get_inflation");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "friction", PROPERTY_HINT_RANGE, "0,1,0.01,or_greater"), "set_friction", "get_friction");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "bounce", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_bounce", "get_bounce");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "rolling_resistance", PROPERTY_HINT_RANGE, "0,1,0.001,or_greater"), "set_rolling_resistance", "get_rolling_resistance");
+}
+
+void SoftBody2D::bind_collision() {
+	ClassDB::bind_method(D_METHOD("set_collision_layer", "layer"), &SoftBody2D::set_collision_layer);
+	ClassDB::bind_method(D_METHOD("get_collision_layer"), &SoftBody2D::get_collision_layer);
+	ClassDB::bind_method(D_METHOD("set_collision_mask", "mask"), &SoftBody2D::set_collision_mask);
+	ClassDB::bind_method(D_METHOD("get_collision_mask"), &SoftBody2D::get_collision_mask);
+
+	ADD_GROUP("Collision", "collision_");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "collision_layer", PROPERTY_HINT_LAYERS_2D_PHYSICS), "set_collision_layer", "get_collision_layer");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "collision_mask", PROPERTY_HINT_LAYERS_2D_PHYSICS), "set_collision_mask", "get_collision_mask");
+}
+
+void SoftBody2D::bind_solver() {
+	ClassDB::bind_method(D_METHOD("set_integrator", "integrator"), &SoftBody2D::set_integrator);
+	ClassDB::bind_method(D_METHOD("get_integrator"), &SoftBody2D::get_integrator);
+	ClassDB::bind_method(D_METHOD("set_substeps", "substeps"), &SoftBody2D::set_substeps);
+	ClassDB::bind_method(D_METHOD("get_substeps"), &SoftBody2D::get_substeps);
+	ClassDB::bind_method(D_METHOD("get_substep_plan"), &SoftBody2D::get_substep_plan);
+
+	ADD_GROUP("Solver", "");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "integrator", PROPERTY_HINT_ENUM, "Automatic,Explicit Euler,Semi-Implicit Euler,Midpoint,Heun,Runge-Kutta 4,Velocity Verlet,XPBD"), "set_integrator", "get_integrator");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "substeps", PROPERTY_HINT_RANGE, "0,64,1"), "set_substeps", "get_substeps");
+
+	BIND_ENUM_CONSTANT(INTEGRATOR_AUTOMATIC);
+	BIND_ENUM_CONSTANT(INTEGRATOR_EXPLICIT_EULER);
+	BIND_ENUM_CONSTANT(INTEGRATOR_SEMI_IMPLICIT_EULER);
+	BIND_ENUM_CONSTANT(INTEGRATOR_MIDPOINT);
+	BIND_ENUM_CONSTANT(INTEGRATOR_HEUN);
+	BIND_ENUM_CONSTANT(INTEGRATOR_RUNGE_KUTTA_4);
+	BIND_ENUM_CONSTANT(INTEGRATOR_VELOCITY_VERLET);
+	BIND_ENUM_CONSTANT(INTEGRATOR_XPBD);
 }
 
 } // namespace godot

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What scripts can ask of the body and do to it: points, forces, measures.
-#include "godot/soft_body_2d.h"
+#include "godot/nodes/soft_body_2d.h"
 
 #include "core/dynamics/energy.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 #include "godot/convert.h"
-#include "godot/soft_body_space_2d.h"
+#include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <cmath>
@@ -197,6 +198,29 @@ Dictionary SoftBody2D::get_substep_plan() const {
 	result["reason"] = reason_text(plan.reason);
 	result["cost"] = plan.cost;
 	return result;
+}
+
+void SoftBody2D::bind_motion() {
+	ClassDB::bind_method(D_METHOD("apply_central_force", "force"), &SoftBody2D::apply_central_force);
+	ClassDB::bind_method(D_METHOD("apply_central_impulse", "impulse"), &SoftBody2D::apply_central_impulse);
+	ClassDB::bind_method(D_METHOD("get_center_of_mass_position"), &SoftBody2D::get_center_of_mass_position);
+	ClassDB::bind_method(D_METHOD("get_linear_velocity"), &SoftBody2D::get_linear_velocity);
+	ClassDB::bind_method(D_METHOD("get_angular_velocity"), &SoftBody2D::get_angular_velocity);
+	ClassDB::bind_method(D_METHOD("get_kinetic_energy"), &SoftBody2D::get_kinetic_energy);
+}
+
+void SoftBody2D::bind_points() {
+	ClassDB::bind_method(D_METHOD("get_point_count"), &SoftBody2D::get_point_count);
+	ClassDB::bind_method(D_METHOD("get_point_positions"), &SoftBody2D::get_point_positions);
+	ClassDB::bind_method(D_METHOD("get_point_velocities"), &SoftBody2D::get_point_velocities);
+	ClassDB::bind_method(D_METHOD("get_nearest_point", "global_position"), &SoftBody2D::get_nearest_point);
+	ClassDB::bind_method(D_METHOD("has_point", "global_position"), &SoftBody2D::has_point);
+	ClassDB::bind_method(D_METHOD("apply_point_force", "index", "force"), &SoftBody2D::apply_point_force);
+	ClassDB::bind_method(D_METHOD("apply_point_impulse", "index", "impulse"), &SoftBody2D::apply_point_impulse);
+	ClassDB::bind_method(D_METHOD("get_area"), &SoftBody2D::get_area);
+	ClassDB::bind_method(D_METHOD("get_rest_area"), &SoftBody2D::get_rest_area);
+	ClassDB::bind_method(D_METHOD("get_penetration"), &SoftBody2D::get_penetration);
+	ClassDB::bind_method(D_METHOD("reset"), &SoftBody2D::reset);
 }
 
 } // namespace godot

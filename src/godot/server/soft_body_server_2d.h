@@ -2,10 +2,13 @@
 // The singleton that steps every soft body once a physics tick.
 #pragma once
 
-#include "godot/soft_body_space_2d.h"
+#include "godot/server/soft_body_space_2d.h"
+#include "godot/server/step_settings.h"
+#include "godot/server/step_threads.h"
 
 #include <godot_cpp/classes/object.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
 #include <cstdint>
@@ -30,11 +33,18 @@ public:
 	softbody::SoftBodySpace2D *add_body(SoftBody2D *p_node);
 	void remove_body(SoftBody2D *p_node);
 
+	/// What holds for every body of the project, as it was when it was last read.
+	const softbody::StepSettings &settings() const { return settings_; }
+
 	int64_t get_body_count() const;
+	int64_t get_awake_body_count() const;
+	int64_t get_contact_count() const;
+	int get_thread_count() const;
 	int64_t get_tick_count() const;
 	double get_last_step_usec() const;
 	double get_mean_step_usec() const;
 	void reset_statistics();
+	Dictionary get_step_profile() const;
 	double measure_max_penetration() const;
 
 protected:
@@ -47,12 +57,21 @@ private:
 	};
 
 	void step();
+	void step_spaces(double p_delta);
 	void watch(SceneTree *p_tree);
+	void read_settings();
+	void add_monitors();
+	void drop_empty_spaces();
 
+	softbody::StepSettings settings_;
+	bool settings_known_ = false;
+	softbody::StepThreads threads_; ///< before the spaces, whose simulators use them
 	std::vector<Space> spaces_;
+	bool stepping_ = false; ///< while nodes may come and go, but no space may
 	uint64_t watched_tree_ = 0; ///< instance id of the tree whose ticks step the spaces
 	int64_t tick_count_ = 0;
 	double last_step_usec_ = 0;
+	softbody::StepProfile profile_; ///< summed since the last reset
 	double total_step_usec_ = 0;
 	int64_t counted_steps_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How the node is drawn: a triangle mesh between the last two physics ticks.
-#include "godot/soft_body_2d.h"
+#include "godot/nodes/soft_body_2d.h"
 
 #include "core/geometry/polygon.h"
 #include "godot/convert.h"
@@ -8,6 +8,7 @@
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/geometry2d.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/math.hpp>
 
 #include <utility>
@@ -113,6 +114,18 @@ void SoftBody2D::draw() {
 	RenderingServer::get_singleton()->canvas_item_add_triangle_array(get_canvas_item(), triangles_, points, colors,
 			texture_.is_valid() ? uvs_ : PackedVector2Array(), PackedInt32Array(), PackedFloat32Array(),
 			texture_.is_valid() ? texture_->get_rid() : RID());
+}
+
+void SoftBody2D::bind_drawing() {
+	ClassDB::bind_method(D_METHOD("set_color", "color"), &SoftBody2D::set_color);
+	ClassDB::bind_method(D_METHOD("get_color"), &SoftBody2D::get_color);
+	ClassDB::bind_method(D_METHOD("set_texture", "texture"), &SoftBody2D::set_texture);
+	ClassDB::bind_method(D_METHOD("get_texture"), &SoftBody2D::get_texture);
+	ClassDB::bind_method(D_METHOD("get_interpolated_hull", "fraction"), &SoftBody2D::get_interpolated_hull);
+
+	ADD_GROUP("Drawing", "");
+	ADD_PROPERTY(PropertyInfo(Variant::COLOR, "color"), "set_color", "get_color");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_texture", "get_texture");
 }
 
 } // namespace godot

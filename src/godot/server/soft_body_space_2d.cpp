@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // All soft bodies of one physics space.
-#include "godot/soft_body_space_2d.h"
+#include "godot/server/soft_body_space_2d.h"
 
 #include "godot/convert.h"
-#include "godot/soft_body_2d.h"
+#include "godot/nodes/soft_body_2d.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
+#include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace godot;
 
@@ -32,18 +34,66 @@ Aabb reach_of(const SoftBodyData &p_body, Vec2 p_gravity, double p_delta) {
 	return bounding_box(p_body.hull()).grown(way + p_body.shape().radius() / 2);
 }
 
+// Time since it was made or last asked [µs].
+class Stopwatch {
+public:
+	double lap() {
+		const uint64_t now = Time::get_singleton()->get_ticks_usec();
+		return double(now - std::exchange(start_, now));
+	}
+
+private:
+	uint64_t start_ = Time::get_singleton()->get_ticks_usec();
+};
+
 } // namespace
 
-SoftBodySpace2D::SoftBodySpace2D(const RID &p_space) : space_(p_space) {
+StepProfile &StepProfile::operator+=(const StepProfile &p_other) {
+	prepare += p_other.prepare;
+	surroundings += p_other.surroundings;
+	simulate += p_other.simulate;
+	finish += p_other.finish;
+	return *this;
+}
+
+SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for) :
+		space_(p_space), simulator_(world_, std::move(p_parallel_for)) {
 	world_.set_length_unit(PIXELS_PER_METRE);
 }
 
-void SoftBodySpace2D::add(SoftBody2D *p_node) {
-	nodes_.push_back(p_node);
+void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
+	world_.set_contact_substeps(p_settings.contact_substeps);
+	world_.set_sleeping(p_settings.can_sleep);
 }
 
+void SoftBodySpace2D::add(SoftBody2D *p_node) {
+	p_node->set_space_index(nodes_.size());
+	nodes_.push_back(p_node);
+	body_count_++;
+}
+
+// During a step the others keep their places.
 void SoftBodySpace2D::remove(SoftBody2D *p_node) {
-	std::erase(nodes_, p_node);
+	const size_t index = p_node->get_space_index();
+	if (index >= nodes_.size() || nodes_[index] != p_node) {
+		return; // of another space
+	}
+	body_count_--;
+	nodes_[index] = nullptr;
+	if (!stepping_) {
+		nodes_[index] = nodes_.back();
+		nodes_.pop_back();
+		if (index < nodes_.size()) {
+			nodes_[index]->set_space_index(index);
+		}
+	}
+}
+
+void SoftBodySpace2D::close_gaps() {
+	std::erase(nodes_, nullptr);
+	for (size_t i = 0; i < nodes_.size(); i++) {
+		nodes_[i]->set_space_index(i);
+	}
 }
 
 void SoftBodySpace2D::read_gravity() {
@@ -67,26 +117,38 @@ void SoftBodySpace2D::read_surroundings(double p_delta) {
 }
 
 void SoftBodySpace2D::step(double p_delta) {
+	Stopwatch watch;
 	read_gravity();
-	for (SoftBody2D *node : nodes_) {
-		node->prepare_step();
-	}
+	stepping_ = true;
+	for_nodes([](SoftBody2D &r_node) { r_node.prepare_step(); });
+	profile_.prepare = watch.lap();
 	read_surroundings(p_delta);
+	profile_.surroundings = watch.lap();
 	const StepReport report = simulator_.simulate(Real(p_delta));
+	profile_.simulate = watch.lap();
+	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
+	awake_body_count_ = count_awake();
 	for (const BodyId id : report.reset_bodies) {
 		if (const SoftBody2D *node = node_of(id)) {
 			ERR_PRINT(node->describe() + ": its motion became non-finite or tore it apart; it has its rest shape "
 										 "again, where it was before this tick. Lower the stiffness or the forces, or raise the substeps.");
 		}
 	}
-	for (SoftBody2D *node : nodes_) {
-		node->finish_step();
-	}
+	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });
+	stepping_ = false;
+	close_gaps();
+	profile_.finish = watch.lap();
+}
+
+int64_t SoftBodySpace2D::count_awake() const {
+	return std::ranges::count_if(world_.soft_bodies(), [](const SoftBodyData &p_body) {
+		return p_body.is_active() && !p_body.is_asleep();
+	});
 }
 
 SoftBody2D *SoftBodySpace2D::node_of(BodyId p_id) const {
 	const auto found = std::find_if(nodes_.begin(), nodes_.end(),
-			[p_id](const SoftBody2D *p_node) { return p_node->get_body_id() == p_id; });
+			[p_id](const SoftBody2D *p_node) { return p_node != nullptr && p_node->get_body_id() == p_id; });
 	return found == nodes_.end() ? nullptr : *found;
 }
 

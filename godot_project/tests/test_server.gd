@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: MIT
+extends "res://tests/support/suite.gd"
+## What holds for all soft bodies: project settings, threads, monitors, and nodes that come and go during a step.
+
+const THREADS := "physics/soft_body_2d/solver/threads"
+const CONTACT_SUBSTEPS := "physics/soft_body_2d/solver/contact_substeps"
+const SUBSTEPS := "physics/soft_body_2d/solver/default_substeps"
+const SLEEP := "physics/soft_body_2d/sleep/enabled"
+const DEFAULTS := { THREADS: 0, CONTACT_SUBSTEPS: 4, SUBSTEPS: 0, SLEEP: true }
+
+
+func tear_down() -> void:
+	for setting: String in DEFAULTS:
+		ProjectSettings.set_setting(setting, DEFAULTS[setting])
+	await super()
+
+
+func test_project_settings_are_registered_with_defaults_and_hints() -> void:
+	var expected := { THREADS: "0,64,1", CONTACT_SUBSTEPS: "1,64,1", SUBSTEPS: "0,64,1", SLEEP: "" }
+	var found := {}
+	for property in ProjectSettings.get_property_list():
+		if expected.has(property.name):
+			found[property.name] = property.hint_string
+	check_equal(found, expected, "hints of the settings")
+	for setting: String in DEFAULTS:
+		check_equal(ProjectSettings.get_setting(setting), DEFAULTS[setting], setting)
+		check_equal(ProjectSettings.property_get_revert(setting), DEFAULTS[setting], "initial value of " + setting)
+
+
+func test_a_setting_out_of_range_is_refused_and_its_default_holds() -> void:
+	await change(THREADS, 1)
+	add_pile(1) # the server reads settings once it has a body
+	check_refused(func() -> void:
+		ProjectSettings.set_setting(THREADS, -3)
+		ProjectSettings.settings_changed.emit()
+		ProjectSettings.set_setting(THREADS, 0),
+		["physics/soft_body_2d/solver/threads", "-3", "0", "64"], "minus three threads")
+
+
+func test_the_number_of_threads_follows_the_setting() -> void:
+	add_pile(1)
+	await change(THREADS, 1)
+	check_equal(SoftBodyServer2D.get_thread_count(), 1, "threads")
+	await change(THREADS, 2)
+	check_equal(SoftBodyServer2D.get_thread_count(), mini(2, OS.get_processor_count()), "threads")
+
+
+## Bits, not tolerances: a replay must not depend on the machine it runs on.
+func test_any_number_of_threads_gives_the_same_motion() -> void:
+	var results: Array[PackedVector2Array] = []
+	for threads in [1, 2, 5]:
+		await change(THREADS, threads)
+		var pile := add_pile(80)
+		await ticks(40)
+		var points := PackedVector2Array()
+		for body in pile:
+			points.append_array(body.get_point_positions())
+		results.append(points)
+		for body in pile:
+			body.free()
+		await ticks(1)
+	check_above(results[0].size(), 80 * 8, "number of points")
+	check(results[0] == results[1], "two threads move bodies like one")
+	check(results[0] == results[2], "five threads move bodies like one")
+
+
+## Each substep answers its contacts anew.
+func test_contact_substeps_follow_the_setting() -> void:
+	var counts := PackedFloat64Array()
+	for substeps: int in [1, 8]:
+		await change(CONTACT_SUBSTEPS, substeps)
+		var pile := add_pile(30)
+		var answered := 0
+		for i in 60:
+			await ticks(1)
+			answered += SoftBodyServer2D.get_contact_count()
+		counts.append(answered)
+		for body in pile:
+			body.free()
+		await ticks(1)
+	check_above(counts[1], 1.5 * counts[0], "contacts answered in eight substeps, against one")
+
+
+func test_sleep_can_be_switched_off_for_a_project() -> void:
+	add_floor(0)
+	var body := add_body(Vector2(0, -60))
+	await ticks(240)
+	check_equal(SoftBodyServer2D.get_awake_body_count(), 0, "bodies awake after four seconds on the floor")
+	await change(SLEEP, false)
+	await ticks(2)
+	check_equal(SoftBodyServer2D.get_awake_body_count(), 1, "bodies awake without sleep")
+	body.free()
+
+
+func test_the_debugger_has_monitors() -> void:
+	add_floor(0)
+	add_body(Vector2(0, -60))
+	await ticks(60)
+	check_equal(Performance.get_custom_monitor("SoftBody2D/Awake Bodies"), SoftBodyServer2D.get_awake_body_count(), "monitor of bodies awake")
+	check_equal(Performance.get_custom_monitor("SoftBody2D/Contacts"), SoftBodyServer2D.get_contact_count(), "monitor of contacts")
+	check_equal(Performance.get_custom_monitor("SoftBody2D/Step (usec)"), SoftBodyServer2D.get_last_step_usec(), "monitor of the step's time")
+	check_above(Performance.get_custom_monitor("SoftBody2D/Contacts"), 0, "contacts of a body on the floor")
+
+
+func test_the_profile_adds_up_to_the_step() -> void:
+	add_pile(20)
+	SoftBodyServer2D.reset_statistics()
+	await ticks(10)
+	var profile := SoftBodyServer2D.get_step_profile()
+	var sum := 0.0
+	for part: String in ["prepare", "surroundings", "simulate", "finish"]:
+		check(profile[part] >= 0, part + " is a time")
+		sum += profile[part]
+	# What is not in a part is the loop over spaces; each clock reading rounds to a microsecond.
+	check_near(sum, SoftBodyServer2D.get_mean_step_usec(), 0.25 * SoftBodyServer2D.get_mean_step_usec() + 10, "sum of the parts")
+
+
+## A node that is moved along runs code of the user at once, if it asked for it.
+func test_bodies_may_be_freed_and_added_while_a_step_moves_nodes() -> void:
+	var bodies := add_pile(12)
+	var fuse := Fuse.new()
+	fuse.position = Vector2(-200, -60)
+	stage.add_child(fuse)
+	bodies.append_array(add_pile(2)) # behind the fuse in the order of the step
+	fuse.victims = [bodies[1], bodies[7], bodies[13]]
+	fuse.armed = true
+	await ticks(2)
+	if not check(fuse.added != null, "the fuse burnt"):
+		return
+	for i: int in [1, 7, 13]:
+		check(not is_instance_valid(bodies[i]), "body %d is gone" % i)
+	var before: float = fuse.added.position.y
+	await ticks(10)
+	check_above(fuse.added.position.y, before, "y of the body that was added during the step, after a while")
+	check_equal(SoftBodyServer2D.get_body_count(), 13, "bodies in the server")
+
+
+func test_a_body_may_leave_the_tree_while_it_is_moved_and_be_the_last_of_its_space() -> void:
+	var fuse := Fuse.new()
+	stage.add_child(fuse)
+	fuse.leaves = true
+	fuse.armed = true
+	await ticks(3)
+	check(not fuse.is_inside_tree(), "the body has left")
+	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies in the server")
+	fuse.free()
+
+
+func test_ten_thousand_nodes_come_and_go() -> void:
+	var hull := SoftBody2D.make_circle_hull(10, 8)
+	var parent := Node2D.new()
+	for i in 10000:
+		var body := SoftBody2D.new()
+		body.hull = hull
+		body.collision_mask = 0
+		body.position = Vector2(30 * (i % 100), 30.0 * (i / 100.0))
+		parent.add_child(body)
+	stage.add_child(parent)
+	await ticks(1)
+	check_equal(SoftBodyServer2D.get_body_count(), 10000, "bodies in the server")
+	parent.free()
+	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies in the server")
+	await ticks(1)
+
+
+# Sets a project setting; the engine tells about the change at the end of the frame.
+func change(setting: String, value: Variant) -> void:
+	ProjectSettings.set_setting(setting, value)
+	await tree.process_frame
+	await tree.process_frame
+
+
+func add_pile(count: int) -> Array[SoftBody2D]:
+	if stage.get_child_count() == 0:
+		add_floor(0)
+	var pile: Array[SoftBody2D] = []
+	for i in count:
+		var body := add_body(Vector2(95 * (i % 10) + 20 * ((i / 10) % 2), -60 - 95 * floorf(i / 10.0)))
+		pile.append(body)
+	return pile
+
+
+# Frees its victims and adds a body, or leaves, when the step moves it.
+class Fuse extends SoftBody2D:
+	var victims: Array = []
+	var added: SoftBody2D
+	var leaves := false
+	var armed := false
+
+	func _init() -> void:
+		set_notify_local_transform(true)
+
+	func _notification(what: int) -> void:
+		if what != NOTIFICATION_LOCAL_TRANSFORM_CHANGED or not armed:
+			return
+		armed = false
+		for victim: SoftBody2D in victims:
+			victim.free()
+		if leaves:
+			get_parent().remove_child(self)
+			return
+		added = SoftBody2D.new()
+		added.position = position + Vector2(-200, 0)
+		get_parent().add_child(added)

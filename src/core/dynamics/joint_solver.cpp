@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: MIT
+// Finds what joints join, and answers them.
+#include "core/dynamics/joint_solver.h"
+
+#include "core/base/constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace softbody {
+
+namespace {
+
+bool is_rigid(const Joint &joint) {
+	return std::isinf(joint.stiffness);
+}
+
+// Solves K J = v for the symmetric matrix K = (a b; b c). Where K is all but singular, as of a body that can only turn,
+// what its larger part says.
+Vec2 solve_2x2(Real a, Real b, Real c, Vec2 v) {
+	const Real determinant = a * c - b * b;
+	const Real trace = a + c;
+	if (!(determinant > DEGENERATE_LENGTH * trace * trace)) {
+		return trace > 0 ? v * (1 / trace) : Vec2{};
+	}
+	return Vec2{ c * v.x - b * v.y, a * v.y - b * v.x } * (1 / determinant);
+}
+
+} // namespace
+
+JointSolver::Side JointSolver::side_of(const JointAnchor &anchor) const {
+	Side side;
+	side.position = anchor.position;
+	if (anchor.kind == JointAnchor::Kind::RIGID_BODY) {
+		const auto found = std::ranges::lower_bound(tags_, anchor.tag, {}, &std::pair<std::uint64_t, std::uint32_t>::first);
+		side.rigid = found != tags_.end() && found->first == anchor.tag ? found->second : NO_RIGID_BODY;
+		return side;
+	}
+	if (!anchor.is_soft()) {
+		return side;
+	}
+	side.body = world_->find(anchor.body);
+	side.row = rows_[std::size_t(side.body - world_->soft_bodies().data())];
+	const std::uint32_t hull_count = std::uint32_t(side.body->shape().hull_count());
+	const bool is_on_edge = anchor.fraction != 0;
+	side.place.a = anchor.point;
+	side.place.b = is_on_edge ? (anchor.point + 1) % hull_count : anchor.point;
+	side.place.t = anchor.fraction;
+	const std::span<const Real> w = side.body->inverse_masses();
+	const Real share_a = 1 - side.place.t;
+	const Real share_b = side.place.t;
+	side.mobility_a = w[side.place.a] * share_a;
+	side.mobility_b = w[side.place.b] * share_b;
+	side.mobility = std::max(side.mobility_a * share_a + side.mobility_b * share_b,
+			LEAST_EDGE_MOBILITY * std::max(w[side.place.a], w[side.place.b]));
+	return side;
+}
+
+void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> places, bool is_rearranged, Real dt) {
+	active_.clear();
+	const std::span<const Joint> joints = world.joints();
+	const bool has_changed = is_rearranged || seen_joints_ != world.change_counts().joints || world_ != &world;
+	world_ = &world;
+	dt_ = dt;
+	seen_joints_ = world.change_counts().joints;
+	if (has_changed) {
+		joined_.clear();
+		separated_.clear();
+		is_held_.assign(joints.empty() ? 0 : places.size(), 0);
+		last_at_.assign(joints.size(), Vec2{ std::numeric_limits<Real>::infinity(), 0 });
+		rows_.assign(joints.empty() ? 0 : world.soft_bodies().size(), UINT32_MAX);
+		for (std::uint32_t row = 0; !joints.empty() && row < places.size(); ++row) {
+			rows_[places[row]] = row;
+		}
+	}
+	if (joints.empty()) {
+		return;
+	}
+	tags_.clear();
+	for (std::uint32_t i = 0; i < world.rigid_bodies().size(); ++i) {
+		if (world.rigid_bodies()[i].tag != 0) {
+			tags_.push_back({ world.rigid_bodies()[i].tag, i });
+		}
+	}
+	std::ranges::sort(tags_);
+	std::ranges::fill(is_held_, char(0));
+	for (std::uint32_t i = 0; i < joints.size(); ++i) {
+		Active active;
+		active.joint = i;
+		active.sides = { side_of(joints[i].first), side_of(joints[i].second) };
+		bool is_there = true;
+		for (std::size_t end = 0; end < 2; ++end) {
+			const Side &side = active.sides[end];
+			const JointAnchor &anchor = end == 0 ? joints[i].first : joints[i].second;
+			is_there &= anchor.is_soft() ? side.row != UINT32_MAX
+										 : anchor.kind == JointAnchor::Kind::WORLD || side.rigid != NO_RIGID_BODY;
+		}
+		if (!is_there) {
+			continue;
+		}
+		for (const Side &side : active.sides) {
+			if (side.body) {
+				is_held_[side.row] = 1;
+			}
+		}
+		active_.push_back(active);
+		if (has_changed && active.sides[0].body && active.sides[1].body) {
+			const auto [a, b] = std::minmax(active.sides[0].row, active.sides[1].row);
+			joined_.push_back({ a, b });
+			if (!joints[i].collide_joined) {
+				separated_.push_back({ a, b });
+			}
+		}
+	}
+	if (has_changed) {
+		std::ranges::sort(separated_);
+	}
+}
+
+bool JointSolver::separates(BodyPair pair) const {
+	return holds(pair.a) && holds(pair.b) && std::ranges::binary_search(separated_, pair);
+}
+
+bool JointSolver::is_still(const Side &side) const {
+	return side.body->is_asleep() || side.body->is_frozen();
+}
+
+bool JointSolver::wake_joined() {
+	bool has_woken = false;
+	const auto wake = [&](Side &side) {
+		if (side.body->is_asleep()) {
+			side.body->wake();
+			has_woken = true;
+		}
+	};
+	for (Active &active : active_) {
+		for (std::size_t end = 0; end < 2; ++end) {
+			Side &side = active.sides[end];
+			const Side &other = active.sides[1 - end];
+			if (!side.body || (other.body && is_still(other))) {
+				continue;
+			}
+			if (other.rigid == NO_RIGID_BODY) {
+				if (other.body) {
+					wake(side);
+				}
+				continue;
+			}
+			// Who rests on what moves does not rest. A dynamic body would fall, held by one that is not looked at.
+			const RigidBody &rigid = world_->rigid_bodies()[other.rigid];
+			const Vec2 at = rigid.pose.apply(other.position);
+			if (rigid.is_dynamic() || rigid.linear_velocity != Vec2{} || rigid.angular_velocity != 0 ||
+					at != last_at_[active.joint]) {
+				wake(side);
+				side.body->wake();
+			}
+			last_at_[active.joint] = at;
+		}
+	}
+	return has_woken;
+}
+
+void JointSolver::update_place(Side &side, Real elapsed) const {
+	if (side.body) {
+		side.at = position_of(side.place, side.body->positions());
+	} else if (side.rigid != NO_RIGID_BODY) {
+		const RigidBody &rigid = world_->rigid_bodies()[side.rigid];
+		const Pose pose = rigid.is_dynamic() ? rigid.pose : rigid.pose_after(elapsed);
+		side.at = pose.apply(side.position);
+		side.arm = side.at - pose.apply(rigid.centre_of_mass);
+	} else {
+		side.at = side.position;
+	}
+}
+
+Vec2 JointSolver::velocity_of(const Side &side) const {
+	if (side.body) {
+		return position_of(side.place, side.body->velocities());
+	}
+	if (side.rigid != NO_RIGID_BODY) {
+		const RigidBody &rigid = world_->rigid_bodies()[side.rigid];
+		return rigid.linear_velocity + perpendicular(side.arm) * rigid.angular_velocity;
+	}
+	return {};
+}
+
+void JointSolver::move(Side &side, Vec2 way) const {
+	if (!side.body) {
+		return;
+	}
+	const std::span<Vec2> x = side.body->mutable_positions();
+	x[side.place.a] += way * side.mobility_a;
+	if (side.place.a != side.place.b) {
+		x[side.place.b] += way * side.mobility_b;
+	}
+	side.at = position_of(side.place, x);
+}
+
+void JointSolver::apply(Side &side, Vec2 impulse) const {
+	if (side.body) {
+		const std::span<Vec2> v = side.body->mutable_velocities();
+		v[side.place.a] += impulse * side.mobility_a;
+		if (side.place.a != side.place.b) {
+			v[side.place.b] += impulse * side.mobility_b;
+		}
+	} else if (side.rigid != NO_RIGID_BODY) {
+		RigidBody &rigid = world_->mutable_rigid_bodies()[side.rigid];
+		if (!rigid.is_dynamic()) {
+			return;
+		}
+		Reaction &reaction = world_->mutable_reactions()[side.rigid];
+		const Real turning = cross(side.arm, impulse);
+		rigid.linear_velocity += impulse * rigid.inverse_mass;
+		rigid.angular_velocity += turning * rigid.inverse_inertia;
+		reaction.impulse += impulse;
+		reaction.angular_impulse += turning;
+	}
+}
+
+// Moves the soft anchors along `gap`, from the first to the second, until it is gone; as far as this substep has made it,
+// and a little more of what is older.
+void JointSolver::close_gap(Active &active, Vec2 gap, Vec2 relative_velocity, Real h) {
+	Side &first = active.sides[0];
+	Side &second = active.sides[1];
+	const Real mobility = first.mobility + second.mobility;
+	const Real size = length(gap);
+	if (!(mobility > 0) || !(size > 0)) {
+		return;
+	}
+	Real radius = std::numeric_limits<Real>::max();
+	for (const Side &side : active.sides) {
+		radius = side.body ? std::min(radius, side.body->shape().radius()) : radius;
+	}
+	const Real fresh = length(relative_velocity) * h;
+	const Real most = fresh + JOINT_GAP_CLOSING * radius;
+	const Vec2 way = gap * (std::min(size, most) / (size * mobility));
+	move(first, way);
+	move(second, -way);
+	if (active.is_line && size <= fresh) {
+		keep_spin(active, dot(gap, active.direction));
+	}
+}
+
+// Two anchors that are moved towards each other by `closed` keep their angular momentum about each other by turning
+// faster. Without this a rod or spring of angular velocity ω would lose h ω²/2 of its spin a second.
+void JointSolver::keep_spin(Active &active, Real closed) {
+	auto &[first, second] = active.sides;
+	const Real distance = dot(second.at - first.at, active.direction);
+	if (first.rigid != NO_RIGID_BODY || second.rigid != NO_RIGID_BODY || !(distance > 2 * std::abs(closed))) {
+		return;
+	}
+	const Vec2 across = perpendicular(active.direction);
+	const Real faster = dot(velocity_of(second) - velocity_of(first), across) * closed / distance;
+	const Real mobility = first.mobility + second.mobility;
+	apply(first, across * (-faster / mobility));
+	apply(second, across * (faster / mobility));
+}
+
+void JointSolver::prepare(Active &active, Real elapsed, Real h) {
+	const Joint &joint = world_->joints()[active.joint];
+	auto &[first, second] = active.sides;
+	update_place(first, elapsed);
+	update_place(second, elapsed);
+	active.impulse = {};
+	active.wanted = {};
+	active.is_line = !is_rigid(joint) || joint.rest_length > 0;
+	const Vec2 way = second.at - first.at;
+	const Vec2 relative_velocity = velocity_of(second) - velocity_of(first);
+	const Real distance = length(way);
+	// What is about to be reset must not take others along.
+	active.is_idle = (first.body ? is_still(first) : true) && (second.body ? is_still(second) : true);
+	active.is_idle |= !is_finite(way) || !is_finite(relative_velocity);
+	if (active.is_idle) {
+		return;
+	}
+	Vec2 gap = way;
+	if (active.is_line) {
+		if (!(distance > 0)) {
+			active.is_idle = true; // no direction; the next substep brings one
+			return;
+		}
+		active.direction = way * (1 / distance);
+		gap = active.direction * (distance - joint.rest_length);
+	}
+	if (is_rigid(joint)) {
+		if (first.mobility + second.mobility > 0) {
+			close_gap(active, gap, relative_velocity, h);
+			update_place(first, elapsed);
+			update_place(second, elapsed);
+		} else {
+			active.wanted = gap * (-JOINT_PULL / dt_); // a rigid body that hangs from what cannot move
+		}
+		if (active.is_line) {
+			active.direction = second.at - first.at;
+			active.direction *= 1 / length(active.direction);
+		}
+	}
+	if (!active.is_line) {
+		return;
+	}
+	active.response = first.mobility + second.mobility;
+	for (const Side &side : active.sides) {
+		if (side.rigid != NO_RIGID_BODY) {
+			const RigidBody &rigid = world_->rigid_bodies()[side.rigid];
+			const Real lever = cross(side.arm, active.direction);
+			active.response += rigid.inverse_mass + rigid.inverse_inertia * lever * lever;
+		}
+	}
+}
+
+void JointSolver::push(Active &active) {
+	auto &[first, second] = active.sides;
+	const Vec2 relative = velocity_of(second) - velocity_of(first) - active.wanted;
+	Vec2 change;
+	if (active.is_line) {
+		const Vec2 n = active.direction;
+		if (!(active.response > 0)) {
+			return; // neither can move
+		}
+		change = n * (dot(relative, n) / active.response);
+	} else {
+		Real a = first.mobility + second.mobility;
+		Real b = 0;
+		Real c = a;
+		for (const Side &side : active.sides) {
+			if (side.rigid != NO_RIGID_BODY) {
+				const RigidBody &rigid = world_->rigid_bodies()[side.rigid];
+				a += rigid.inverse_mass + rigid.inverse_inertia * side.arm.y * side.arm.y;
+				b -= rigid.inverse_inertia * side.arm.x * side.arm.y;
+				c += rigid.inverse_mass + rigid.inverse_inertia * side.arm.x * side.arm.x;
+			}
+		}
+		change = solve_2x2(a, b, c, relative);
+	}
+	if (!is_finite(change)) {
+		return; // no more than in `prepare`
+	}
+	apply(first, change);
+	apply(second, -change);
+	active.impulse += change;
+	active.total += change;
+}
+
+// J = h (k C + c C'), with the stretch C and its speed C' = (way within the substep)/h as they are after J, which shortens
+// both by h w J: J (1 + h (h k + c) w) = h k C + c way. A dynamic rigid body has got its acceleration after its way: for
+// that end, what counts is where it goes in the coming substep.
+void JointSolver::stretch(Active &active, Real h) {
+	const Joint &joint = world_->joints()[active.joint];
+	auto &[first, second] = active.sides;
+	const auto way_of = [&](const Side &side) {
+		return side.body ? side.at - side.before : side.rigid != NO_RIGID_BODY ? velocity_of(side) * h : Vec2{};
+	};
+	const auto end_of = [&](const Side &side) {
+		const bool is_ahead = side.rigid != NO_RIGID_BODY && world_->rigid_bodies()[side.rigid].is_dynamic();
+		return is_ahead ? side.at + velocity_of(side) * h : side.at;
+	};
+	const Vec2 n = active.direction;
+	const Real longer = dot(end_of(second) - end_of(first), n) - joint.rest_length;
+	const Real way = dot(way_of(second) - way_of(first), n);
+	const Real strength = h * (h * joint.stiffness + joint.damping);
+	const Real pull = h * joint.stiffness * longer + joint.damping * way;
+	const Real impulse = (pull - dot(active.impulse, n)) / (1 + strength * active.response);
+	const Vec2 change = n * impulse;
+	if (!is_finite(change)) {
+		return;
+	}
+	move(first, change * h);
+	move(second, change * -h);
+	apply(first, change);
+	apply(second, -change);
+	keep_spin(active, impulse * h * (first.mobility + second.mobility));
+	active.impulse += change;
+	active.total += change;
+}
+
+void JointSolver::begin_substep() {
+	for (Active &active : active_) {
+		for (Side &side : active.sides) {
+			if (side.body) {
+				side.before = position_of(side.place, side.body->positions());
+			}
+		}
+	}
+}
+
+void JointSolver::solve(Real elapsed, Real h) {
+	for (Active &active : active_) {
+		prepare(active, elapsed, h);
+	}
+	for (int pass = 0; pass < JOINT_PASSES; ++pass) {
+		for (std::size_t i = 0; i < active_.size(); ++i) {
+			Active &active = active_[pass % 2 == 0 ? i : active_.size() - 1 - i];
+			if (!active.is_idle) {
+				is_rigid(world_->joints()[active.joint]) ? push(active) : stretch(active, h);
+			}
+		}
+	}
+}
+
+void JointSolver::end_step(std::vector<JointId> &broken) {
+	for (const Active &active : active_) {
+		if (length(active.total) > world_->joints()[active.joint].break_force * dt_) {
+			broken.push_back(world_->joint_id_at(active.joint));
+		}
+	}
+	for (const JointId id : broken) {
+		world_->remove_joint(id);
+	}
+}
+
+} // namespace softbody

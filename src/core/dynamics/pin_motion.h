@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Moves pinned points to where they are to be at the end of a step.
+#pragma once
+
+#include "core/model/world_data.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace softbody {
+
+/// Pins on their way (SoftBodyData::set_pin_target). While a step lasts such a pin has the velocity that takes it to its
+/// target in a straight line. It has no inverse mass, so that every integrator moves it by just that, in whatever substeps
+/// the step is divided, and springs and contacts feel a point that moves. After the step it is put where that has led but
+/// for rounding, and rests.
+class PinMotion {
+public:
+	/// Sets the pins of active bodies that have targets in motion, for a step of `dt` [s]. `is_rearranged`: bodies came,
+	/// went or changed since the last step. O(1) while no target is set, else O(bodies).
+	void begin_step(WorldData &world, Real dt, bool is_rearranged);
+	/// Puts them where they were to go.
+	void end_step(WorldData &world);
+
+private:
+	std::vector<std::uint32_t> places_; ///< of bodies in the world
+	std::uint64_t seen_targets_ = 0;
+};
+
+} // namespace softbody

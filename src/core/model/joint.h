@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// What ties a soft body to another one, to a place in the world, or to a rigid body.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "core/model/body_id.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Names a joint for as long as it lives, like `BodyId`.
+struct JointId {
+	std::uint32_t index = UINT32_MAX;
+	std::uint32_t generation = 0;
+	friend bool operator==(JointId a, JointId b) = default;
+};
+
+/// One end of a joint.
+struct JointAnchor {
+	enum class Kind : std::uint8_t {
+		WORLD,
+		SOFT_BODY,
+		RIGID_BODY,
+	};
+	Kind kind = Kind::WORLD;
+	BodyId body; ///< the soft body
+	/// Of the soft body: any of its points; or, where `fraction` is not 0, the hull point with which the edge begins.
+	std::uint32_t point = 0;
+	Real fraction = 0; ///< of the way along that edge to the next hull point [1], 0..1
+	Vec2 position; ///< in the world, or in the frame of the rigid body [length]
+	std::uint64_t tag = 0; ///< of the rigid body (RigidBody::tag), not 0
+
+	static JointAnchor at_place(Vec2 position) { return { Kind::WORLD, {}, 0, 0, position, 0 }; }
+	static JointAnchor on_point(BodyId body, std::uint32_t point) { return { Kind::SOFT_BODY, body, point, 0, {}, 0 }; }
+	static JointAnchor on_edge(BodyId body, std::uint32_t edge, Real fraction) {
+		return { Kind::SOFT_BODY, body, edge, fraction, {}, 0 };
+	}
+	static JointAnchor on_rigid_body(std::uint64_t tag, Vec2 position) {
+		return { Kind::RIGID_BODY, {}, 0, 0, position, tag };
+	}
+	bool is_soft() const { return kind == Kind::SOFT_BODY; }
+};
+
+/// Keeps two anchors at a distance, or in one place. At least one of them is on a soft body, and not both on the same. A
+/// joint to a rigid body lasts while that is not among the surroundings, and does nothing in such a step. The bodies that
+/// it joins fall asleep and wake together.
+struct Joint {
+	JointAnchor first;
+	JointAnchor second;
+	/// Distance that the joint keeps [length], >= 0. 0: the anchors are one place, about which both may turn.
+	Real rest_length = 0;
+	/// Of the joint as a spring [force/length], >= 0. Infinite, the default: rigid.
+	Real stiffness = std::numeric_limits<Real>::infinity();
+	/// Of the speed along the line between the anchors [force·s/length], >= 0; a rigid joint needs none.
+	Real damping = 0;
+	/// Force, on average over a step, beyond which the joint breaks [force], > 0: it is told in
+	/// StepReport::broken_joints and removed. Infinite, the default: never. A blow weighs the more the shorter the step is.
+	Real break_force = std::numeric_limits<Real>::infinity();
+	/// Whether two soft bodies that it joins still collide with each other.
+	bool collide_joined = false;
+};
+
+/// Refuses, by name, values outside their range, anchors that are not finite, two anchors of which none is on a soft body
+/// or both are on the same, and an anchor on a rigid body without a tag. Does not know which bodies there are.
+Status check_joint(const Joint &joint);
+
+/// The joints of a world, densely, under stable ids; removing one moves the last into its place.
+class JointList {
+public:
+	JointId add(const Joint &joint);
+	/// False when the id refers to nothing.
+	bool remove(JointId id);
+	/// Null when the id refers to nothing. Valid until a joint is added or removed.
+	Joint *find(JointId id);
+	std::span<const Joint> joints() const { return joints_; }
+	/// Id of the joint stored at `index` of `joints()`.
+	JointId id_at(std::size_t index) const { return ids_[index]; }
+
+private:
+	struct Slot {
+		std::uint32_t dense = UINT32_MAX; ///< place in `joints_`, UINT32_MAX when free
+		std::uint32_t generation = 0;
+	};
+	std::vector<Joint> joints_;
+	std::vector<JointId> ids_;
+	std::vector<Slot> slots_;
+	std::vector<std::uint32_t> free_slots_;
+};
+
+} // namespace softbody

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// The singleton that steps every soft body once a physics tick.
+#include "godot/server/soft_body_server_2d.h"
+
+#include "godot/nodes/soft_body_2d.h"
+
+#include <godot_cpp/classes/performance.hpp>
+#include <godot_cpp/classes/project_settings.hpp>
+#include <godot_cpp/classes/time.hpp>
+#include <godot_cpp/classes/window.hpp>
+#include <godot_cpp/classes/world2d.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+#include <algorithm>
+
+namespace godot {
+
+namespace {
+
+SoftBodyServer2D *singleton = nullptr;
+
+// In the debugger's list of monitors.
+const char *const AWAKE_MONITOR = "SoftBody2D/Awake Bodies";
+const char *const CONTACT_MONITOR = "SoftBody2D/Contacts";
+const char *const STEP_MONITOR = "SoftBody2D/Step (usec)";
+
+} // namespace
+
+SoftBodyServer2D *SoftBodyServer2D::get_singleton() {
+	return singleton;
+}
+
+SoftBodyServer2D::SoftBodyServer2D() {
+	if (singleton == nullptr) {
+		singleton = this;
+	}
+}
+
+SoftBodyServer2D::~SoftBodyServer2D() {
+	if (Performance *performance = Performance::get_singleton()) {
+		for (const char *monitor : { AWAKE_MONITOR, CONTACT_MONITOR, STEP_MONITOR }) {
+			if (performance->has_custom_monitor(monitor)) {
+				performance->remove_custom_monitor(monitor);
+			}
+		}
+	}
+	if (singleton == this) {
+		singleton = nullptr;
+	}
+}
+
+softbody::SoftBodySpace2D *SoftBodyServer2D::add_body(SoftBody2D *p_node) {
+	watch(p_node->get_tree());
+	if (!settings_known_) {
+		read_settings();
+		ProjectSettings::get_singleton()->connect("settings_changed", callable_mp(this, &SoftBodyServer2D::read_settings));
+	}
+	const RID rid = p_node->get_world_2d()->get_space();
+	auto found = std::find_if(spaces_.begin(), spaces_.end(), [&](const Space &p_space) { return p_space.rid == rid; });
+	if (found == spaces_.end()) {
+		spaces_.push_back({ rid, std::make_unique<softbody::SoftBodySpace2D>(rid, threads_.parallel_for()) });
+		found = spaces_.end() - 1;
+		found->content->apply_settings(settings_);
+	}
+	found->content->add(p_node);
+	return found->content.get();
+}
+
+void SoftBodyServer2D::remove_body(SoftBody2D *p_node) {
+	for (Space &space : spaces_) {
+		space.content->remove(p_node);
+	}
+	drop_empty_spaces();
+}
+
+void SoftBodyServer2D::drop_empty_spaces() {
+	if (!stepping_) {
+		std::erase_if(spaces_, [](const Space &p_space) { return p_space.content->is_empty(); });
+	}
+}
+
+void SoftBodyServer2D::read_settings() {
+	settings_ = softbody::read_step_settings();
+	settings_known_ = true;
+	threads_.set_thread_count(settings_.threads);
+	for (Space &space : spaces_) {
+		space.content->apply_settings(settings_);
+	}
+}
+
+void SoftBodyServer2D::add_monitors() {
+	Performance *performance = Performance::get_singleton();
+	if (!performance->has_custom_monitor(AWAKE_MONITOR)) {
+		performance->add_custom_monitor(AWAKE_MONITOR, callable_mp(this, &SoftBodyServer2D::get_awake_body_count));
+		performance->add_custom_monitor(CONTACT_MONITOR, callable_mp(this, &SoftBodyServer2D::get_contact_count));
+		performance->add_custom_monitor(STEP_MONITOR, callable_mp(this, &SoftBodyServer2D::get_last_step_usec));
+	}
+}
+
+void SoftBodyServer2D::watch(SceneTree *p_tree) {
+	if (watched_tree_ == p_tree->get_instance_id()) {
+		return;
+	}
+	watched_tree_ = p_tree->get_instance_id();
+	p_tree->connect("physics_frame", callable_mp(this, &SoftBodyServer2D::step));
+	add_monitors();
+}
+
+void SoftBodyServer2D::step() {
+	const SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(watched_tree_));
+	if (tree == nullptr || spaces_.empty() || stepping_) {
+		return;
+	}
+	const double delta = tree->get_root()->get_physics_process_delta_time();
+	if (!(delta > 0)) {
+		return; // Engine.time_scale is 0
+	}
+	const uint64_t start = Time::get_singleton()->get_ticks_usec();
+	step_spaces(delta);
+	last_step_usec_ = double(Time::get_singleton()->get_ticks_usec() - start);
+	total_step_usec_ += last_step_usec_;
+	counted_steps_++;
+	tick_count_++;
+}
+
+// Nodes that are moved along run code of the user, who may do anything: add nodes, free them, in other spaces too.
+void SoftBodyServer2D::step_spaces(double p_delta) {
+	stepping_ = true;
+	const size_t count = spaces_.size(); // what comes meanwhile waits for the next tick
+	for (size_t i = 0; i < count; i++) {
+		softbody::SoftBodySpace2D &content = *spaces_[i].content;
+		content.step(p_delta);
+		profile_ += content.profile();
+	}
+	threads_.end_step();
+	stepping_ = false;
+	drop_empty_spaces();
+}
+
+int64_t SoftBodyServer2D::get_body_count() const {
+	int64_t count = 0;
+	for (const Space &space : spaces_) {
+		count += space.content->body_count();
+	}
+	return count;
+}
+
+int64_t SoftBodyServer2D::get_tick_count() const {
+	return tick_count_;
+}
+
+int64_t SoftBodyServer2D::get_awake_body_count() const {
+	int64_t count = 0;
+	for (const Space &space : spaces_) {
+		count += space.content->awake_body_count();
+	}
+	return count;
+}
+
+int64_t SoftBodyServer2D::get_contact_count() const {
+	int64_t count = 0;
+	for (const Space &space : spaces_) {
+		count += space.content->contact_count();
+	}
+	return count;
+}
+
+int SoftBodyServer2D::get_thread_count() const {
+	return threads_.get_thread_count();
+}
+
+// Means since the last reset [µs a tick].
+Dictionary SoftBodyServer2D::get_step_profile() const {
+	const double steps = double(std::max<int64_t>(1, counted_steps_));
+	Dictionary result;
+	result["prepare"] = profile_.prepare / steps;
+	result["surroundings"] = profile_.surroundings / steps;
+	result["simulate"] = profile_.simulate / steps;
+	result["finish"] = profile_.finish / steps;
+	return result;
+}
+
+double SoftBodyServer2D::get_last_step_usec() const {
+	return last_step_usec_;
+}
+
+double SoftBodyServer2D::get_mean_step_usec() const {
+	return counted_steps_ > 0 ? total_step_usec_ / double(counted_steps_) : 0.0;
+}
+
+void SoftBodyServer2D::reset_statistics() {
+	tick_count_ = 0;
+	counted_steps_ = 0;
+	total_step_usec_ = 0;
+	last_step_usec_ = 0;
+	profile_ = {};
+}
+
+double SoftBodyServer2D::measure_max_penetration() const {
+	double deepest = 0;
+	for (const Space &space : spaces_) {
+		for (const SoftBody2D *node : space.content->nodes()) {
+			deepest = std::max(deepest, node ? node->get_penetration() : 0.0);
+		}
+	}
+	return deepest;
+}
+
+void SoftBodyServer2D::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("get_body_count"), &SoftBodyServer2D::get_body_count);
+	ClassDB::bind_method(D_METHOD("get_awake_body_count"), &SoftBodyServer2D::get_awake_body_count);
+	ClassDB::bind_method(D_METHOD("get_contact_count"), &SoftBodyServer2D::get_contact_count);
+	ClassDB::bind_method(D_METHOD("get_thread_count"), &SoftBodyServer2D::get_thread_count);
+	ClassDB::bind_method(D_METHOD("get_step_profile"), &SoftBodyServer2D::get_step_profile);
+	ClassDB::bind_method(D_METHOD("get_tick_count"), &SoftBodyServer2D::get_tick_count);
+	ClassDB::bind_method(D_METHOD("get_last_step_usec"), &SoftBodyServer2D::get_last_step_usec);
+	ClassDB::bind_method(D_METHOD("get_mean_step_usec"), &SoftBodyServer2D::get_mean_step_usec);
+	ClassDB::bind_method(D_METHOD("reset_statistics"), &SoftBodyServer2D::reset_statistics);
+	ClassDB::bind_method(D_METHOD("measure_max_penetration"), &SoftBodyServer2D::measure_max_penetration);
+}
+
+} // namespace godot

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// All soft bodies of one physics space, stepped together once a physics tick.
+#pragma once
+
+#include "core/dynamics/simulator.h"
+#include "core/model/world_data.h"
+#include "godot/server/step_settings.h"
+#include "godot/surroundings/surroundings_reader.h"
+
+#include <godot_cpp/variant/rid.hpp>
+
+#include <vector>
+
+namespace godot {
+class SoftBody2D;
+}
+
+namespace softbody {
+
+/// Where the time of a step goes [µs].
+struct StepProfile {
+	double prepare = 0; ///< taking over what users changed
+	double surroundings = 0; ///< reading what is near
+	double simulate = 0; ///< in the core
+	double finish = 0; ///< moving nodes along
+
+	StepProfile &operator+=(const StepProfile &p_other);
+};
+
+/// Joins the core's world of one `World2D` with the nodes that stand for its bodies.
+class SoftBodySpace2D {
+public:
+	/// `p_space` is the space of a `World2D` and must outlive this object.
+	/// `p_parallel_for` divides the work of a step.
+	SoftBodySpace2D(const godot::RID &p_space, ParallelFor p_parallel_for);
+
+	WorldData &world() { return world_; }
+	const WorldData &world() const { return world_; }
+	const Simulator &simulator() const { return simulator_; }
+	void apply_settings(const StepSettings &p_settings);
+	bool is_empty() const { return body_count_ == 0; }
+	int64_t body_count() const { return body_count_; }
+	/// Null where a node has left during the present step.
+	const std::vector<godot::SoftBody2D *> &nodes() const { return nodes_; }
+
+	/// Bodies that the last step found neither asleep nor out of process.
+	int64_t awake_body_count() const { return awake_body_count_; }
+	/// Contacts that the last step answered, counted in every substep.
+	int64_t contact_count() const { return contact_count_; }
+	/// Of the last step.
+	const StepProfile &profile() const { return profile_; }
+
+	void add(godot::SoftBody2D *p_node);
+	void remove(godot::SoftBody2D *p_node);
+	/// Reads gravity and surroundings, steps the core by `p_delta` [s], hands the result to the nodes.
+	void step(double p_delta);
+
+private:
+	/// Calls `p_work(node)` for the nodes that are there now; those that it removes are left out, those that it adds wait.
+	template <class Work>
+	void for_nodes(const Work &p_work) {
+		const size_t count = nodes_.size();
+		for (size_t i = 0; i < count; i++) {
+			if (nodes_[i] != nullptr) {
+				p_work(*nodes_[i]);
+			}
+		}
+	}
+	void close_gaps();
+	int64_t count_awake() const;
+	void read_gravity();
+	void read_surroundings(double p_delta);
+	godot::SoftBody2D *node_of(BodyId p_id) const;
+
+	godot::RID space_;
+	WorldData world_;
+	Simulator simulator_;
+	SurroundingsReader reader_;
+	std::vector<godot::SoftBody2D *> nodes_;
+	int64_t body_count_ = 0; ///< nodes that are not null
+	bool stepping_ = false;
+	int64_t awake_body_count_ = 0;
+	int64_t contact_count_ = 0;
+	StepProfile profile_;
+};
+
+} // namespace softbody

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The project settings of soft bodies.
+#include "godot/server/step_settings.h"
+
+#include "core/base/error.h"
+#include "godot/convert.h"
+
+#include <godot_cpp/classes/project_settings.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/property_info.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+
+using namespace godot;
+
+namespace softbody {
+
+namespace {
+
+constexpr const char *THREADS = "physics/soft_body_2d/solver/threads";
+constexpr const char *CONTACT_SUBSTEPS = "physics/soft_body_2d/solver/contact_substeps";
+constexpr const char *SUBSTEPS = "physics/soft_body_2d/solver/default_substeps";
+constexpr const char *CAN_SLEEP = "physics/soft_body_2d/sleep/enabled";
+constexpr int MAX_THREADS = 64;
+
+void add_setting(const char *p_name, const Variant &p_default, PropertyHint p_hint, const String &p_hint_string) {
+	ProjectSettings *settings = ProjectSettings::get_singleton();
+	if (!settings->has_setting(p_name)) {
+		settings->set_setting(p_name, p_default);
+	}
+	settings->set_initial_value(p_name, p_default);
+	settings->set_as_basic(p_name, true);
+	Dictionary info;
+	info["name"] = p_name;
+	info["type"] = p_default.get_type();
+	info["hint"] = p_hint;
+	info["hint_string"] = p_hint_string;
+	settings->add_property_info(info);
+}
+
+int read_count(const char *p_name, int p_least, int p_most, int p_default) {
+	const int64_t value = ProjectSettings::get_singleton()->get_setting(p_name, p_default);
+	const Status status = check_between(p_name, double(value), p_least, p_most, "");
+	if (status) {
+		ERR_PRINT("Project setting " + to_godot(status->message()) + ". " + itos(p_default) + " is used instead.");
+		return p_default;
+	}
+	return int(value);
+}
+
+} // namespace
+
+void register_step_settings() {
+	const StepSettings defaults;
+	add_setting(THREADS, defaults.threads, PROPERTY_HINT_RANGE, "0," + itos(MAX_THREADS) + ",1");
+	add_setting(CONTACT_SUBSTEPS, defaults.contact_substeps, PROPERTY_HINT_RANGE, "1," + itos(MAX_SUBSTEPS) + ",1");
+	add_setting(SUBSTEPS, defaults.substeps, PROPERTY_HINT_RANGE, "0," + itos(MAX_SUBSTEPS) + ",1");
+	add_setting(CAN_SLEEP, defaults.can_sleep, PROPERTY_HINT_NONE, "");
+}
+
+StepSettings read_step_settings() {
+	const StepSettings defaults;
+	StepSettings settings;
+	settings.threads = read_count(THREADS, 0, MAX_THREADS, defaults.threads);
+	settings.contact_substeps = read_count(CONTACT_SUBSTEPS, 1, MAX_SUBSTEPS, defaults.contact_substeps);
+	settings.substeps = read_count(SUBSTEPS, 0, MAX_SUBSTEPS, defaults.substeps);
+	settings.can_sleep = ProjectSettings::get_singleton()->get_setting(CAN_SLEEP, defaults.can_sleep);
+	return settings;
+}
+
+} // namespace softbody
