@@ -99,6 +99,15 @@ inline constexpr Real DEFAULT_SHAPE_MATCHING = Real(0.4);
 /// rounding can never put it on the other side. Larger: visible gap. Smaller: leaks far from the origin.
 inline constexpr Real LINEAR_SLOP = Real(0.001);
 
+/// How deep a body may be in a one-way collider and still be held by it, if the collider does not say [length, times
+/// WorldData::length_unit]. Larger: bodies that have hardly come through from behind are taken up. Smaller: what is
+/// pressed into it for a moment may fall through.
+inline constexpr Real ONE_WAY_MARGIN = Real(0.01);
+
+/// Least cosine between a contact's normal and the direction in which a one-way collider holds [1]. Larger: round ends and
+/// slopes let slip what lies on them. Smaller: steep sides hold, too.
+inline constexpr Real ONE_WAY_FACING = Real(0.1);
+
 /// How far apart, in radii, the points of a joined body may be before it counts as blown up and is reset, and how far
 /// it may fly in a step for that flight to outlast a reset [1]. Larger: a body that blows up over several steps
 /// reappears away from where it was. Smaller: one that is only stretched is taken for lost.

@@ -74,6 +74,8 @@ struct BasicRotation {
 	Real angle() const { return std::atan2(s, c); }
 	constexpr BasicVec2<T> apply(BasicVec2<T> a) const { return { c * a.x - s * a.y, s * a.x + c * a.y }; }
 	constexpr BasicVec2<T> apply_inverse(BasicVec2<T> a) const { return { c * a.x + s * a.y, c * a.y - s * a.x }; }
+
+	friend constexpr bool operator==(BasicRotation a, BasicRotation b) { return a.c == b.c && a.s == b.s; }
 };
 using Rotation = BasicRotation<Real>;
 

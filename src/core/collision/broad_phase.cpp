@@ -24,10 +24,11 @@ constexpr std::size_t TASKS = 32;
 // Level of all boxes that are larger than so many doublings of the smallest cells: everybody looks at all of them.
 constexpr std::uint32_t ALL_SIZES = 23;
 
-// Side of the cells by which pairs are grouped, in cells of level 0. Two bodies of extent up to 2 cells that touch
-// are at most 2 cells apart, so that all who share a body with a pair are within 4 cells of it: see group_pairs.
-constexpr Real GROUP_CELLS = 4;
-constexpr std::uint32_t GROUPED_LEVELS = 2; // levels 0 and 1: extents up to 2 cells
+// Extent of the largest bodies that are grouped, and side of the squares by which they are, in extents of most bodies.
+// Two grouped bodies that touch are less than 2 of them apart, so that all who share a body with a pair are within 4 of
+// it: see group_pairs.
+constexpr Real GROUPED_EXTENT = Real(1.99);
+constexpr Real GROUP_SQUARE = 4;
 
 // Bodies flung to where no cell has a number are gathered at the edge.
 constexpr Real FARTHEST_CELL = Real(1 << 30);
@@ -48,7 +49,8 @@ std::uint64_t mix(std::uint64_t key) {
 
 } // namespace
 
-void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for) {
+void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for,
+		std::span<const BodyPair> exceptions) {
 	const bool same_bodies = version == version_ && boxes_.size() == bodies.size() && rebuild_count_ > 0;
 	version_ = version;
 	boxes_.resize(bodies.size());
@@ -62,6 +64,8 @@ void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t ve
 		}
 	}
 	if (same_bodies && moved_.empty()) {
+		keep_overlapping(bodies, exceptions);
+		group_pairs(bodies);
 		return;
 	}
 	++rebuild_count_;
@@ -75,7 +79,8 @@ void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t ve
 		fill_grid();
 		replace_pairs_of_moved(bodies);
 	}
-	group_pairs();
+	keep_overlapping(bodies, exceptions);
+	group_pairs(bodies);
 }
 
 void BroadPhase::choose_cell_size() {
@@ -247,16 +252,46 @@ void BroadPhase::replace_pairs_of_moved(std::span<const BroadPhaseBody> bodies) 
 	std::ranges::merge(kept_, fresh, found_.begin());
 }
 
-// The plane is divided into squares of four cells, coloured like the points (even, even), (odd, even), ... Each pair
-// belongs to the square that holds the centre of its first body. Two pairs that share a body have first bodies at
-// most four cells apart, while different squares of one colour are more than that apart: so they are in the
-// same group or of different colours. Pairs with a larger body form one last group.
-void BroadPhase::group_pairs() {
-	const Real size = GROUP_CELLS * cell_size_;
-	constexpr std::uint64_t LARGE = UINT64_MAX; // no square has this key: coordinates stop at 2^30
+void BroadPhase::keep_overlapping(std::span<const BroadPhaseBody> bodies, std::span<const BodyPair> exceptions) {
+	overlapping_.clear();
+	for (const BodyPair pair : found_) {
+		const BroadPhaseBody &a = bodies[pair.a];
+		const BroadPhaseBody &b = bodies[pair.b];
+		if (!(a.rests && b.rests) && a.box.overlaps(b.box)) {
+			overlapping_.push_back(pair);
+		}
+	}
+	if (!exceptions.empty()) {
+		std::erase_if(overlapping_, [&](BodyPair pair) { return std::ranges::binary_search(exceptions, pair); });
+	}
+}
+
+// The plane is divided into squares of four times the extent of most bodies that have a pair, coloured like the points
+// (even, even), (odd, even), ... Each pair belongs to the square that holds the centre of its first body. Two pairs that
+// share a body have first bodies less than four such extents apart, while different squares of one colour are more than
+// that apart: so they are in the same group or of different colours. Pairs with a larger body form one last group.
+void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 	constexpr std::uint32_t NONE = UINT32_MAX;
+	groups_.clear();
+	first_group_.fill(0);
+	pairs_.resize(overlapping_.size());
+	if (overlapping_.empty()) {
+		return;
+	}
+	extents_.clear();
+	for (std::uint32_t last = NONE; const BodyPair pair : overlapping_) {
+		if (pair.a != last) {
+			extents_.push_back(extent_of(bodies[pair.a].box));
+			last = pair.a;
+		}
+	}
+	const auto most = extents_.begin() + std::ptrdiff_t(extents_.size() * 3 / 4);
+	std::nth_element(extents_.begin(), most, extents_.end());
+	const Real extent = *most > 0 ? *most : Real(1);
+	const Real size = GROUP_SQUARE * extent;
+	constexpr std::uint64_t LARGE = UINT64_MAX >> 1; // no square has this key: coordinates stop at 2^30
 	squares_.clear();
-	square_at_.assign(std::bit_ceil(2 * boxes_.size() + 2), NONE); // at most half of it is taken
+	square_at_.assign(std::bit_ceil(2 * extents_.size() + 4), NONE); // at most half of it is taken
 	const auto square_of = [&](std::uint64_t key, std::uint32_t colour) {
 		std::size_t slot = std::size_t(mix(key)) & (square_at_.size() - 1);
 		while (square_at_[slot] != NONE && squares_[square_at_[slot]].key != key) {
@@ -268,18 +303,19 @@ void BroadPhase::group_pairs() {
 		}
 		return square_at_[slot];
 	};
-	square_of_pair_.resize(found_.size());
+	square_of_pair_.resize(overlapping_.size());
 	std::uint32_t last_body = NONE;
 	std::uint32_t last_square = NONE;
-	for (std::size_t i = 0; i < found_.size(); ++i) {
-		const BodyPair pair = found_[i];
+	const auto is_large = [&](std::uint32_t body) { return !(extent_of(bodies[body].box) <= GROUPED_EXTENT * extent); };
+	for (std::size_t i = 0; i < overlapping_.size(); ++i) {
+		const BodyPair pair = overlapping_[i];
 		std::uint32_t square = NONE;
-		if (cells_[pair.a].level >= GROUPED_LEVELS || cells_[pair.b].level >= GROUPED_LEVELS) {
+		if (is_large(pair.a) || is_large(pair.b)) {
 			square = square_of(LARGE, COLOURS - 1);
 		} else if (pair.a == last_body) {
 			square = last_square;
 		} else {
-			const Vec2 centre = (boxes_[pair.a].min + boxes_[pair.a].max) * Real(0.5);
+			const Vec2 centre = (bodies[pair.a].box.min + bodies[pair.a].box.max) * Real(0.5);
 			const std::int32_t x = cell_coordinate(centre.x, size);
 			const std::int32_t y = cell_coordinate(centre.y, size);
 			square = square_of((std::uint64_t(std::uint32_t(x)) << 32) | std::uint32_t(y),
@@ -291,7 +327,6 @@ void BroadPhase::group_pairs() {
 		square_of_pair_[i] = square;
 	}
 	// Squares by colour, in the order in which pairs first fell into them; then each pair to its place.
-	groups_.clear();
 	std::uint32_t begin = 0;
 	for (std::uint32_t colour = 0; colour < COLOURS; ++colour) {
 		first_group_[colour] = groups_.size();
@@ -305,9 +340,8 @@ void BroadPhase::group_pairs() {
 		}
 	}
 	first_group_[COLOURS] = groups_.size();
-	pairs_.resize(found_.size());
-	for (std::size_t i = 0; i < found_.size(); ++i) {
-		pairs_[squares_[square_of_pair_[i]].count++] = found_[i];
+	for (std::size_t i = 0; i < overlapping_.size(); ++i) {
+		pairs_[squares_[square_of_pair_[i]].count++] = overlapping_[i];
 	}
 }
 

@@ -18,6 +18,7 @@ struct BroadPhaseBody {
 	Aabb box; ///< in which the body stays during the coming step
 	std::uint32_t layer = 1;
 	std::uint32_t mask = 0xffffffffu;
+	bool rests = false; ///< two bodies that rest are no pair
 };
 
 /// Two bodies that may touch, as places in the list given to the broad phase; a < b.
@@ -29,18 +30,21 @@ struct BodyPair {
 
 /// Finds pairs with a hashed grid of several cell sizes: each body lies in one cell of the level whose cells are as
 /// large as its box, and asks the neighbouring cells of its own and all other levels. Boxes are kept with a margin: as
-/// long as every body stays within its own, the pairs of the last time hold and only that is checked; of a few bodies
-/// that have left theirs, only the pairs are sought anew.
+/// long as every body stays within its own, the candidates of the last time hold; of a few bodies that have left theirs,
+/// only those are sought anew. Of the candidates, those whose boxes overlap as they are now become pairs.
 ///
 /// The pairs come in groups that several threads may work on at once: no two groups of one colour share a body.
-/// Pairs, groups and their order depend only on the boxes.
+/// Pairs, groups and their order depend on the present boxes alone, not on where bodies were in earlier steps, so that a
+/// state that is put back goes on as it did.
 class BroadPhase {
 public:
 	/// How many colours there are; the groups of the last one may share bodies and must be worked on in order.
 	static constexpr std::size_t COLOURS = 5;
 
 	/// `version` tells whether the list still means the same bodies. O(bodies) expected.
-	void update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for = {});
+	/// `exceptions`, sorted, are no pairs.
+	void update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for = {},
+			std::span<const BodyPair> exceptions = {});
 
 	std::span<const BodyPair> pairs() const { return pairs_; }
 	/// The groups of a colour, each a run of `pairs()`.
@@ -49,7 +53,7 @@ public:
 		std::uint32_t end = 0;
 	};
 	std::span<const Group> groups(std::size_t colour) const;
-	/// How often pairs were sought anew, of all bodies or of some.
+	/// How often candidates were sought anew, of all bodies or of some.
 	std::uint64_t rebuild_count() const { return rebuild_count_; }
 	/// Of how many bodies they were, all in all.
 	std::uint64_t sought_bodies() const { return sought_bodies_; }
@@ -68,7 +72,8 @@ private:
 	void find_pairs_of(std::uint32_t i, std::span<const BroadPhaseBody> bodies, bool moved_only, std::vector<BodyPair> &found) const;
 	void find_all_pairs(std::span<const BroadPhaseBody> bodies, const ParallelFor &parallel_for);
 	void replace_pairs_of_moved(std::span<const BroadPhaseBody> bodies);
-	void group_pairs();
+	void keep_overlapping(std::span<const BroadPhaseBody> bodies, std::span<const BodyPair> exceptions);
+	void group_pairs(std::span<const BroadPhaseBody> bodies);
 	Entry cell_of(const Aabb &box, std::uint32_t body) const;
 	std::size_t bucket_of(std::int32_t x, std::int32_t y, std::uint32_t level) const;
 
@@ -85,7 +90,8 @@ private:
 	std::vector<Entry> entries_; ///< by bucket
 	std::vector<std::uint32_t> bucket_starts_;
 	std::vector<Entry> cells_; ///< by body
-	std::vector<BodyPair> found_; ///< in order
+	std::vector<BodyPair> found_; ///< candidates, in order
+	std::vector<BodyPair> overlapping_; ///< those of them that overlap now, in order
 	// Scratch.
 	std::vector<std::uint32_t> moved_;
 	std::vector<char> has_moved_;

@@ -8,14 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace softbody {
 
 namespace {
-
-bool notices(const BodySettings &settings, const Surface &surface) {
-	return (settings.collision_mask & surface.layer) != 0;
-}
 
 Real fastest(std::span<const Vec2> velocities) {
 	RealPack most(0);
@@ -36,7 +33,7 @@ Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Rea
 	return std::isfinite(way) ? box.grown(way + std::max(size.x, size.y) / 16) : box;
 }
 
-void CollisionHandling::begin_body(const SurroundingsIndex &surroundings, const SoftBodyData &body, Real elapsed, Real dt) {
+void CollisionHandling::begin_body(const SurroundingsIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt) {
 	surroundings_ = &surroundings;
 	elapsed_ = elapsed;
 	nearby_.clear();
@@ -44,14 +41,28 @@ void CollisionHandling::begin_body(const SurroundingsIndex &surroundings, const 
 		margin_ = fastest(body.velocities()) * dt + body.shape().radius() / 4;
 		gather(body, margin_);
 	}
+	if (!body.one_ways().empty()) {
+		forget_one_ways(body);
+	}
+}
+
+// What is not near any more.
+void CollisionHandling::forget_one_ways(SoftBodyData &body) const {
+	const std::vector<ConvexCollider> &colliders = surroundings_->world().colliders();
+	std::erase_if(body.one_ways(), [&](const OneWayMemory &memory) {
+		return std::ranges::none_of(nearby_, [&](std::uint32_t i) {
+			return colliders[i].is_one_way() && one_way_name(colliders[i]) == memory.collider;
+		});
+	});
 }
 
 void CollisionHandling::gather(const SoftBodyData &body, Real margin) {
 	reach_ = bounding_box(body.hull()).grown(margin);
 	surroundings_->collect(reach_, nearby_);
 	std::erase_if(nearby_, [&](std::uint32_t i) {
-		return !notices(body.settings(), surroundings_->world().colliders()[i].surface);
+		return !notices(body, surroundings_->world().colliders()[i].surface);
 	});
+	has_one_way_ = std::ranges::any_of(nearby_, [&](std::uint32_t i) { return surroundings_->world().colliders()[i].is_one_way(); });
 }
 
 std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h) {
@@ -78,6 +89,9 @@ void CollisionHandling::handle_colliders(SoftBodyData &body, std::span<const Vec
 		const Vec2 way = swept.max - swept.min;
 		gather(body, margin_ + std::max(way.x, way.y));
 	}
+	if (has_one_way_) {
+		begin_one_ways(body, before, swept);
+	}
 	// Points first, of all colliders: an edge between a point that has been moved out and one that has not dips into the
 	// seam of two colliders and would be pushed back from it.
 	for (const bool corners : { false, true }) {
@@ -99,48 +113,105 @@ void CollisionHandling::handle_collider(SoftBodyData &body, std::span<const Vec2
 	}
 	const HullMotion hull{ before, body.hull() };
 	if (collider.rigid_body == NO_RIGID_BODY) {
-		if (corners) {
-			handle_corners(body, hull, collider, collider.surface, {}, bounding_box(hull.to));
-		} else {
-			handle_points(body, hull, collider, collider.surface, {}, bounds);
-		}
+		answer_collider(body, hull, collider, collider.surface, {}, corners ? bounding_box(hull.to) : bounds, corners);
 		return;
 	}
 	const RigidBody &mover = world.rigid_bodies()[collider.rigid_body];
 	const ColliderMotion motion{ mover.pose_after(elapsed_), mover.pose_after(elapsed_ + h_), false };
 	const Surface surface = surface_in_motion(collider.surface, mover, motion.to);
+	Aabb box = collider.bounds().grown(slop);
 	if (corners) {
-		Aabb box = bounding_box(hull.to);
+		box = bounding_box(hull.to);
 		for (std::size_t i = 0; i < hull.to.size(); ++i) {
 			box.include(hull.from[i]);
 		}
-		handle_corners(body, hull, collider, surface, motion, box);
-	} else {
-		handle_points(body, hull, collider, surface, motion, collider.bounds().grown(slop));
+	}
+	answer_collider(body, hull, collider, surface, motion, box, corners);
+}
+
+// `box`: of the hull for the collider's corners, of the collider in its own frame for the hull's points.
+void CollisionHandling::answer_collider(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
+		const Surface &surface, const ColliderMotion &motion, const Aabb &box, bool corners) {
+	std::optional<OneWay> one_way;
+	if (collider.is_one_way()) {
+		one_way.emplace(body, collider, motion, surroundings_->world().length_unit());
+		if (one_way->passes() || (!one_way->is_held() && is_beside_passed(body, collider))) {
+			return;
+		}
+	}
+	OneWay *const one_way_or_none = one_way ? &*one_way : nullptr;
+	const Real pressed = corners ? handle_corners(body, hull, collider, surface, motion, box, one_way_or_none)
+								 : handle_points(body, hull, collider, surface, motion, box, one_way_or_none);
+	if (one_way && pressed > 0) {
+		one_way->hold(body.hull(), own_hull_);
 	}
 }
 
-void CollisionHandling::handle_points(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
-		const Surface &surface, const ColliderMotion &motion, const Aabb &own_bounds) {
+// A platform made of many pieces: what passes one passes its neighbours, or their fronts would hold its flanks.
+bool CollisionHandling::is_beside_passed(const SoftBodyData &body, const ConvexCollider &collider) const {
+	if (std::ranges::none_of(body.one_ways(), [](const OneWayMemory &each) { return !each.held; })) {
+		return false;
+	}
+	const WorldData &world = surroundings_->world();
+	const Aabb box = collider.bounds().grown(LINEAR_SLOP * world.length_unit());
+	return std::ranges::any_of(nearby_, [&](std::uint32_t i) {
+		const ConvexCollider &other = world.colliders()[i];
+		return &other != &collider && other.rigid_body == collider.rigid_body && other.one_way == collider.one_way &&
+				box.overlaps(other.bounds()) && is_passing(body, other);
+	});
+}
+
+void CollisionHandling::begin_one_ways(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept) {
+	const WorldData &world = surroundings_->world();
+	const Real slop = LINEAR_SLOP * world.length_unit();
+	for (const std::uint32_t i : nearby_) {
+		const ConvexCollider &collider = world.colliders()[i];
+		if (collider.is_one_way() && swept.overlaps(surroundings_->bounds(i).grown(slop))) {
+			ColliderMotion motion;
+			if (collider.rigid_body != NO_RIGID_BODY) {
+				motion = { world.rigid_bodies()[collider.rigid_body].pose_after(elapsed_), {}, false };
+			}
+			OneWay(body, collider, motion, world.length_unit()).begin_substep(before.first(body.hull().size()), own_hull_);
+		}
+	}
+}
+
+// Returns the sum of the impulses.
+Real CollisionHandling::handle_points(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
+		const Surface &surface, const ColliderMotion &motion, const Aabb &own_bounds, const OneWay *one_way) {
 	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
+	HullMotion seen = hull;
+	if (one_way != nullptr) {
+		starts_.assign(hull.from.begin(), hull.from.begin() + std::ptrdiff_t(hull.to.size()));
+		for (Vec2 &p : starts_) {
+			p = one_way->start_of(p);
+		}
+		seen.from = starts_;
+	}
+	Real pressed = 0;
 	for (std::uint32_t i = 0; i < hull.to.size(); ++i) {
-		if (const auto contact = find_contact_of_point(hull, i, collider, motion, own_bounds, slop)) {
-			answer(body, *contact, surface, i);
+		const auto contact = find_contact_of_point(seen, i, collider, motion, own_bounds, slop);
+		if (contact && (one_way == nullptr || one_way->counts(*contact, hull))) {
+			pressed += answer(body, *contact, surface, i);
 		}
 	}
+	return pressed;
 }
 
-void CollisionHandling::handle_corners(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
-		const Surface &surface, const ColliderMotion &motion, const Aabb &box) {
+Real CollisionHandling::handle_corners(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider,
+		const Surface &surface, const ColliderMotion &motion, const Aabb &box, const OneWay *one_way) {
 	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
+	Real pressed = 0;
 	for (std::uint32_t corner = 0; corner < collider.vertices.size(); ++corner) {
-		if (const auto contact = find_contact_of_corner(hull, box, collider, corner, motion, slop)) {
-			answer(body, *contact, surface, Sighting::CORNER | corner);
+		const auto contact = find_contact_of_corner(hull, box, collider, corner, motion, slop);
+		if (contact && (one_way == nullptr || one_way->counts(*contact, hull))) {
+			pressed += answer(body, *contact, surface, Sighting::CORNER | corner);
 		}
 	}
+	return pressed;
 }
 
-void CollisionHandling::answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface,
+Real CollisionHandling::answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface,
 		std::uint32_t feature) {
 	const Real impulse = answer_contact(body, contact, surface, bounce_threshold_, h_);
 	const Vec2 place = body.positions()[contact.place.a];
@@ -150,13 +221,14 @@ void CollisionHandling::answer(SoftBodyData &body, const SurfaceContact &contact
 		log_.add({ place_of(body), ContactOther::Kind::COLLIDER, collider_, feature, nearest_point(contact.place), 0,
 				position_of(contact.place, body.positions()), contact.normal, impulse, contact.depth });
 	}
+	return impulse;
 }
 
 void CollisionHandling::handle_borders(SoftBodyData &body) {
 	const std::vector<Border> &borders = surroundings_->world().borders();
 	const bool is_monitored = body.settings().contact_monitor;
 	for (std::uint32_t i = 0; i < borders.size(); ++i) {
-		if (!notices(body.settings(), borders[i].surface)) {
+		if (!notices(body, borders[i].surface)) {
 			continue;
 		}
 		answers_.assign(is_monitored ? body.shape().hull_count() : 0, {});
@@ -174,7 +246,7 @@ RealPack CollisionHandling::handle_borders_side_by_side(const BodyLanes<RealPack
 		std::span<const Border> borders, Real h, std::span<const std::uint32_t> places, std::uint32_t monitored) {
 	BasicContactLoad<RealPack> load;
 	for (std::uint32_t i = 0; i < borders.size(); ++i) {
-		if (!notices(bodies.model.settings, borders[i].surface)) {
+		if ((bodies.model.settings.collision_mask & borders[i].surface.layer) == 0) {
 			continue;
 		}
 		const RealPack contacts = load.contacts;
@@ -205,14 +277,14 @@ Real measure_penetration(const WorldData &world, const SoftBodyData &body) {
 	Real deepest = 0;
 	for (const Border &border : world.borders()) {
 		for (const Vec2 p : body.hull()) {
-			if (notices(body.settings(), border.surface)) {
+			if (notices(body, border.surface)) {
 				deepest = std::max(deepest, -signed_distance(border.plane, p));
 			}
 		}
 	}
 	const Aabb box = bounding_box(body.hull());
 	for (const ConvexCollider &collider : world.colliders()) {
-		if (!notices(body.settings(), collider.surface)) {
+		if (!notices(body, collider.surface) || is_passing(body, collider)) {
 			continue;
 		}
 		ColliderMotion motion;

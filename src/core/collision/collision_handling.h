@@ -5,6 +5,7 @@
 #include "core/base/vec2.h"
 #include "core/collision/collider_contact.h"
 #include "core/collision/contact_log.h"
+#include "core/collision/one_way.h"
 #include "core/collision/surface_response.h"
 #include "core/collision/surroundings_index.h"
 #include "core/geometry/polygon.h"
@@ -25,7 +26,7 @@ class CollisionHandling {
 public:
 	/// Broad phase for one body and the coming `dt` [s], which begins `elapsed` [s] after the step did. O(colliders near
 	/// the body).
-	void begin_body(const SurroundingsIndex &surroundings, const SoftBodyData &body, Real elapsed, Real dt);
+	void begin_body(const SurroundingsIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt);
 	/// Answers every contact of the body after a substep of `h` [s] that started at `before` (one
 	/// position a point), under the acceleration `gravity`, and resists rolling. Returns how many it
 	/// answered.
@@ -40,17 +41,22 @@ public:
 	ContactLog &log() { return log_; }
 
 private:
-	void answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, std::uint32_t feature);
+	Real answer(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, std::uint32_t feature);
 	std::uint32_t place_of(const SoftBodyData &body) const;
 	void gather(const SoftBodyData &body, Real margin);
 	void handle_borders(SoftBodyData &body);
 	void handle_colliders(SoftBodyData &body, std::span<const Vec2> before);
 	void handle_collider(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept, std::uint32_t index,
 			bool corners);
-	void handle_points(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider, const Surface &surface,
-			const ColliderMotion &motion, const Aabb &own_bounds);
-	void handle_corners(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider, const Surface &surface,
-			const ColliderMotion &motion, const Aabb &box);
+	void answer_collider(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider, const Surface &surface,
+			const ColliderMotion &motion, const Aabb &box, bool corners);
+	Real handle_points(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider, const Surface &surface,
+			const ColliderMotion &motion, const Aabb &own_bounds, const OneWay *one_way);
+	Real handle_corners(SoftBodyData &body, const HullMotion &hull, const ConvexCollider &collider, const Surface &surface,
+			const ColliderMotion &motion, const Aabb &box, const OneWay *one_way);
+	void begin_one_ways(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept);
+	bool is_beside_passed(const SoftBodyData &body, const ConvexCollider &collider) const;
+	void forget_one_ways(SoftBodyData &body) const;
 
 	const SurroundingsIndex *surroundings_ = nullptr;
 	std::vector<std::uint32_t> nearby_; ///< colliders the current body may meet
@@ -63,6 +69,9 @@ private:
 	ContactLoad load_;
 	std::uint32_t collider_ = 0; ///< which is being answered
 	ContactLog log_;
+	bool has_one_way_ = false; ///< among `nearby_`
+	std::vector<Vec2> own_hull_; ///< in the frame of a one-way collider
+	std::vector<Vec2> starts_; ///< of the hull's points, as a one-way collider sees them
 	std::vector<BasicPointAnswer<Real>> answers_; ///< of a border at the hull's points
 	std::vector<BasicPointAnswer<RealPack>> pack_answers_;
 };

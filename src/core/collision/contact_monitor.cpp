@@ -125,7 +125,10 @@ void ContactMonitor::end_lost_touches(const WorldData &world) {
 		const SoftBodyData *body = world.find(touch.body);
 		const bool is_other_there =
 				touch.other.kind != OtherKind::SOFT_BODY || is_there(world.find(touch.other.body));
-		if (is_there(body) && body->settings().contact_monitor && is_other_there) {
+		const bool is_ignored = touch.other.kind == OtherKind::SOFT_BODY
+				? world.has_collision_exception(touch.body, touch.other.body)
+				: body != nullptr && body->ignores_tag(touch.other.tag);
+		if (is_there(body) && body->settings().contact_monitor && is_other_there && !is_ignored) {
 			return false;
 		}
 		events_.push_back({ ContactEvent::Kind::END, touch.body, touch.other });

@@ -17,7 +17,8 @@ namespace softbody {
 ///
 /// A touch begins with the first contact and ends when there has been none for TOUCH_MEMORY and the two have parted by
 /// TOUCH_GAP: a body at rest trembles, and its points touch in some steps and not in others. While both sides sleep a
-/// touch lasts. It ends at once when a side is removed or deactivated, or the body no longer monitors. Owns scratch
+/// touch lasts. It ends at once when a side is removed or deactivated, when one no longer exists
+/// for the other (collision exceptions, ignored tags), or the body no longer monitors. Owns scratch
 /// memory, which grows with the contacts.
 class ContactMonitor {
 public:

@@ -4,6 +4,7 @@
 
 #include "core/base/constants.h"
 #include "core/collision/convex_query.h"
+#include "core/collision/surface_response.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 
@@ -58,7 +59,7 @@ bool is_near_tag(const SurroundingsIndex &surroundings, const SoftBodyData &body
 		std::vector<std::uint32_t> &scratch) {
 	const WorldData &world = surroundings.world();
 	const auto matters = [&](const Surface &surface) {
-		return surface.tag == tag && (body.settings().collision_mask & surface.layer) != 0;
+		return surface.tag == tag && notices(body, surface);
 	};
 	for (const Border &border : world.borders()) {
 		if (matters(border.surface) && std::ranges::any_of(body.hull(), [&](Vec2 p) { return signed_distance(border.plane, p) < gap; })) {

@@ -6,13 +6,6 @@
 
 namespace softbody {
 
-/// What two bodies remember of their touch, so that they can be given their bounce when they part.
-struct PairTouch {
-	bool touching = false;
-	Real approach = 0; ///< fastest approach of their centres during this touch [length/s]
-	double energy = 0; ///< kinetic, of both, before it began
-};
-
 /// To be called after each substep of `h` [s], with the summed normal impulses of the contacts between the two, as they
 /// act on the first [mass·length/s].
 /// Points lose their approach. When the touch is over, the centres part with their fastest approach times the

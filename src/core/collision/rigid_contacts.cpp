@@ -62,7 +62,7 @@ void RigidContacts::find(const NearBody &near, Task &task) const {
 	const Real slop = LINEAR_SLOP * world_->length_unit();
 	for (const std::uint32_t i : task.colliders) {
 		const ConvexCollider &collider = world_->colliders()[i];
-		if ((body.settings().collision_mask & collider.surface.layer) == 0) {
+		if (!notices(body, collider.surface)) {
 			continue;
 		}
 		const RigidBody &rigid = world_->rigid_bodies()[collider.rigid_body];

@@ -34,6 +34,11 @@ struct SurfaceContact {
 	Real depth = 0; ///< [length], >= 0
 };
 
+/// Whether a part of the surroundings is there for a body: by layer, and not among the tags that it ignores.
+inline bool notices(const SoftBodyData &body, const Surface &surface) {
+	return (body.settings().collision_mask & surface.layer) != 0 && !body.ignores_tag(surface.tag);
+}
+
 /// Friction coefficient and restitution of a body on a surface, by Godot's rule (see `Surface`).
 Real combined_friction(const BodySettings &settings, const Surface &surface);
 Real combined_restitution(const BodySettings &settings, const Surface &surface);

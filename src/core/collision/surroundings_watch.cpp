@@ -42,11 +42,36 @@ std::uint64_t hash_of(const ConvexCollider &collider) {
 	hash.add(collider.radius);
 	hash.add(collider.surface);
 	hash.add(std::uint64_t(collider.concave));
+	hash.add(collider.one_way);
+	hash.add(collider.one_way_margin);
 	return hash.value();
 }
 
 bool moves(const RigidBody &body) {
 	return body.linear_velocity != Vec2{} || body.angular_velocity != 0;
+}
+
+// With where it is.
+std::uint64_t hash_in_place(const WorldData &world, const ConvexCollider &collider) {
+	Hash hash;
+	hash.add(hash_of(collider));
+	if (collider.rigid_body != NO_RIGID_BODY) {
+		const Pose &pose = world.rigid_bodies()[collider.rigid_body].pose;
+		hash.add(pose.position);
+		hash.add(pose.rotation.c);
+		hash.add(pose.rotation.s);
+	}
+	return hash.value();
+}
+
+std::uint64_t hash_of_borders(const WorldData &world) {
+	Hash hash;
+	for (const Border &border : world.borders()) {
+		hash.add(border.plane.position);
+		hash.add(border.plane.normal);
+		hash.add(border.surface);
+	}
+	return hash.value();
 }
 
 } // namespace
@@ -55,6 +80,7 @@ void SurroundingsWatch::update(const SurroundingsIndex &index) {
 	const WorldData &world = index.world();
 	const bool has_rigid_bodies = !world.rigid_bodies().empty();
 	changed_.clear();
+	moving_ = 0;
 	border_changed_ = false;
 	if (version_ == world.surroundings_version() && !has_rigid_bodies && !had_rigid_bodies_) {
 		return;
@@ -62,32 +88,20 @@ void SurroundingsWatch::update(const SurroundingsIndex &index) {
 	version_ = world.surroundings_version();
 	had_rigid_bodies_ = has_rigid_bodies;
 
-	Hash borders;
-	for (const Border &border : world.borders()) {
-		borders.add(border.plane.position);
-		borders.add(border.plane.normal);
-		borders.add(border.surface);
-	}
-	border_changed_ = borders.value() != border_hash_;
-	border_hash_ = borders.value();
+	const std::uint64_t borders = hash_of_borders(world);
+	border_changed_ = borders != border_hash_;
+	border_hash_ = borders;
 
 	std::swap(seen_, last_);
 	seen_.clear();
 	for (std::uint32_t i = 0; i < world.colliders().size(); ++i) {
 		const ConvexCollider &collider = world.colliders()[i];
-		Hash hash;
-		hash.add(hash_of(collider));
-		if (collider.rigid_body != NO_RIGID_BODY) {
-			const RigidBody &body = world.rigid_bodies()[collider.rigid_body];
-			hash.add(body.pose.position);
-			hash.add(body.pose.rotation.c);
-			hash.add(body.pose.rotation.s);
-			if (moves(body)) {
-				changed_.push_back(index.bounds(i));
-			}
+		if (collider.rigid_body != NO_RIGID_BODY && moves(world.rigid_bodies()[collider.rigid_body])) {
+			changed_.push_back(index.bounds(i));
 		}
-		seen_.push_back({ hash.value(), index.bounds(i) });
+		seen_.push_back({ hash_in_place(world, collider), index.bounds(i) });
 	}
+	moving_ = changed_.size();
 	std::ranges::sort(seen_, {}, &Seen::hash);
 	// Both lists side by side: what only one of them has.
 	std::size_t a = 0;
@@ -102,6 +116,16 @@ void SurroundingsWatch::update(const SurroundingsIndex &index) {
 			++b;
 		}
 	}
+}
+
+// A sum, so that the order of the world's list does not matter.
+std::uint64_t SurroundingsWatch::describe(const SurroundingsIndex &index, const Aabb &box) {
+	std::uint64_t sum = hash_of_borders(index.world());
+	index.collect(box, near_);
+	for (const std::uint32_t i : near_) {
+		sum += hash_in_place(index.world(), index.world().colliders()[i]);
+	}
+	return sum;
 }
 
 } // namespace softbody

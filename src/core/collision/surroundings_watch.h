@@ -21,6 +21,11 @@ public:
 	bool has_border_changed() const { return border_changed_; }
 	/// Boxes of the colliders that came, went, changed or move.
 	std::span<const Aabb> changed_boxes() const { return changed_; }
+	/// Those of them that move now.
+	std::span<const Aabb> moving_boxes() const { return { changed_.data(), moving_ }; }
+	/// What is around a box now, as a number that stays the same while that does: colliders that stand still or are
+	/// kinematic, and borders. O(colliders near).
+	std::uint64_t describe(const SurroundingsIndex &index, const Aabb &box);
 
 private:
 	struct Seen {
@@ -29,7 +34,9 @@ private:
 	};
 	std::vector<Seen> seen_; ///< by hash
 	std::vector<Seen> last_;
-	std::vector<Aabb> changed_;
+	std::vector<Aabb> changed_; ///< first those that move
+	std::size_t moving_ = 0;
+	std::vector<std::uint32_t> near_;
 	std::uint64_t border_hash_ = 0;
 	std::uint64_t version_ = UINT64_MAX;
 	bool border_changed_ = false;

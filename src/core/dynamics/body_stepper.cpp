@@ -89,7 +89,7 @@ void BodyStepper::begin(const Crew &crew) {
 	}
 }
 
-void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
+void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
 		int substeps, const SweptFrom &swept_from, bool are_coupled) {
 	if (can_go_side_by_side(crew, lanes, plan, duration)) {
 		advance_side_by_side(crew, plan, duration, substeps);
@@ -99,6 +99,8 @@ void BodyStepper::advance(const Crew &crew, std::uint32_t lanes, const SubstepPl
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		if (lanes >> lane & 1) {
 			advance_alone(crew.bodies[lane], plan, elapsed, duration, substeps, swept_from[lane], are_coupled);
+			const std::uint32_t is_touching = body(crew.bodies[lane]).touch_memory().touching;
+			crew.touching = (crew.touching & ~(1u << lane)) | is_touching << lane;
 			counts_.substeps += std::uint64_t(substeps);
 		}
 	}
@@ -135,7 +137,7 @@ void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
 
 bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan,
 		Real duration) const {
-	if (crew.count < PACK_WIDTH || lanes != ALL_LANES || borders_bounce_ || !integrator_traits(plan.integrator).step_side_by_side) {
+	if (crew.count < PACK_WIDTH || lanes != ALL_LANES || crew.touching != 0 || borders_bounce_ || !integrator_traits(plan.integrator).step_side_by_side) {
 		return false; // each body remembers its own bounce
 	}
 	// Thousands of bodies are many megabytes: what need not be read is left where it is.
@@ -355,6 +357,7 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 		data.mutable_velocities()[i] = is_pinned ? Vec2{} : velocity;
 	}
 	data.touch_memory() = {};
+	data.one_ways().clear();
 	data.outside_hull().clear();
 	counts_.non_finite.push_back(place);
 }

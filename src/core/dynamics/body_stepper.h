@@ -44,7 +44,7 @@ public:
 	/// `swept_from`: where each body's hull last had been moved out of the surroundings, if it has been pushed since;
 	/// what then lies between counts as its way. Null: where it is. Contacts of bodies with themselves end each substep
 	/// too, unless `are_coupled`: then other bodies have yet to push them.
-	void advance(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
+	void advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
 			const SweptFrom &swept_from = {}, bool are_coupled = false);
 	/// Answers the contacts of a body with itself, after other bodies have pushed it in a substep of `h` [s] that started
 	/// with its hull at `before`.

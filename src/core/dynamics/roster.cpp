@@ -10,9 +10,10 @@ namespace softbody {
 namespace {
 
 // Lanes share inverse masses, XPBD bodies differ in how long their passes take, and a bounce is remembered by
-// each body for itself, like contacts with itself.
-bool can_share_a_crew(SoftBodyData &body) {
-	return body.is_free() && !body.touch_memory().touching && body.settings().integrator != Integrator::XPBD &&
+// each body for itself, like contacts with itself. Nothing here may depend on how bodies move: whole crews are coupled,
+// so that who shares one shows in the result.
+bool can_share_a_crew(const SoftBodyData &body) {
+	return body.is_free() && body.ignored_tags().empty() && body.settings().integrator != Integrator::XPBD &&
 			body.settings().restitution == 0 && !body.settings().self_collision;
 }
 
@@ -27,6 +28,7 @@ void join(Crew &crew, std::uint32_t place, SoftBodyData &body) {
 		crew.shape = &body.shape();
 		crew.settings = &body.settings();
 	}
+	crew.touching |= std::uint32_t(body.touch_memory().touching) << crew.count;
 	crew.monitored |= std::uint32_t(body.settings().contact_monitor) << crew.count;
 	crew.bodies[crew.count] = place;
 	crew.positions[crew.count] = body.mutable_positions().data();

@@ -20,6 +20,8 @@ struct Crew {
 	std::array<std::uint32_t, PACK_WIDTH> bodies{}; ///< places in `WorldData::soft_bodies()`
 	std::uint32_t count = 0; ///< PACK_WIDTH or 1
 	std::uint32_t monitored = 0; ///< a bit a lane: BodySettings::contact_monitor
+	/// A bit a lane: may have a touch under way (TouchMemory), which a surface that bounced began. Kept by the step.
+	std::uint32_t touching = 0;
 	// Of the bodies, as long as nothing is rearranged: the step then need not read the bodies themselves.
 	const SoftBodyShape *shape = nullptr;
 	const BodySettings *settings = nullptr; ///< of the first body
@@ -35,6 +37,7 @@ public:
 	/// Does nothing while the world has not changed. O(bodies).
 	void update(WorldData &world);
 	std::span<const Crew> crews() const { return crews_; }
+	std::span<Crew> crews() { return crews_; }
 	/// Bodies in no crew, in the order of the world's storage.
 	std::span<const std::uint32_t> inactive_bodies() const { return inactive_; }
 	/// Moves with every division made.

@@ -12,12 +12,8 @@ namespace softbody {
 
 namespace {
 
-// Into how many tasks the crews are divided: enough to keep the threads of a large machine busy to the end, few
-// enough that a task outweighs its dispatch. Independent of the number of threads, so that results are too.
-constexpr std::size_t TASKS = 32;
 constexpr std::size_t CREWS_A_TASK = 16;
 constexpr std::size_t BODIES_A_TASK = CREWS_A_TASK * PACK_WIDTH;
-constexpr std::size_t GROUPS_A_TASK = 4;
 
 // Where bodies are too many for the cache, a step waits for memory: their state is asked for three crews ahead
 // (353,400 bodies in explicit Euler steps: 61 ns a body without, 50 with).
@@ -41,8 +37,7 @@ void prefetch_state(const Crew &crew) {
 } // namespace
 
 Simulator::Simulator(WorldData &world, ParallelFor parallel_for) :
-		world_(world), parallel_for_(std::move(parallel_for)), steppers_(TASKS), pair_handlings_(TASKS),
-		pair_contacts_(TASKS) {}
+		world_(world), parallel_for_(std::move(parallel_for)), steppers_(MOST_SLICES) {}
 
 SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
 	return plan_substeps(body, dt, world_.has_surroundings());
@@ -60,15 +55,41 @@ bool Simulator::arrange(Real dt) {
 	crews_.clear();
 	pressed_crews_.clear();
 	touching_.clear();
-	broad_.clear();
 	places_.clear();
-	crew_of_.clear();
-	pair_touches_.clear();
+	pair_contacts_.begin_arranging();
 	frozen_count_ = 0;
-	bodies_bounce_ = false;
 	std::size_t hull_points = 0;
-	std::uint32_t layers = 0;
-	std::uint32_t masks = 0;
+	first_hull_point_.clear();
+	// Rows in the order of the world, whatever the crews: pairs go by it.
+	row_of_.assign(world_.soft_bodies().size(), 0);
+	for (std::uint32_t place = 0; place < world_.soft_bodies().size(); ++place) {
+		SoftBodyData &body = world_.soft_bodies()[place];
+		if (!body.is_active()) {
+			continue;
+		}
+		const BodySettings &settings = body.settings();
+		frozen_count_ += body.is_frozen();
+		row_of_[place] = std::uint32_t(touching_.size());
+		places_.push_back(place);
+		TouchingBody &touching = touching_.emplace_back();
+		touching.positions = body.mutable_positions();
+		touching.velocities = body.mutable_velocities();
+		touching.inverse_masses = body.inverse_masses();
+		touching.inverse_mass = body.is_free() ? 1 / body.shape().total_mass() : Real(0);
+		touching.width = body.shape().width();
+		touching.friction = settings.friction;
+		touching.rolling_resistance = settings.rolling_resistance;
+		touching.rolling_radius = body.shape().radius();
+		touching.place = place;
+		touching.is_monitored = settings.contact_monitor;
+		first_hull_point_.push_back(hull_points);
+		hull_points += body.shape().hull_count();
+		pair_contacts_.add_body(settings);
+	}
+	sleepers_.reset(touching_.size());
+	before_.resize(hull_points);
+	swept_from_.resize(hull_points);
+	crew_of_.resize(touching_.size());
 	for (const Crew &crew : roster_.crews()) {
 		CrewState &state = crews_.emplace_back();
 		state.plan = plan(world_.soft_bodies()[crew.bodies[0]], dt);
@@ -76,61 +97,22 @@ bool Simulator::arrange(Real dt) {
 			pressed_crews_.push_back(std::uint32_t(crews_.size() - 1));
 		}
 		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-			SoftBodyData &body = world_.soft_bodies()[crew.bodies[lane]];
-			const BodySettings &settings = body.settings();
-			frozen_count_ += body.is_frozen();
-			state.rows[lane] = std::uint32_t(touching_.size());
+			const std::uint32_t row = row_of_[crew.bodies[lane]];
+			state.rows[lane] = row;
 			state.awake |= 1u << lane;
-			places_.push_back(crew.bodies[lane]);
-			crew_of_.push_back(std::uint32_t(crews_.size() - 1));
-			TouchingBody &touching = touching_.emplace_back();
-			touching.positions = body.mutable_positions();
-			touching.velocities = body.mutable_velocities();
-			touching.inverse_masses = body.inverse_masses();
-			touching.inverse_mass = body.is_free() ? 1 / body.shape().total_mass() : Real(0);
-			touching.width = body.shape().width();
-			touching.velocity_leads = integrator_traits(state.plan.integrator).velocity_leads;
-			touching.friction = settings.friction;
-			bodies_bounce_ |= settings.restitution > 0;
-			touching.rolling_resistance = settings.rolling_resistance;
-			touching.rolling_radius = body.shape().radius();
-			touching.place = crew.bodies[lane];
-			touching.is_monitored = settings.contact_monitor;
-			hull_points += body.shape().hull_count();
-			broad_.push_back({ {}, settings.collision_layer, settings.collision_mask });
-			layers |= settings.collision_layer;
-			masks |= settings.collision_mask;
+			crew_of_[row] = std::uint32_t(crews_.size() - 1);
+			touching_[row].velocity_leads = integrator_traits(state.plan.integrator).velocity_leads;
+			touching_[row].before = std::span(before_).subspan(first_hull_point_[row], crew.shape->hull_count());
 		}
 	}
-	sleepers_.reset(touching_.size());
-	before_.resize(hull_points);
-	swept_from_.resize(hull_points);
-	first_hull_point_.resize(touching_.size());
-	std::size_t begin = 0;
-	for (std::size_t row = 0; const Crew &crew : roster_.crews()) {
-		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-			first_hull_point_[row] = begin;
-			touching_[row++].before = std::span(before_).subspan(begin, crew.shape->hull_count());
-			begin += crew.shape->hull_count();
-		}
-	}
-	bodies_resist_rolling_ = std::ranges::any_of(touching_, [](const TouchingBody &b) { return b.rolling_resistance > 0; });
 	bodies_meet_themselves_ = std::ranges::any_of(roster_.crews(), [](const Crew &c) { return c.settings->self_collision; });
-	bodies_notice_bodies_ = touching_.size() > 1 && (layers & masks) != 0;
 	has_monitored_bodies_ = std::ranges::any_of(touching_, &TouchingBody::is_monitored);
 	return true;
 }
 
 template <class Work>
-void Simulator::for_slices(std::size_t count, std::size_t least, const Work &work) {
-	const std::size_t tasks = std::clamp<std::size_t>(count / least, 1, TASKS);
-	run_tasks(parallel_for_, tasks,
-			[&](std::size_t task) { work(task, count * task / tasks, count * (task + 1) / tasks); });
-}
-
-template <class Work>
 void Simulator::for_crews(std::span<const std::uint32_t> crews, const Work &work) {
-	for_slices(crews.size(), CREWS_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
+	run_slices(parallel_for_, crews.size(), CREWS_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			if (i + CREWS_AHEAD < end) {
 				prefetch_state(roster_.crews()[crews[i + CREWS_AHEAD]]);
@@ -185,69 +167,21 @@ void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, 
 	}
 }
 
-// Bounces that are still to be given back stay with their pairs.
-void Simulator::update_pairs() {
-	const std::uint64_t rebuilt = broad_phase_.rebuild_count();
-	std::vector<std::pair<BodyPair, PairTouch>> open;
-	for (std::size_t i = 0; i < pair_touches_.size(); ++i) {
-		if (pair_touches_[i].touching) {
-			open.push_back({ broad_phase_.pairs()[i], pair_touches_[i] });
-		}
-	}
-	broad_phase_.update(broad_, roster_.version(), parallel_for_);
-	if (!bodies_bounce_ || (broad_phase_.rebuild_count() == rebuilt && pair_touches_.size() == broad_phase_.pairs().size())) {
-		return;
-	}
-	pair_touches_.assign(broad_phase_.pairs().size(), {});
-	if (open.empty()) {
-		return;
-	}
-	std::ranges::sort(open, {}, [](const auto &entry) { return entry.first; });
-	for (std::size_t i = 0; i < pair_touches_.size(); ++i) {
-		const BodyPair pair = broad_phase_.pairs()[i];
-		const auto found = std::ranges::lower_bound(open, pair, {}, [](const auto &entry) { return entry.first; });
-		if (found != open.end() && found->first == pair) {
-			pair_touches_[i] = found->second;
-		}
-	}
-}
-
-void Simulator::find_pairs(Real dt) {
-	if (bodies_notice_bodies_) {
-		const std::size_t count = touching_.size();
-		for_slices(count, BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i) {
-				if (sleepers_[i]) {
-					broad_[i].box = touching_[i].box;
-					continue;
-				}
-				broad_[i].box = sweep_box(touching_[i].hull(), touching_[i].velocities, dt);
-			}
-		});
-		update_pairs();
-		has_pair_.assign(count, 0);
-		for (const BodyPair pair : broad_phase_.pairs()) {
-			const char is_near = !(sleepers_[pair.a] && sleepers_[pair.b]);
-			has_pair_[pair.a] |= is_near;
-			has_pair_[pair.b] |= is_near;
-		}
-		pair_touched_.assign(broad_phase_.pairs().size(), 0);
-		pair_impulses_.assign(broad_phase_.pairs().size(), 0);
-	}
+// Which crews take the common contact substeps: those with a body that may touch another or a dynamic rigid body.
+void Simulator::divide_crews(Real dt) {
+	pair_contacts_.begin_step(pair_bodies(), dt, roster_.version(), joint_solver_.separated(), parallel_for_);
 	for (std::uint32_t i = 0; i < crews_.size(); ++i) {
 		const CrewState &state = crews_[i];
 		if (state.awake == 0) {
 			continue;
 		}
 		bool is_coupled = false;
-		for (std::uint32_t lane = 0; !has_rigid_body_.empty() && lane < roster_.crews()[i].count; ++lane) {
-			if (has_rigid_body_[state.rows[lane]] != 0) {
+		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
+			if (!has_rigid_body_.empty() && has_rigid_body_[state.rows[lane]] != 0) {
 				rigid_contacts_.add_body(world_.soft_bodies()[roster_.crews()[i].bodies[lane]]);
 				is_coupled = true;
 			}
-		}
-		for (std::uint32_t lane = 0; bodies_notice_bodies_ && lane < roster_.crews()[i].count; ++lane) {
-			is_coupled |= has_pair_[state.rows[lane]] != 0;
+			is_coupled |= pair_contacts_.has_pair(state.rows[lane]);
 		}
 		for (std::uint32_t lane = 0; joint_solver_.has_joints() && lane < roster_.crews()[i].count; ++lane) {
 			is_coupled |= joint_solver_.holds(state.rows[lane]);
@@ -258,12 +192,32 @@ void Simulator::find_pairs(Real dt) {
 
 void Simulator::wake_by_surroundings() {
 	watch_.update(surroundings_);
-	if (watch_.has_border_changed()) {
-		world_.wake_all();
-		take_over_sleepers(false);
-	} else if (!watch_.changed_boxes().empty()) {
-		wake_in(watch_.changed_boxes());
+	const bool was_restored = std::exchange(seen_restores_, world_.change_counts().restores) != seen_restores_;
+	const bool asks_all = was_restored || watch_.has_border_changed();
+	if (!asks_all && watch_.changed_boxes().empty()) {
+		return;
 	}
+	const auto is_in = [](std::span<const Aabb> boxes, const Aabb &box) {
+		return std::ranges::any_of(boxes, [&](const Aabb &b) { return b.overlaps(box); });
+	};
+	for (std::uint32_t row = 0; row < places_.size(); ++row) {
+		SoftBodyData &body = world_.soft_bodies()[places_[row]];
+		const Aabb box = rest_box(row);
+		// Who sleeps goes by what was there when it fell asleep, not in the last step, so that it does not matter how
+		// this state came about. Who is awake does not rest beside what moves.
+		const bool has_changed = sleepers_[row] && (asks_all || is_in(watch_.changed_boxes(), box)) &&
+				watch_.describe(surroundings_, box) != body.rest_state().surroundings;
+		if (has_changed || is_in(watch_.moving_boxes(), box)) {
+			body.wake();
+		}
+	}
+	take_over_sleepers(false);
+}
+
+// What a body rests on touches its box at most.
+Aabb Simulator::rest_box(std::uint32_t row) const {
+	const TouchingBody &body = touching_[row];
+	return (sleepers_[row] ? body.box : bounding_box(body.positions.first(body.before.size()))).grown(body.rolling_radius / 8);
 }
 
 // Where one was, is now, or both.
@@ -283,9 +237,7 @@ void Simulator::wake_by_frozen_bodies() {
 
 void Simulator::wake_in(std::span<const Aabb> boxes) {
 	for (std::uint32_t row = 0; row < places_.size(); ++row) {
-		// What it rests on touches its box at most. Who is awake does not rest either while that changes.
-		const TouchingBody &body = touching_[row];
-		const Aabb box = (sleepers_[row] ? body.box : bounding_box(body.hull())).grown(body.rolling_radius / 8);
+		const Aabb box = rest_box(row); // who is awake does not rest either while that changes
 		if (std::ranges::any_of(boxes, [&](const Aabb &b) { return b.overlaps(box); })) {
 			world_.soft_bodies()[places_[row]].wake();
 		}
@@ -303,7 +255,7 @@ void Simulator::find_rigid_contacts(Real dt) {
 	}
 	const std::size_t count = touching_.size();
 	has_rigid_body_.assign(count, 0);
-	for_slices(count, BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
+	run_slices(parallel_for_, count, BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			has_rigid_body_[i] =
 					surroundings_.has_dynamic_collider_in(sweep_box(touching_[i].hull(), touching_[i].velocities, dt));
@@ -345,7 +297,7 @@ StepReport Simulator::simulate(Real dt) {
 	for (BodyStepper &stepper : steppers_) {
 		stepper.begin_step(world_, surroundings_, has_forces || has_accelerated_bodies_);
 	}
-	std::ranges::fill(pair_contacts_, 0);
+	pair_contacts_.forget_step();
 	free_crews_.clear();
 	coupled_crews_.clear();
 	if (world_.has_sleeping()) {
@@ -359,7 +311,7 @@ StepReport Simulator::simulate(Real dt) {
 	find_rigid_contacts(dt);
 	if (!sleepers_.is_everybody() || rigid_contacts_.has_bodies()) {
 		plan_pressure(dt);
-		find_pairs(dt);
+		divide_crews(dt);
 	}
 	for_crews(free_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
@@ -407,10 +359,7 @@ void Simulator::step_coupled(Real dt) {
 		}
 	}
 	const Real duration = dt / Real(contact_substeps);
-	for (PairHandling &handling : pair_handlings_) {
-		handling.begin_substep(duration);
-		handling.begin_response(world_);
-	}
+	pair_contacts_.begin_substeps(pair_bodies(), duration);
 	for (int substep = 0; substep < contact_substeps; ++substep) {
 		rigid_contacts_.begin_substep(duration);
 		joint_solver_.begin_substep();
@@ -436,13 +385,14 @@ void Simulator::step_coupled(Real dt) {
 				}
 			}
 		});
-		answer_pairs(duration);
+		pair_contacts_.answer(pair_bodies(), parallel_for_);
 		joint_solver_.solve(Real(substep + 1) * duration, duration);
 		if (rigid_contacts_.has_bodies()) {
 			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
 		}
 		answer_self_contacts(duration);
 	}
+	pair_contacts_.end_step(pair_bodies());
 	measure_frames();
 	resist_rolling_between_bodies();
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
@@ -457,6 +407,21 @@ void Simulator::step_coupled(Real dt) {
 			stepper.time_rest(crew, crews_[i].awake, dt);
 		}
 	});
+	check_touched_sleepers(dt);
+}
+
+// Who sleeps is in no crew that is stepped, but what has blown up may have touched it.
+void Simulator::check_touched_sleepers(Real dt) {
+	for (std::uint32_t i = 0; sleepers_.count() > 0 && i < crews_.size(); ++i) {
+		const Crew &crew = roster_.crews()[i];
+		bool has_pair = false;
+		for (std::uint32_t lane = 0; crews_[i].awake == 0 && lane < crew.count; ++lane) {
+			has_pair |= pair_contacts_.has_pair(crews_[i].rows[lane]);
+		}
+		if (has_pair) {
+			steppers_[0].check(crew, dt);
+		}
+	}
 }
 
 // As they would among soft bodies, so that their fall does not depend on whether one is near.
@@ -466,54 +431,10 @@ void Simulator::move_rigid_bodies_alone(Real dt) {
 	}
 }
 
-void Simulator::answer_pairs(Real h) {
-	if (!bodies_notice_bodies_) {
-		return; // coupled by a rigid body alone; the pairs are of another time
-	}
-	const auto bounce_threshold = [&](BodyPair pair) {
-		return RESTITUTION_SUBSTEPS * h * std::max(pull_on(pair.a), pull_on(pair.b));
-	};
-	for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
-		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(colour);
-		const bool may_share_bodies = colour + 1 == BroadPhase::COLOURS;
-		const std::size_t least = may_share_bodies ? groups.size() + 1 : GROUPS_A_TASK;
-		for_slices(groups.size(), least, [&](std::size_t task, std::size_t begin, std::size_t end) {
-			std::uint64_t all_contacts = 0;
-			for (std::size_t i = begin; i < end; ++i) {
-				for (std::uint32_t k = groups[i].begin; k < groups[i].end; ++k) {
-					const BodyPair pair = broad_phase_.pairs()[k];
-					if ((sleepers_[pair.a] && sleepers_[pair.b]) || joint_solver_.separates(pair)) {
-						continue;
-					}
-					const std::size_t contacts = pair_handlings_[task].handle(touching_[pair.a], touching_[pair.b]);
-					all_contacts += contacts;
-					pair_touched_[k] |= char(contacts > 0);
-					pair_impulses_[k] += pair_handlings_[task].last_impulse();
-					if (bodies_bounce_) {
-						const auto bodies = world_.soft_bodies();
-						give_back_pair_bounce(bodies[places_[pair.a]], bodies[places_[pair.b]], pair_handlings_[task].last_push(),
-								pair_touches_[k], bounce_threshold(pair), h);
-					}
-				}
-			}
-			pair_contacts_[task] += all_contacts;
-		});
-	}
-}
-
-// Of gravity, and of what the body has of its own.
-Real Simulator::pull_on(std::uint32_t row) const {
-	const Real gravity = length(world_.gravity());
-	const SoftBodyData &body = world_.soft_bodies()[places_[row]];
-	return has_accelerated_bodies_ && body.acceleration() != Vec2{}
-			? std::max(gravity, length(body.total_acceleration(world_.gravity())))
-			: gravity;
-}
-
 void Simulator::measure_frames() {
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
-		if (!bodies_resist_rolling_ && !crew.settings->matches_shape()) {
+		if (!pair_contacts_.resists_rolling() && !crew.settings->matches_shape()) {
 			return;
 		}
 		const std::array<BodyFrame, PACK_WIDTH> frames = stepper.measure_frames(crew);
@@ -541,16 +462,10 @@ void Simulator::answer_self_contacts(Real h) {
 
 // Once a step, with the impulses of all its substeps: spins change little within one.
 void Simulator::resist_rolling_between_bodies() {
-	if (!bodies_resist_rolling_ || !bodies_notice_bodies_) {
+	if (!pair_contacts_.resists_rolling() || !pair_contacts_.is_used()) {
 		return;
 	}
-	const std::span<const BodyPair> pairs = broad_phase_.pairs();
-	for (std::size_t i = 0; i < pairs.size(); ++i) {
-		const auto [a, b] = pairs[i];
-		if (pair_impulses_[i] > 0 && !sleepers_[a] && !sleepers_[b]) {
-			resist_pair_rolling(touching_[a], touching_[b], pair_impulses_[i]);
-		}
-	}
+	pair_contacts_.resist_rolling(pair_bodies());
 	for_crews(coupled_crews_, [&](BodyStepper &, std::uint32_t i) {
 		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
 			touching_[crews_[i].rows[lane]].apply_spin_change();
@@ -571,6 +486,7 @@ void Simulator::note_awake(std::uint32_t row, bool awake) {
 	}
 	SoftBodyData &body = world_.soft_bodies()[places_[row]];
 	body.touch_memory() = {};
+	body.pair_memories().clear();
 	std::ranges::fill(body.mutable_velocities(), Vec2{});
 	std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
 	touching_[row].begin_substep();
@@ -582,9 +498,11 @@ void Simulator::take_over_sleepers(bool is_rearranged) {
 }
 
 void Simulator::let_sleep() {
-	const bool has_pairs = !coupled_crews_.empty() && bodies_notice_bodies_; // or else they are of another time
-	sleepers_.let_sleep(world_, places_, has_pairs ? broad_phase_.pairs() : std::span<const BodyPair>{}, pair_touched_,
-			joint_solver_.joined(), has_rigid_body_, [this](std::uint32_t row, bool awake) { note_awake(row, awake); });
+	sleepers_.let_sleep(world_, places_, pair_contacts_.pairs(), pair_contacts_.touched(), joint_solver_.joined(),
+			has_rigid_body_, [this](std::uint32_t row, bool awake) {
+				note_awake(row, awake);
+				world_.soft_bodies()[places_[row]].rest_state().surroundings = watch_.describe(surroundings_, rest_box(row));
+			});
 }
 
 // Before anything falls asleep or wakes: what slept during the step has found no contact and yet lost no touch.
@@ -592,7 +510,7 @@ void Simulator::report_contacts(Real dt) {
 	for (BodyStepper &stepper : steppers_) {
 		contact_monitor_.add(stepper.log());
 	}
-	for (PairHandling &handling : pair_handlings_) {
+	for (PairHandling &handling : pair_contacts_.handlings()) {
 		contact_monitor_.add(handling.log());
 	}
 	contact_monitor_.add(rigid_contacts_.log());
@@ -600,9 +518,7 @@ void Simulator::report_contacts(Real dt) {
 }
 
 void Simulator::collect(StepReport &report) {
-	for (const std::uint64_t contacts : pair_contacts_) {
-		report.pair_contacts += contacts;
-	}
+	report.pair_contacts = pair_contacts_.contact_count();
 	report.contacts += rigid_contact_count_;
 	std::vector<std::uint32_t> non_finite;
 	for (BodyStepper &stepper : steppers_) {

@@ -4,11 +4,9 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel_for.h"
-#include "core/collision/broad_phase.h"
 #include "core/collision/collision_handling.h"
-#include "core/collision/pair_bounce.h"
 #include "core/collision/contact_monitor.h"
-#include "core/collision/pair_handling.h"
+#include "core/collision/pair_contacts.h"
 #include "core/collision/rigid_contacts.h"
 #include "core/collision/surroundings_watch.h"
 #include "core/dynamics/body_stepper.h"
@@ -89,26 +87,22 @@ private:
 	void plan_pressure(Real dt);
 	void find_rigid_contacts(Real dt);
 	void move_rigid_bodies_alone(Real dt);
-	void update_pairs();
-	void find_pairs(Real dt);
+	void divide_crews(Real dt);
+	PairBodies pair_bodies() { return { touching_, sleepers_.flags(), places_, world_ }; }
 	void advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts, bool is_coupled);
 	void step_coupled(Real dt);
-	void answer_pairs(Real h);
-	Real pull_on(std::uint32_t row) const;
 	void measure_frames();
 	void answer_self_contacts(Real h);
 	void resist_rolling_between_bodies();
+	void check_touched_sleepers(Real dt);
 	void take_over_sleepers(bool is_rearranged);
 	/// Called when a body falls asleep or wakes.
 	void note_awake(std::uint32_t row, bool awake);
 	void wake_by_surroundings();
+	Aabb rest_box(std::uint32_t row) const;
 	void wake_by_frozen_bodies();
 	void wake_in(std::span<const Aabb> boxes);
 	void let_sleep();
-	/// Calls `work(task, begin, end)` for slices of [0, count), each of at least `least` unless it is the only one. How
-	/// they are cut depends on the count alone.
-	template <class Work>
-	void for_slices(std::size_t count, std::size_t least, const Work &work);
 	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
 	void for_crews(std::span<const std::uint32_t> crews, const Work &work);
@@ -120,14 +114,11 @@ private:
 	Roster roster_;
 	SurroundingsIndex surroundings_;
 	SurroundingsWatch watch_;
-	BroadPhase broad_phase_;
+	PairContacts pair_contacts_;
 	RigidContacts rigid_contacts_;
 	std::uint64_t rigid_contact_count_ = 0;
 	ContactMonitor contact_monitor_;
-	// One a task, so that no two threads share scratch memory.
-	std::vector<BodyStepper> steppers_;
-	std::vector<PairHandling> pair_handlings_;
-	std::vector<std::uint64_t> pair_contacts_;
+	std::vector<BodyStepper> steppers_; ///< one a task, so that no two threads share scratch memory
 
 	std::vector<CrewState> crews_; ///< one a crew of the roster
 	std::vector<std::array<SubstepPlan, PACK_WIDTH>> own_plans_;
@@ -136,29 +127,23 @@ private:
 	std::vector<std::uint32_t> coupled_crews_;
 	// One an active body.
 	std::vector<TouchingBody> touching_;
-	std::vector<BroadPhaseBody> broad_;
 	std::vector<Vec2> before_; ///< hull points of all bodies at the start of a contact substep
 	std::vector<Vec2> swept_from_; ///< hull points of all bodies when they last had looked at the surroundings
 	std::vector<std::size_t> first_hull_point_; ///< in the two above
-	std::vector<char> has_pair_;
 	std::vector<char> has_rigid_body_; ///< near it; empty when nothing can be pushed
-	std::vector<std::uint32_t> places_; ///< in the world
+	std::vector<std::uint32_t> places_; ///< in the world, ascending
+	std::vector<std::uint32_t> row_of_; ///< the other way round
 	std::vector<std::uint32_t> crew_of_;
-	std::vector<char> pair_touched_; ///< one a pair of the broad phase: in this step
-	std::vector<Real> pair_impulses_; ///< likewise: summed normal impulse [mass·length/s]
-	std::vector<PairTouch> pair_touches_; ///< likewise; empty when nothing bounces
 	Sleepers sleepers_;
 	std::size_t frozen_count_ = 0;
 	PinMotion pin_motion_;
 	JointSolver joint_solver_;
 
 	std::uint64_t seen_forces_ = 0;
+	std::uint64_t seen_restores_ = 0;
 	std::uint64_t arranged_roster_ = 0;
 	Real arranged_dt_ = 0;
 	bool arranged_with_contacts_ = false;
-	bool bodies_notice_bodies_ = false;
-	bool bodies_resist_rolling_ = false;
-	bool bodies_bounce_ = false;
 	bool has_accelerated_bodies_ = false;
 	bool has_monitored_bodies_ = false;
 	bool bodies_meet_themselves_ = false;

@@ -25,16 +25,18 @@ bool Sleepers::is_frozen(const WorldData &world, std::span<const std::uint32_t> 
 }
 
 void Sleepers::take_over(WorldData &world, std::span<const std::uint32_t> places, bool is_new, const OnChange &on_change) {
-	std::vector<std::uint64_t> woken = world.take_woken_islands();
+	std::vector<WokenIsland> woken = world.take_woken_islands();
 	if (!is_new && woken.empty()) {
 		return;
 	}
 	std::ranges::sort(woken);
 	for (std::uint32_t row = 0; row < places.size(); ++row) {
 		SoftBodyData &body = world.soft_bodies()[places[row]];
-		if (body.is_asleep() && std::ranges::binary_search(woken, body.rest_state().island)) {
+		RestState &rest = body.rest_state();
+		if (rest.asleep && (!world.has_sleeping() || std::ranges::binary_search(woken, WokenIsland{ rest.island, rest.restored }))) {
 			body.wake();
 		}
+		rest.restored = 0;
 		const bool is_still = body.is_asleep() || body.is_frozen();
 		if (is_still != (asleep_[row] != 0)) {
 			set_asleep(row, is_still, on_change);
@@ -72,17 +74,21 @@ void Sleepers::let_sleep(WorldData &world, std::span<const std::uint32_t> places
 			least = std::min(least, may_sleep ? body.rest_time() : Real(0));
 		}
 	}
+	names_.assign(places.size(), 0);
 	for (std::uint32_t row = 0; row < places.size(); ++row) {
 		const std::uint32_t island = islands_.find(row);
 		if (asleep_[row] || least_rest_[island] < SLEEP_TIME) {
 			continue;
 		}
+		// Named after its first body, which sleeps on no other: so that the name tells nothing of the past.
+		if (names_[island] == 0) {
+			names_[island] = world.id_at(places[row]).index + std::uint64_t(1);
+		}
 		set_asleep(row, true, on_change);
 		RestState &rest = world.soft_bodies()[places[row]].rest_state();
 		rest.asleep = true;
-		rest.island = island_count_ + island + 1;
+		rest.island = names_[island];
 	}
-	island_count_ += places.size();
 }
 
 } // namespace softbody

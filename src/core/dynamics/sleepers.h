@@ -24,6 +24,8 @@ public:
 	/// Another list, of which nobody is known to sleep.
 	void reset(std::size_t count);
 	bool operator[](std::uint32_t row) const { return asleep_[row] != 0; }
+	/// One a row, not 0 for who sleeps.
+	std::span<const char> flags() const { return asleep_; }
 	std::size_t count() const { return count_; }
 	bool is_everybody() const { return count_ == asleep_.size(); }
 
@@ -46,7 +48,7 @@ private:
 	std::size_t count_ = 0;
 	Islands islands_;
 	std::vector<Real> least_rest_; ///< of each island [s]
-	std::uint64_t island_count_ = 0; ///< of all steps, so that no two islands ever share a number
+	std::vector<std::uint64_t> names_; ///< of those islands that fall asleep, else 0
 };
 
 } // namespace softbody

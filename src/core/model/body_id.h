@@ -2,6 +2,7 @@
 // The name of a body.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 namespace softbody {
@@ -11,7 +12,7 @@ namespace softbody {
 struct BodyId {
 	std::uint32_t index = UINT32_MAX;
 	std::uint32_t generation = 0;
-	friend bool operator==(BodyId a, BodyId b) = default;
+	friend auto operator<=>(BodyId a, BodyId b) = default;
 };
 
 } // namespace softbody

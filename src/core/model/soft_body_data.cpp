@@ -51,7 +51,7 @@ void SoftBodyData::wake() {
 		return; // it does not sleep, and what touches it is no reason to look at it
 	}
 	if (rest_state_.asleep && changes_) {
-		changes_->woken_islands.push_back(rest_state_.island);
+		changes_->woken_islands.push_back({ rest_state_.island, rest_state_.restored });
 	}
 	rest_state_.asleep = false;
 	rest_state_.rest_time = 0;
@@ -91,6 +91,21 @@ void SoftBodyData::set_active(bool active) {
 		active_ = active;
 		note_change();
 	}
+}
+
+void SoftBodyData::set_ignored_tags(std::span<const std::uint64_t> tags) {
+	std::vector<std::uint64_t> wanted(tags.begin(), tags.end());
+	std::ranges::sort(wanted);
+	wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+	std::erase(wanted, 0u);
+	if (wanted != ignored_tags_) {
+		ignored_tags_ = std::move(wanted);
+		note_change();
+	}
+}
+
+bool SoftBodyData::ignores_tag(std::uint64_t tag) const {
+	return !ignored_tags_.empty() && std::ranges::binary_search(ignored_tags_, tag);
 }
 
 Status SoftBodyData::set_settings(const BodySettings &settings) {
@@ -213,6 +228,7 @@ Status SoftBodyData::set_point(std::uint32_t point, Vec2 position, Vec2 velocity
 	}
 	disturb();
 	outside_hull_.clear();
+	one_ways_.clear();
 	mutable_positions()[point] = position;
 	mutable_velocities()[point] = frozen_ ? Vec2{} : velocity;
 	disturb();
@@ -277,6 +293,7 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 	disturb();
 	outside_hull_.clear();
 	touch_memory_ = {};
+	one_ways_.clear();
 	const Rotation from = reference.rotation;
 	const Rotation to = pose.rotation;
 	const Rotation turn{ to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s };

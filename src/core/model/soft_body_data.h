@@ -6,6 +6,7 @@
 #include "core/base/vec2.h"
 #include "core/geometry/aabb.h"
 #include "core/model/body_settings.h"
+#include "core/model/body_state.h"
 #include "core/model/point2d.h"
 #include "core/model/pose.h"
 #include "core/model/soft_body_shape.h"
@@ -17,39 +18,12 @@
 
 namespace softbody {
 
-/// A force on one point, acting during the whole of the next step (thesis 4.4.2).
-struct ExternalForce {
-	std::uint32_t point = 0; ///< point index
-	Vec2 force; ///< [mass·length/s²]
-};
-
-/// Where a pinned point is to be at the end of the next step.
-struct PinTarget {
-	std::uint32_t point = 0; ///< point index
-	Vec2 position; ///< [length]
-};
-
-/// What pushes and turns a body as a whole during the next step (see `add_rigid_force`).
-struct RigidLoad {
-	Vec2 force; ///< [mass·length/s²]
-	Real torque = 0; ///< about the centre of mass [mass·length²/s²]
-	friend bool operator==(const RigidLoad &, const RigidLoad &) = default;
-};
-
-/// What a body remembers of the touch it is in, so that it can be given its bounce when it leaves.
-struct TouchMemory {
-	bool touching = false;
-	Real approach = 0; ///< fastest approach of the centre of mass during this touch [length/s]
-	Real restitution = 0; ///< of body and surface together [1]
-	Vec2 normal; ///< of the last contacts, weighted by their impulses; unit
-	Vec2 surface_velocity; ///< [length/s]
-};
-
-/// Whether a body sleeps, and how long it has hardly moved.
-struct RestState {
-	Real rest_time = 0; ///< [s]
-	bool asleep = false;
-	std::uint64_t island = 0; ///< while asleep: the same for all bodies that fell asleep together
+/// Names those that fell asleep together. Who has been put back into an island since the last step is not of one with
+/// those who were in it before.
+struct WokenIsland {
+	std::uint64_t island = 0;
+	std::uint32_t restored = 0;
+	friend auto operator<=>(const WokenIsland &, const WokenIsland &) = default;
 };
 
 /// How often bodies were changed from outside, so that a step need not ask each of them.
@@ -58,8 +32,9 @@ struct ChangeCounts {
 	std::uint64_t forces = 0; ///< external forces queued, accelerations changed
 	std::uint64_t pin_targets = 0; ///< set
 	std::uint64_t joints = 0; ///< added, changed, removed
+	std::uint64_t restores = 0; ///< states put back
 	std::vector<Aabb> disturbed_boxes; ///< in which a frozen body was, came to be or went, until a step takes note
-	std::vector<std::uint64_t> woken_islands; ///< of sleeping bodies that were woken, until a step takes note
+	std::vector<WokenIsland> woken_islands; ///< of sleeping bodies that were woken, until a step takes note
 };
 
 /// One soft body of the world: a shared shape, its settings, and the state that a step advances.
@@ -113,6 +88,20 @@ public:
 	/// Moves every point by the map p -> pose(reference⁻¹(p)) without touching velocities; the
 	/// previous positions follow, so that nothing is drawn in between. Refuses non-finite poses.
 	Status teleport(const Pose &reference, const Pose &pose);
+
+	/// Surroundings with one of these tags (Surface::tag) do not exist for this body, from the next step on. 0 names
+	/// nothing and is left out. Such a body is stepped on its own. Wakes it. Default none: costs nothing. O(n log n).
+	void set_ignored_tags(std::span<const std::uint64_t> tags);
+	std::span<const std::uint64_t> ignored_tags() const { return ignored_tags_; } ///< ascending
+	bool ignores_tag(std::uint64_t tag) const;
+
+	/// The whole state as a value. O(points).
+	BodyState save_state() const;
+	/// Puts a state back, of this body or of one like it, and forgets what was. Bodies that had fallen asleep with this one
+	/// wake, unless they are put back as well before the next step. Refuses a state of another number of points or hull
+	/// points, or with values that are not finite (see `check_body_state`). O(points), and the next step looks at all
+	/// bodies.
+	Status restore_state(const BodyState &state);
 
 	/// An inactive body is left out of the step: it keeps its state and queued forces, and nothing it
 	/// would collide with notices it. Default true.
@@ -172,6 +161,10 @@ public:
 	Rotation rotation_memory() const { return rotation_memory_; }
 	void set_rotation_memory(Rotation rotation) { rotation_memory_ = rotation; }
 	TouchMemory &touch_memory() { return touch_memory_; }
+	std::vector<PairMemory> &pair_memories() { return pair_memories_; }
+	/// The one-way colliders by which it is held or through which it passes. Few at a time.
+	std::vector<OneWayMemory> &one_ways() { return one_ways_; }
+	std::span<const OneWayMemory> one_ways() const { return one_ways_; }
 	RestState &rest_state() { return rest_state_; }
 	/// Of a body that collides with itself and has pushed itself since: its hull as it last was moved out of the
 	/// surroundings. Empty when it is where it was moved to.
@@ -194,8 +187,11 @@ private:
 	Vec2 acceleration_;
 	Rotation rotation_memory_;
 	TouchMemory touch_memory_;
+	std::vector<PairMemory> pair_memories_;
+	std::vector<OneWayMemory> one_ways_;
 	RestState rest_state_;
 	std::vector<Vec2> outside_hull_;
+	std::vector<std::uint64_t> ignored_tags_;
 	std::shared_ptr<ChangeCounts> changes_;
 	bool active_ = true;
 	bool frozen_ = false;

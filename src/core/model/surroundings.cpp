@@ -94,6 +94,13 @@ Status check_collider(const ConvexCollider &collider) {
 			return status;
 		}
 	}
+	if (collider.is_one_way() && !(std::abs(length(collider.one_way) - 1) <= Real(1e-3))) { // NaN compares false
+		return Error{ "collider.one_way", "length " + number_text(length(collider.one_way)), "must have unit length, or be zero",
+			"normalize the vector" };
+	}
+	if (Status status = check_finite("collider.one_way_margin", collider.one_way_margin, "length")) {
+		return status;
+	}
 	if (count > 2 && !(signed_area(vertices) > 0)) {
 		return Error{ "collider.vertices", "zero area", "must enclose an area", "use two vertices for a segment" };
 	}

@@ -62,6 +62,16 @@ struct ConvexCollider {
 	std::optional<Vec2> joined_at_first = {};
 	std::optional<Vec2> joined_at_second = {};
 
+	/// Holds from one side only: the direction out of the side that holds, a unit vector in the frame of the vertices, or
+	/// zero for an ordinary collider. A soft body that comes from the front is held, however fast; one that comes from
+	/// behind or from the side, or overlaps it deeper than the margin without having been held, passes as a whole until it
+	/// is clear. Only what is in front of or behind the collider itself counts: a body may hang over its end. What is
+	/// known of a body and a collider goes by the collider's shape, direction and tag: two alike, each on a rigid body of
+	/// its own, need different tags. Colliders of dynamic rigid bodies hold from all sides.
+	Vec2 one_way = {};
+	Real one_way_margin = -1; ///< [length]; negative: ONE_WAY_MARGIN times the length unit
+
+	bool is_one_way() const { return !(one_way == Vec2{}); }
 	/// In the frame of the vertices.
 	Aabb bounds() const { return bounding_box(vertices).grown(radius); }
 };

@@ -2,6 +2,7 @@
 // Storage of bodies under stable ids, and of their surroundings.
 #include "core/model/world_data.h"
 
+#include <algorithm>
 #include <atomic>
 #include <string>
 #include <utility>
@@ -83,6 +84,7 @@ BodyId WorldData::add_soft_body(SoftBodyData body) {
 	free_slots_.pop_back();
 	slots_[slot].dense = std::uint32_t(bodies_.size());
 	const BodyId id{ slot, slots_[slot].generation };
+	body.wake(); // those with whom it may have fallen asleep are elsewhere
 	body.set_change_counts(changes_);
 	bodies_.push_back(std::move(body));
 	ids_.push_back(id);
@@ -96,6 +98,7 @@ bool WorldData::remove_soft_body(BodyId id) {
 	}
 	const std::uint32_t dense = slots_[id.index].dense;
 	bodies_[dense].disturb(); // and with it what rested on it
+	std::erase_if(collision_exceptions_, [id](const CollisionException &each) { return each.a == id || each.b == id; });
 	for (std::size_t i = joints().size(); i-- > 0;) {
 		if (joints()[i].first.body == id || joints()[i].second.body == id) {
 			remove_joint(joint_id_at(i));
@@ -125,6 +128,41 @@ const SoftBodyData *WorldData::find(BodyId id) const {
 		return nullptr;
 	}
 	return &bodies_[slots_[id.index].dense];
+}
+
+Status WorldData::add_collision_exception(BodyId a, BodyId b) {
+	for (const BodyId id : { a, b }) {
+		if (!find(id)) {
+			return Error{ "body", "an id that refers to nothing", "must be a body of this world", "add the exception before its bodies are removed" };
+		}
+	}
+	if (a == b) {
+		return Error{ "body", "the same twice", "must be two bodies", "switch self_collision off instead" };
+	}
+	const CollisionException exception{ std::min(a, b), std::max(a, b) };
+	const auto place = std::ranges::lower_bound(collision_exceptions_, exception);
+	if (place == collision_exceptions_.end() || *place != exception) {
+		collision_exceptions_.insert(place, exception);
+		find(a)->wake();
+		find(b)->wake();
+	}
+	return {};
+}
+
+bool WorldData::remove_collision_exception(BodyId a, BodyId b) {
+	const CollisionException exception{ std::min(a, b), std::max(a, b) };
+	const auto place = std::ranges::lower_bound(collision_exceptions_, exception);
+	if (place == collision_exceptions_.end() || *place != exception) {
+		return false;
+	}
+	collision_exceptions_.erase(place);
+	find(a)->wake();
+	find(b)->wake();
+	return true;
+}
+
+bool WorldData::has_collision_exception(BodyId a, BodyId b) const {
+	return std::ranges::binary_search(collision_exceptions_, CollisionException{ std::min(a, b), std::max(a, b) });
 }
 
 Status WorldData::check_joint_here(const Joint &joint) const {

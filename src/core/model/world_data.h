@@ -50,6 +50,7 @@ public:
 	/// Wakes every sleeping body.
 	void wake_all();
 
+	/// It is awake, however it was before.
 	BodyId add_soft_body(SoftBodyData body);
 	/// False when the id refers to nothing.
 	bool remove_soft_body(BodyId id);
@@ -61,10 +62,24 @@ public:
 	/// Id of the body stored at `index` of `soft_bodies()`.
 	BodyId id_at(std::size_t index) const { return ids_[index]; }
 
+	/// Lets two soft bodies pass through each other, whatever their layers, from the next step on; wakes both. Forgotten
+	/// when one of them is removed. Refuses ids that refer to nothing and a body with itself. O(exceptions).
+	Status add_collision_exception(BodyId a, BodyId b);
+	/// Lets them collide again. False when there was no such exception.
+	bool remove_collision_exception(BodyId a, BodyId b);
+	bool has_collision_exception(BodyId a, BodyId b) const;
+	/// All of them, in order; of each pair the lesser id comes first.
+	struct CollisionException {
+		BodyId a;
+		BodyId b;
+		friend auto operator<=>(const CollisionException &, const CollisionException &) = default;
+	};
+	std::span<const CollisionException> collision_exceptions() const { return collision_exceptions_; }
+
 	/// How often bodies came, went, or were changed.
 	const ChangeCounts &change_counts() const { return *changes_; }
 	/// For the step: islands with a body that was woken since it last asked.
-	std::vector<std::uint64_t> take_woken_islands() { return std::exchange(changes_->woken_islands, {}); }
+	std::vector<WokenIsland> take_woken_islands() { return std::exchange(changes_->woken_islands, {}); }
 	/// For the step: where frozen bodies were moved, came or went since it last asked.
 	std::vector<Aabb> take_disturbed_boxes() { return std::exchange(changes_->disturbed_boxes, {}); }
 	/// Whether the step keeps the positions that it starts from, for interpolated drawing. Default true.
@@ -135,6 +150,7 @@ private:
 	std::vector<BodyId> ids_;
 	std::vector<Slot> slots_;
 	std::vector<std::uint32_t> free_slots_;
+	std::vector<CollisionException> collision_exceptions_;
 	JointList joints_;
 	std::vector<Border> borders_;
 	std::vector<ConvexCollider> colliders_;

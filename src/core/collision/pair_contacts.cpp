@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Contacts between soft bodies through a step.
+#include "core/collision/pair_contacts.h"
+
+#include "core/base/constants.h"
+#include "core/collision/collision_handling.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace softbody {
+
+namespace {
+
+constexpr std::size_t BODIES_A_TASK = 64;
+constexpr std::size_t GROUPS_A_TASK = 4;
+
+constexpr std::uint32_t NO_ROW = UINT32_MAX; // removed, or inactive
+
+std::uint32_t row_of(const PairBodies &bodies, BodyId id) {
+	const SoftBodyData *body = bodies.world.find(id);
+	if (body == nullptr) {
+		return NO_ROW;
+	}
+	const std::uint32_t place = std::uint32_t(body - bodies.world.soft_bodies().data());
+	const auto found = std::ranges::lower_bound(bodies.places, place);
+	return found != bodies.places.end() && *found == place ? std::uint32_t(found - bodies.places.begin()) : NO_ROW;
+}
+
+// Of gravity, and of what the body has of its own.
+Real pull_on(const PairBodies &bodies, std::uint32_t row) {
+	const Real gravity = length(bodies.world.gravity());
+	const SoftBodyData &body = bodies.data(row);
+	return body.acceleration() == Vec2{} ? gravity : std::max(gravity, length(body.total_acceleration(bodies.world.gravity())));
+}
+
+} // namespace
+
+PairContacts::PairContacts() :
+		handlings_(MOST_SLICES), contacts_(MOST_SLICES) {}
+
+void PairContacts::begin_arranging() {
+	boxes_.clear();
+	layers_ = 0;
+	masks_ = 0;
+	bounces_ = false;
+	resists_rolling_ = false;
+}
+
+void PairContacts::add_body(const BodySettings &settings) {
+	boxes_.push_back({ {}, settings.collision_layer, settings.collision_mask });
+	layers_ |= settings.collision_layer;
+	masks_ |= settings.collision_mask;
+	bounces_ |= settings.restitution > 0;
+	resists_rolling_ |= settings.rolling_resistance > 0;
+}
+
+void PairContacts::forget_step() {
+	is_used_ = false;
+	std::ranges::fill(contacts_, 0);
+}
+
+void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t version,
+		std::span<const BodyPair> separated, const ParallelFor &parallel_for) {
+	is_used_ = boxes_.size() > 1 && (layers_ & masks_) != 0;
+	if (!is_used_) {
+		return;
+	}
+	run_slices(parallel_for, boxes_.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			const TouchingBody &body = bodies.touching[i];
+			boxes_[i].rests = bodies.asleep[i] != 0;
+			boxes_[i].box = bodies.asleep[i] ? body.box : sweep_box(body.positions.first(body.before.size()), body.velocities, dt);
+		}
+	});
+	find_exceptions(bodies, separated);
+	broad_phase_.update(boxes_, version, parallel_for, exceptions_);
+	has_pair_.assign(boxes_.size(), 0);
+	for (const BodyPair pair : broad_phase_.pairs()) {
+		has_pair_[pair.a] = 1;
+		has_pair_[pair.b] = 1;
+	}
+	recall_touches(bodies);
+	touched_.assign(broad_phase_.pairs().size(), 0);
+	impulses_.assign(broad_phase_.pairs().size(), 0);
+}
+
+void PairContacts::find_exceptions(const PairBodies &bodies, std::span<const BodyPair> separated) {
+	exceptions_.assign(separated.begin(), separated.end());
+	for (const auto &[a, b] : bodies.world.collision_exceptions()) {
+		const std::uint32_t row = row_of(bodies, a);
+		const std::uint32_t other = row_of(bodies, b);
+		if (row != NO_ROW && other != NO_ROW) {
+			exceptions_.push_back({ std::min(row, other), std::max(row, other) });
+		}
+	}
+	std::ranges::sort(exceptions_);
+}
+
+void PairContacts::recall_touches(const PairBodies &bodies) {
+	if (!bounces_) {
+		return;
+	}
+	open_.clear();
+	for (std::uint32_t row = 0; row < boxes_.size(); ++row) {
+		for (const PairMemory &memory : bodies.data(row).pair_memories()) {
+			const std::uint32_t other = row_of(bodies, memory.other);
+			if (other != NO_ROW) {
+				open_.push_back({ { std::min(row, other), std::max(row, other) }, memory.touch });
+			}
+		}
+	}
+	std::ranges::sort(open_, {}, &Open::pair);
+	touches_.assign(pairs().size(), {});
+	for (std::size_t i = 0; i < touches_.size() && !open_.empty(); ++i) {
+		const auto found = std::ranges::lower_bound(open_, pairs()[i], {}, &Open::pair);
+		if (found != open_.end() && found->pair == pairs()[i]) {
+			touches_[i] = found->touch;
+		}
+	}
+}
+
+void PairContacts::begin_substeps(const PairBodies &bodies, Real h) {
+	h_ = h;
+	for (PairHandling &handling : handlings_) {
+		handling.begin_substep(h);
+		handling.begin_response(bodies.world);
+	}
+}
+
+void PairContacts::answer(const PairBodies &bodies, const ParallelFor &parallel_for) {
+	if (!is_used_) {
+		return; // coupled by a rigid body alone
+	}
+	const auto bounce_threshold = [&](BodyPair pair) {
+		return RESTITUTION_SUBSTEPS * h_ * std::max(pull_on(bodies, pair.a), pull_on(bodies, pair.b));
+	};
+	for (std::size_t colour = 0; colour < BroadPhase::COLOURS; ++colour) {
+		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(colour);
+		const bool may_share_bodies = colour + 1 == BroadPhase::COLOURS;
+		const std::size_t least = may_share_bodies ? groups.size() + 1 : GROUPS_A_TASK;
+		run_slices(parallel_for, groups.size(), least, [&](std::size_t task, std::size_t begin, std::size_t end) {
+			PairHandling &handling = handlings_[task];
+			std::uint64_t all_contacts = 0;
+			for (std::size_t i = begin; i < end; ++i) {
+				for (std::uint32_t k = groups[i].begin; k < groups[i].end; ++k) {
+					const BodyPair pair = broad_phase_.pairs()[k];
+					const std::size_t contacts = handling.handle(bodies.touching[pair.a], bodies.touching[pair.b]);
+					all_contacts += contacts;
+					touched_[k] |= char(contacts > 0);
+					impulses_[k] += handling.last_impulse();
+					if (bounces_) {
+						give_back_pair_bounce(bodies.data(pair.a), bodies.data(pair.b), handling.last_push(), touches_[k],
+								bounce_threshold(pair), h_);
+					}
+				}
+			}
+			contacts_[task] += all_contacts;
+		});
+	}
+}
+
+void PairContacts::resist_rolling(const PairBodies &bodies) {
+	const std::span<const BodyPair> all = pairs();
+	for (std::size_t i = 0; i < all.size(); ++i) {
+		const auto [a, b] = all[i];
+		if (impulses_[i] > 0 && !bodies.asleep[a] && !bodies.asleep[b]) {
+			resist_pair_rolling(bodies.touching[a], bodies.touching[b], impulses_[i]);
+		}
+	}
+}
+
+void PairContacts::end_step(const PairBodies &bodies) {
+	if (!is_used_ || !bounces_) {
+		return;
+	}
+	for (std::uint32_t row = 0; row < boxes_.size(); ++row) {
+		bodies.data(row).pair_memories().clear();
+	}
+	const std::span<const BodyPair> all = pairs();
+	for (std::size_t i = 0; i < all.size(); ++i) {
+		if (touches_[i].touching) {
+			bodies.data(all[i].a).pair_memories().push_back({ bodies.world.id_at(bodies.places[all[i].b]), touches_[i] });
+		}
+	}
+}
+
+std::uint64_t PairContacts::contact_count() const {
+	return std::accumulate(contacts_.begin(), contacts_.end(), std::uint64_t(0));
+}
+
+} // namespace softbody

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Contacts between soft bodies through a step: which pairs may touch, and what each pair has seen of it.
+#pragma once
+
+#include "core/base/parallel_for.h"
+#include "core/collision/broad_phase.h"
+#include "core/collision/pair_bounce.h"
+#include "core/collision/pair_handling.h"
+#include "core/collision/pair_response.h"
+#include "core/model/world_data.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// The bodies of a step as those who answer contacts between them see them. A body goes by its row in the lists.
+struct PairBodies {
+	std::span<TouchingBody> touching;
+	std::span<const char> asleep; ///< not 0 for who sleeps
+	std::span<const std::uint32_t> places; ///< in the world, ascending
+	WorldData &world;
+
+	SoftBodyData &data(std::uint32_t row) const { return world.soft_bodies()[places[row]]; }
+};
+
+/// Finds the pairs of a step, answers their contacts in each substep, on several threads where pairs share no body, and
+/// keeps what a pair has seen until the step ends. A bounce that is still to be given back is kept by the bodies. Owns
+/// nothing but scratch memory.
+class PairContacts {
+public:
+	PairContacts();
+
+	/// Begins another list of bodies, which `add_body` fills in the order of the rows.
+	void begin_arranging();
+	void add_body(const BodySettings &settings);
+	/// Whether anything that two of them do depends on how they spin.
+	bool resists_rolling() const { return resists_rolling_; }
+
+	/// Forgets the pairs and counts of the last step.
+	void forget_step();
+	/// Finds the pairs of the coming step of `dt` [s]. `version` tells whether the rows still mean the same bodies.
+	/// `separated`, in order, are not to collide, nor are collision exceptions. O(bodies) expected.
+	void begin_step(const PairBodies &bodies, Real dt, std::uint64_t version, std::span<const BodyPair> separated,
+			const ParallelFor &parallel_for);
+	/// Whether any two bodies notice each other, or else nothing is looked for in this step.
+	bool is_used() const { return is_used_; }
+	/// Whether the body may touch another, of which one at least is awake.
+	bool has_pair(std::uint32_t row) const { return is_used_ && has_pair_[row] != 0; }
+
+	/// What holds for all substeps of `h` [s] of the step.
+	void begin_substeps(const PairBodies &bodies, Real h);
+	/// Answers the contacts of all pairs after a substep.
+	void answer(const PairBodies &bodies, const ParallelFor &parallel_for);
+	/// Brakes spins by what pairs pressed on each other in all substeps, once their frames have been taken.
+	void resist_rolling(const PairBodies &bodies);
+	/// Leaves with the bodies what they must remember. After the last substep.
+	void end_step(const PairBodies &bodies);
+
+	/// The pairs of the step, and for each whether it touched.
+	std::span<const BodyPair> pairs() const { return is_used_ ? broad_phase_.pairs() : std::span<const BodyPair>{}; }
+	std::span<const char> touched() const { return touched_; }
+	/// Contacts answered in the step.
+	std::uint64_t contact_count() const;
+	/// Those who answer, for their logs.
+	std::span<PairHandling> handlings() { return handlings_; }
+
+private:
+	void recall_touches(const PairBodies &bodies);
+	void find_exceptions(const PairBodies &bodies, std::span<const BodyPair> separated);
+
+	BroadPhase broad_phase_;
+	// One a task, so that no two threads share scratch memory.
+	std::vector<PairHandling> handlings_;
+	std::vector<std::uint64_t> contacts_;
+	std::vector<BroadPhaseBody> boxes_; ///< one a row
+	std::vector<char> has_pair_; ///< likewise
+	// One a pair.
+	std::vector<char> touched_; ///< in this step
+	std::vector<Real> impulses_; ///< likewise: summed normal impulse [mass·length/s]
+	std::vector<PairTouch> touches_; ///< empty when nothing bounces
+	struct Open {
+		BodyPair pair;
+		PairTouch touch;
+	};
+	std::vector<Open> open_; ///< of the last step
+	std::vector<BodyPair> exceptions_; ///< sorted rows
+	Real h_ = 0;
+	std::uint32_t layers_ = 0; ///< of all bodies
+	std::uint32_t masks_ = 0;
+	bool bounces_ = false;
+	bool resists_rolling_ = false;
+	bool is_used_ = false; ///< in this step
+};
+
+} // namespace softbody

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// What a body remembers from step to step, and all of it as one value that can be kept and put back.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "core/model/body_id.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// A force on one point, acting during the whole of the next step (thesis 4.4.2).
+struct ExternalForce {
+	std::uint32_t point = 0; ///< point index
+	Vec2 force; ///< [mass·length/s²]
+	friend bool operator==(const ExternalForce &, const ExternalForce &) = default;
+};
+
+/// Where a pinned point is to be at the end of the next step.
+struct PinTarget {
+	std::uint32_t point = 0; ///< point index
+	Vec2 position; ///< [length]
+	friend bool operator==(const PinTarget &, const PinTarget &) = default;
+};
+
+/// What pushes and turns a body as a whole during the next step (see `add_rigid_force`).
+struct RigidLoad {
+	Vec2 force; ///< [mass·length/s²]
+	Real torque = 0; ///< about the centre of mass [mass·length²/s²]
+	friend bool operator==(const RigidLoad &, const RigidLoad &) = default;
+};
+
+/// What a body remembers of the touch it is in, so that it can be given its bounce when it leaves.
+struct TouchMemory {
+	bool touching = false;
+	Real approach = 0; ///< fastest approach of the centre of mass during this touch [length/s]
+	Real restitution = 0; ///< of body and surface together [1]
+	Vec2 normal; ///< of the last contacts, weighted by their impulses; unit
+	Vec2 surface_velocity; ///< [length/s]
+	friend bool operator==(const TouchMemory &, const TouchMemory &) = default;
+};
+
+/// What two bodies remember of their touch, so that they can be given their bounce when they part.
+struct PairTouch {
+	bool touching = false;
+	Real approach = 0; ///< fastest approach of their centres during this touch [length/s]
+	double energy = 0; ///< kinetic, of both, before it began
+	friend bool operator==(const PairTouch &, const PairTouch &) = default;
+};
+
+/// A touch with another body that is under way, kept by the one that stands first in the world.
+struct PairMemory {
+	BodyId other;
+	PairTouch touch;
+	friend bool operator==(const PairMemory &, const PairMemory &) = default;
+};
+
+/// What a body is to a one-way collider that it meets: held by it, or on its way through.
+struct OneWayMemory {
+	std::uint64_t collider = 0; ///< as `one_way_name` has it
+	bool held = false;
+	friend bool operator==(const OneWayMemory &, const OneWayMemory &) = default;
+};
+
+/// Whether a body sleeps, and how long it has hardly moved.
+struct RestState {
+	Real rest_time = 0; ///< [s]
+	bool asleep = false;
+	std::uint64_t island = 0; ///< while asleep: the same for all bodies that fell asleep together
+	std::uint64_t surroundings = 0; ///< while asleep: what was around it, as `SurroundingsWatch::describe` put it
+	std::uint32_t restored = 0; ///< how often its state was put back since the last step
+	friend bool operator==(const RestState &, const RestState &) = default;
+};
+
+/// Everything of a body that a step reads and writes (`SoftBodyData::save_state`). Put back, with the same shape,
+/// settings, world and surroundings, it goes on in the same bits, on any number of threads. What pairs remember goes by
+/// `BodyId`: it means something in the same world, or in one that was built alike.
+///
+/// Not part of it: shape, settings, ignored tags and collision exceptions; gravity and surroundings with their rigid bodies, which belong to the world; and
+/// joints; what has been told of contacts, so that after putting a state back, touches may be told to begin or end anew.
+struct BodyState {
+	std::vector<Vec2> positions; ///< of all points [length]
+	std::vector<Vec2> velocities; ///< likewise [length/s]
+	std::vector<Vec2> previous_positions; ///< likewise, for drawing [length]
+	std::vector<std::uint32_t> pinned_points; ///< ascending
+	std::vector<PinTarget> pin_targets; ///< of the next step
+	std::vector<ExternalForce> external_forces; ///< queued for the next step
+	RigidLoad load; ///< likewise
+	Vec2 acceleration; ///< SoftBodyData::acceleration [length/s²]
+	Rotation rotation_memory;
+	TouchMemory touch;
+	std::vector<PairMemory> pair_touches;
+	std::vector<OneWayMemory> one_ways;
+	RestState rest;
+	std::vector<Vec2> outside_hull; ///< see SoftBodyData::outside_hull; empty, or one a hull point
+	bool active = true;
+	bool frozen = false;
+
+	friend bool operator==(const BodyState &, const BodyState &) = default;
+};
+
+/// Refuses lists that do not match `point_count` and `hull_count`, indices out of range or order, and values that are not
+/// finite, by name. O(points).
+Status check_body_state(const BodyState &state, std::size_t point_count, std::size_t hull_count);
+
+/// A state as bytes, the same on every machine: little-endian, with a version, the size of `Real` and a checksum.
+std::vector<std::uint8_t> to_bytes(const BodyState &state);
+/// The state again. Refuses by name what is not such a state, another version or precision, damaged data, and values that
+/// are not finite. Whether it fits a body is for `restore_state` to say. Never allocates more than about the data's size.
+Result<BodyState> body_state_from_bytes(std::span<const std::uint8_t> bytes);
+
+} // namespace softbody
