@@ -3,6 +3,7 @@
 #include "godot/register_types.h"
 
 #include "godot/nodes/soft_body_2d.h"
+#include "godot/resources/soft_body_material_2d.h"
 #include "godot/server/soft_body_server_2d.h"
 #include "godot/server/step_settings.h"
 
@@ -19,6 +20,7 @@ void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 		return;
 	}
 	GDREGISTER_CLASS(SoftBodyServer2D);
+	GDREGISTER_CLASS(SoftBodyMaterial2D);
 	GDREGISTER_CLASS(SoftBody2D);
 	softbody::register_step_settings();
 	server = memnew(SoftBodyServer2D);

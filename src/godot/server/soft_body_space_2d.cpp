@@ -19,9 +19,6 @@ namespace softbody {
 
 namespace {
 
-// Godot's own conversion between pixels and metres in 2D: tolerances of the core scale with it.
-constexpr Real PIXELS_PER_METRE = 100;
-
 // How far a body may get in one step [px]: its fastest point plus what gravity adds, and a margin for
 // points that the springs throw ahead.
 Aabb reach_of(const SoftBodyData &p_body, Vec2 p_gravity, double p_delta) {
@@ -58,7 +55,8 @@ StepProfile &StepProfile::operator+=(const StepProfile &p_other) {
 
 SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for) :
 		space_(p_space), simulator_(world_, std::move(p_parallel_for)) {
-	world_.set_length_unit(PIXELS_PER_METRE);
+	world_.set_length_unit(PIXELS_PER_METRE); // tolerances of the core scale with it
+	read_gravity(); // a first step that brought it would wake those who start asleep
 }
 
 void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
@@ -116,7 +114,7 @@ void SoftBodySpace2D::read_surroundings(double p_delta) {
 	}
 }
 
-void SoftBodySpace2D::step(double p_delta) {
+void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	Stopwatch watch;
 	read_gravity();
 	stepping_ = true;
@@ -137,6 +135,7 @@ void SoftBodySpace2D::step(double p_delta) {
 	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });
 	stepping_ = false;
 	close_gaps();
+	collect_signals(r_signals);
 	profile_.finish = watch.lap();
 }
 

@@ -17,6 +17,8 @@ class SoftBody2D;
 
 namespace softbody {
 
+class BodySignals;
+
 /// Where the time of a step goes [µs].
 struct StepProfile {
 	double prepare = 0; ///< taking over what users changed
@@ -52,8 +54,9 @@ public:
 
 	void add(godot::SoftBody2D *p_node);
 	void remove(godot::SoftBody2D *p_node);
-	/// Reads gravity and surroundings, steps the core by `p_delta` [s], hands the result to the nodes.
-	void step(double p_delta);
+	/// Reads gravity and surroundings, steps the core by `p_delta` [s], hands the result to the nodes. What is to be told
+	/// of it is added to the signals.
+	void step(double p_delta, BodySignals &r_signals);
 
 private:
 	/// Calls `p_work(node)` for the nodes that are there now; those that it removes are left out, those that it adds wait.
@@ -70,6 +73,7 @@ private:
 	int64_t count_awake() const;
 	void read_gravity();
 	void read_surroundings(double p_delta);
+	void collect_signals(BodySignals &r_signals);
 	godot::SoftBody2D *node_of(BodyId p_id) const;
 
 	godot::RID space_;
