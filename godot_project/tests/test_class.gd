@@ -34,6 +34,22 @@ const PROPERTIES := {
 	"outline_color": [TYPE_COLOR, ""],
 	"outline_texture": [TYPE_OBJECT, "Texture2D"],
 	"outline_texture_mode": [TYPE_INT, "Tile,Stretch"],
+	"inner_points": [TYPE_PACKED_VECTOR2_ARRAY, "suffix:px"],
+	"springs": [TYPE_PACKED_INT32_ARRAY, ""],
+	"spring_stiffness_scales": [TYPE_PACKED_FLOAT32_ARRAY, ""],
+	"spring_damping_scales": [TYPE_PACKED_FLOAT32_ARRAY, ""],
+	"spring_length_scales": [TYPE_PACKED_FLOAT32_ARRAY, ""],
+	"soft_body_material": [TYPE_OBJECT, "SoftBodyMaterial2D"],
+	"linear_velocity": [TYPE_VECTOR2, "suffix:px/s"],
+	"angular_velocity": [TYPE_FLOAT, "radians_as_degrees"],
+	"constant_force": [TYPE_VECTOR2, "suffix:kg"],
+	"constant_torque": [TYPE_FLOAT, "suffix:kg"],
+	"sleeping": [TYPE_BOOL, ""],
+	"can_sleep": [TYPE_BOOL, ""],
+	"freeze": [TYPE_BOOL, ""],
+	"self_collision": [TYPE_BOOL, ""],
+	"contact_monitor": [TYPE_BOOL, ""],
+	"max_contacts_reported": [TYPE_INT, ""],
 }
 const DEFAULTS := {
 	"mass": 1.0, "stiffness": 100.0, "damping": 0.12, "friction": 0.4, "bounce": 0.0,
@@ -43,6 +59,9 @@ const DEFAULTS := {
 	"antialiased": false, "smooth": false, "texture_offset": Vector2.ZERO, "texture_scale": Vector2.ONE,
 	"texture_rotation": 0.0, "outline_width": 0.0, "outline_color": Color.BLACK, "outline_texture": null,
 	"outline_texture_mode": 0,
+	"soft_body_material": null, "linear_velocity": Vector2.ZERO, "angular_velocity": 0.0,
+	"constant_force": Vector2.ZERO, "constant_torque": 0.0, "sleeping": false, "can_sleep": true, "freeze": false,
+	"self_collision": false, "contact_monitor": false, "max_contacts_reported": 16,
 }
 const METHODS: Array[String] = [
 	"make_circle_hull", "make_box_hull", "make_capsule_hull", "get_point_count", "get_point_positions",

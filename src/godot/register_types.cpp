@@ -5,6 +5,7 @@
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_attachment_2d.h"
 #include "godot/nodes/soft_body_joint_2d.h"
+#include "godot/resources/soft_body_material_2d.h"
 #include "godot/server/soft_body_server_2d.h"
 #include "godot/server/step_settings.h"
 
@@ -21,6 +22,7 @@ void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 		return;
 	}
 	GDREGISTER_CLASS(SoftBodyServer2D);
+	GDREGISTER_CLASS(SoftBodyMaterial2D);
 	GDREGISTER_CLASS(SoftBody2D);
 	GDREGISTER_CLASS(SoftBodyAttachment2D);
 	GDREGISTER_CLASS(SoftBodyJoint2D);

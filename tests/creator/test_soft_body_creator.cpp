@@ -122,6 +122,88 @@ TEST_CASE("a hull point at the mean of all is refused by its index, unless there
 	CHECK(SoftBodyCreator::create_polygon(simple, { 1, 1, 1, false }).has_value());
 }
 
+TEST_CASE("inner points follow the hull, before the centre point, and share the mass evenly") {
+	StructureOptions options{ 8, 10, 1, true };
+	options.inner_points = { { Real(0.5), Real(0.5) } };
+	const auto shape = SoftBodyCreator::create_polygon(L_SHAPE, options).value();
+	REQUIRE(shape->point_count() == 8);
+	CHECK(distance(original(*shape, 6), { Real(0.5), Real(0.5) }) <= 8 * EPSILON);
+	CHECK(distance(original(*shape, 7), { Real(10.0 / 6), Real(8.0 / 6) }) <= 8 * EPSILON);
+	for (const Real mass : shape->masses()) {
+		CHECK(mass == 1);
+	}
+}
+
+TEST_CASE("given springs are all there are, joined to the points as they were given in either winding") {
+	const std::size_t n = L_SHAPE.size();
+	std::vector<Vec2> clockwise(n);
+	for (std::size_t i = 0; i < n; ++i) {
+		clockwise[i] = L_SHAPE[(n - i) % n];
+	}
+	StructureOptions options{ 1, 10, 2, false };
+	options.inner_points = { { Real(0.25), 2 } };
+	options.springs = { { 5, 6 }, { 1, 3 }, { 0, 6 } };
+	options.spring_stiffness_scales = { 1, 2, Real(0.5) };
+	options.spring_damping_scales = { 0, 1, 3 };
+	options.spring_length_scales = { 1, Real(1.5), 1 };
+	for (const std::vector<Vec2> &outline : { L_SHAPE, clockwise }) {
+		std::vector<Vec2> given = outline;
+		given.push_back(options.inner_points[0]);
+		const auto shape = SoftBodyCreator::create_polygon(outline, options).value();
+		REQUIRE(shape->springs().size() == 3);
+		for (std::size_t i = 0; i < 3; ++i) {
+			const Spring2D &spring = shape->springs()[i];
+			const Vec2 a = given[options.springs[i][0]];
+			const Vec2 b = given[options.springs[i][1]];
+			CHECK(distance(original(*shape, spring.a), a) <= 16 * EPSILON);
+			CHECK(distance(original(*shape, spring.b), b) <= 16 * EPSILON);
+			CHECK(spring.stiffness == 10 * options.spring_stiffness_scales[i]);
+			CHECK(spring.damping == 2 * options.spring_damping_scales[i]);
+			CHECK(relative_error(spring.rest_length, distance(a, b) * options.spring_length_scales[i]) <= 4 * EPSILON);
+		}
+	}
+}
+
+TEST_CASE("scales count the automatic springs in the order of the outline, in either winding") {
+	for (const Real up : { Real(1), Real(-1) }) {
+		const std::vector<Vec2> outline{ { 0, 0 }, { 4, 0 }, { 4, 3 * up }, { 0, 3 * up } };
+		StructureOptions options{ 1, 10, 2, false };
+		options.spring_stiffness_scales = { 1, 2, 3, 4 };
+		const auto shape = SoftBodyCreator::create_polygon(outline, options).value();
+		for (std::size_t i = 0; i < 4; ++i) {
+			const Spring2D &spring = shape->springs()[i];
+			CHECK(spring.stiffness == Real(10 * (i + 1)));
+			CHECK(distance(original(*shape, spring.a), outline[i]) <= 8 * EPSILON);
+			CHECK(distance(original(*shape, spring.b), outline[(i + 1) % 4]) <= 8 * EPSILON);
+		}
+	}
+}
+
+TEST_CASE("a bad structure is refused by the name of what is wrong with it") {
+	const auto refused = [](const auto &spoil) {
+		StructureOptions options{ 1, 10, 1, false };
+		options.inner_points = { { Real(0.5), Real(0.5) } };
+		options.springs = { { 0, 1 }, { 0, 6 } };
+		spoil(options);
+		const auto result = SoftBodyCreator::create_polygon(L_SHAPE, options);
+		return result ? std::string() : result.error().name;
+	};
+	CHECK(refused([](StructureOptions &) {}) == "");
+	CHECK(refused([](StructureOptions &o) { o.springs[1] = { 0, 7 }; }) == "springs[1]");
+	CHECK(refused([](StructureOptions &o) { o.springs[1] = { 3, 3 }; }) == "springs[1]");
+	CHECK(refused([](StructureOptions &o) { o.springs[1] = { 1, 0 }; }) == "springs[1]");
+	CHECK(refused([](StructureOptions &o) { o.inner_points[0] = L_SHAPE[0]; }) == "springs[1]");
+	CHECK(refused([](StructureOptions &o) { o.inner_points[0].y = NOT_A_NUMBER; }) == "inner_points[0]");
+	CHECK(refused([](StructureOptions &o) { o.inner_points.resize(MAX_HULL_POINTS + 1); }) == "inner_points");
+	CHECK(refused([](StructureOptions &o) { o.spring_stiffness_scales = { 1 }; }) == "spring_stiffness_scales");
+	CHECK(refused([](StructureOptions &o) { o.spring_damping_scales = { 1, 2, 3 }; }) == "spring_damping_scales");
+	CHECK(refused([](StructureOptions &o) { o.spring_length_scales = { 1 }; }) == "spring_length_scales");
+	CHECK(refused([](StructureOptions &o) { o.spring_stiffness_scales = { 1, -1 }; }) == "spring_stiffness_scales[1]");
+	CHECK(refused([](StructureOptions &o) { o.spring_damping_scales = { INFINITE, 1 }; }) == "spring_damping_scales[0]");
+	CHECK(refused([](StructureOptions &o) { o.spring_length_scales = { 1, 0 }; }) == "spring_length_scales[1]");
+	CHECK(refused([](StructureOptions &o) { o.spring_stiffness_scales = { 0, 0 }; }) == "");
+}
+
 TEST_CASE("a damping ratio is c over sqrt(k m)") {
 	// k = 100, m = 9/9 = 1: c = 0.05 * 10.
 	CHECK(relative_error(damping_for_ratio(Real(0.05), 100, 9, 9), 0.5) <= 2 * EPSILON);

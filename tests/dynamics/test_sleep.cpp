@@ -325,3 +325,43 @@ TEST_CASE("islands are the connected parts of any graph, named by their smallest
 		}
 	}
 }
+
+TEST_CASE("a body that is put to sleep hangs in the air, alone, until it is pushed or touched") {
+	Scene scene;
+	scene.body(0).teleport({}, { { 0, 20 }, {} });
+	scene.body(1).teleport({}, { { 0, 30 }, {} });
+	scene.step(10);
+	const Vec2 place = scene.body(0).positions()[0];
+	scene.body(0).put_to_sleep();
+	CHECK(scene.body(0).velocities()[3] == Vec2{ 0, 0 });
+	CHECK(scene.step() == 1);
+	CHECK(scene.step(20) == 1);
+	CHECK(scene.body(0).positions()[0] == place);
+	scene.body(0).apply_impulse(0, { 1, 0 });
+	CHECK(scene.step() == 0);
+
+	scene.body(0).put_to_sleep();
+	CHECK(scene.step() == 1);
+	const Vec2 lower = scene.body(0).positions()[0];
+	for (int i = 0; i < 120 && scene.body(0).is_asleep(); ++i) {
+		CHECK(scene.body(0).positions()[0] == lower);
+		scene.step();
+	}
+	CHECK_FALSE(scene.body(0).is_asleep()); // the one above has fallen on it
+}
+
+TEST_CASE("bodies that are put to sleep wake each for itself, and may be put to sleep though they may not fall asleep") {
+	Scene scene;
+	scene.body(0).teleport({}, { { 0, 20 }, {} });
+	scene.body(1).teleport({}, { { 0, 30 }, {} });
+	BodySettings settings = scene.body(1).settings();
+	settings.can_sleep = false;
+	scene.body(1).set_settings(settings);
+	scene.step(2);
+	scene.body(0).put_to_sleep();
+	scene.body(1).put_to_sleep();
+	CHECK(scene.step() == 2);
+	scene.body(0).wake();
+	scene.step();
+	CHECK(scene.asleep() == Asleep{ false, true, false });
+}

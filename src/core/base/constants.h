@@ -13,6 +13,10 @@ inline constexpr int MIN_HULL_POINTS = 3;
 /// 4096 points take about 50 ms once, at creation.
 inline constexpr int MAX_HULL_POINTS = 4096;
 
+/// Share of the squared distance of two points by which a third must lie inside the circle over them to count as
+/// between them [1]. Larger: points are joined past others. Smaller: rounding decides which diagonals a lattice gets.
+inline constexpr Real CIRCLE_TOLERANCE = Real(1e-4);
+
 /// Largest substep count accepted or chosen [1]. Past it a body cannot be stepped explicitly in
 /// real time; the plan then reports itself as unsafe instead of growing without bound.
 inline constexpr int MAX_SUBSTEPS = 64;

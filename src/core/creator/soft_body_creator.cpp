@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace softbody {
@@ -24,9 +27,68 @@ Status check_options(const StructureOptions &options) {
 	return check_at_least("damping", options.damping, 0, "N·s/m");
 }
 
-Spring2D spring_between(const std::vector<Vec2> &points, std::size_t a, std::size_t b,
-		const StructureOptions &options) {
-	return { std::uint32_t(a), std::uint32_t(b), length(points[b] - points[a]), options.stiffness, options.damping };
+Status check_scales(const StructureOptions &options, std::size_t spring_count) {
+	for (const auto &[name, scales, may_be_zero] : {
+				 std::tuple(std::string("spring_stiffness_scales"), std::span(options.spring_stiffness_scales), true),
+				 std::tuple(std::string("spring_damping_scales"), std::span(options.spring_damping_scales), true),
+				 std::tuple(std::string("spring_length_scales"), std::span(options.spring_length_scales), false) }) {
+		if (!scales.empty() && scales.size() != spring_count) {
+			return Error{ name, std::to_string(scales.size()) + " entries",
+				"must have " + std::to_string(spring_count) + " entries, one a spring",
+				"add or remove entries, or leave it empty" };
+		}
+		for (std::size_t i = 0; i < scales.size(); ++i) {
+			const std::string entry = name + "[" + std::to_string(i) + "]";
+			if (Status status = may_be_zero ? check_at_least(entry, scales[i], 0, "") : check_above(entry, scales[i], 0, "")) {
+				return status;
+			}
+		}
+	}
+	return {};
+}
+
+Real scale_of(std::span<const Real> scales, std::size_t spring) {
+	return scales.empty() ? 1 : scales[spring];
+}
+
+Status check_inner_points(const std::vector<Vec2> &points) {
+	if (points.size() > std::size_t(MAX_HULL_POINTS)) {
+		return Error{ "inner_points", std::to_string(points.size()) + " points",
+			"must be at most " + std::to_string(MAX_HULL_POINTS), "remove points" };
+	}
+	for (std::size_t i = 0; i < points.size(); ++i) {
+		if (!is_finite(points[i])) {
+			return Error{ "inner_points[" + std::to_string(i) + "]", "non-finite", "must be finite",
+				"check the computation that produced this value" };
+		}
+	}
+	return {};
+}
+
+Vec2 mean_of(std::span<const Vec2> points) {
+	double x = 0;
+	double y = 0;
+	for (const Vec2 p : points) {
+		x += p.x;
+		y += p.y;
+	}
+	return { Real(x / double(points.size())), Real(y / double(points.size())) };
+}
+
+// The springs' ends are given, or chosen from the points as given; the shape's order may be another.
+Status check_spring_ends(std::span<const SpringEnds> springs, std::span<const Vec2> points) {
+	for (std::size_t i = 0; i < springs.size(); ++i) {
+		const auto [a, b] = springs[i];
+		const std::string ends = "points " + std::to_string(a) + " and " + std::to_string(b);
+		if (a >= points.size() || b >= points.size()) {
+			return Error{ "springs[" + std::to_string(i) + "]", ends,
+				"must name points below " + std::to_string(points.size()), "use indices of existing points" };
+		}
+		if (a != b && !(length(points[a] - points[b]) > 0)) {
+			return Error{ "springs[" + std::to_string(i) + "]", ends, "must lie apart", "move or remove one of the points" };
+		}
+	}
+	return {};
 }
 
 } // namespace
@@ -48,34 +110,49 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	if (Status status = check_hull(hull)) {
 		return *status;
 	}
-	SoftBodyShape::Description description;
-	description.points.assign(hull.begin(), hull.end());
-	if (signed_area(hull) < 0) {
-		std::reverse(description.points.begin() + 1, description.points.end());
+	if (Status status = check_inner_points(options.inner_points)) {
+		return *status;
 	}
 	const std::size_t count = hull.size();
-	description.hull_count = count;
-	for (std::size_t i = 0; i < count; ++i) {
-		description.springs.push_back(spring_between(description.points, i, (i + 1) % count, options));
-	}
+	std::vector<Vec2> points(hull.begin(), hull.end());
+	points.insert(points.end(), options.inner_points.begin(), options.inner_points.end());
+	std::optional<Vec2> centre;
 	if (options.centre_point) {
-		double x = 0;
-		double y = 0;
-		for (const Vec2 p : hull) {
-			x += p.x;
-			y += p.y;
-		}
-		description.points.push_back({ Real(x / double(count)), Real(y / double(count)) });
-		for (std::size_t i = 0; i < count; ++i) {
-			const Spring2D spring = spring_between(description.points, i, count, options);
-			if (!(spring.rest_length > 0)) {
-				return Error{ "hull[" + std::to_string(i) + "]", "the mean of the hull points",
-					"must not coincide with the centre point", "move this point or switch the centre point off" };
-			}
-			description.springs.push_back(spring);
+		centre = mean_of(hull);
+		points.push_back(*centre);
+		const auto same = std::ranges::find(hull, *centre);
+		if (options.springs.empty() && same != hull.end()) {
+			return Error{ "hull[" + std::to_string(same - hull.begin()) + "]", "the mean of the hull points",
+				"must not coincide with the centre point", "move this point or switch the centre point off" };
 		}
 	}
-	description.masses.assign(description.points.size(), options.mass / Real(description.points.size()));
+	const std::vector<SpringEnds> springs =
+			options.springs.empty() ? automatic_springs(hull, options.inner_points, centre) : options.springs;
+	if (Status status = check_spring_ends(springs, points)) {
+		return *status;
+	}
+	if (Status status = check_scales(options, springs.size())) {
+		return *status;
+	}
+
+	const bool is_reversed = signed_area(hull) < 0;
+	const auto place = [&](std::uint32_t point) {
+		return is_reversed && point < count ? std::uint32_t((count - point) % count) : point;
+	};
+	SoftBodyShape::Description description;
+	description.hull_count = count;
+	for (std::size_t i = 0; i < springs.size(); ++i) {
+		const auto [a, b] = springs[i];
+		description.springs.push_back({ place(a), place(b),
+				length(points[b] - points[a]) * scale_of(options.spring_length_scales, i),
+				options.stiffness * scale_of(options.spring_stiffness_scales, i),
+				options.damping * scale_of(options.spring_damping_scales, i) });
+	}
+	if (is_reversed) {
+		std::reverse(points.begin() + 1, points.begin() + std::ptrdiff_t(count));
+	}
+	description.masses.assign(points.size(), options.mass / Real(points.size()));
+	description.points = std::move(points);
 	return SoftBodyShape::create(std::move(description));
 }
 

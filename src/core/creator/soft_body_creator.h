@@ -4,19 +4,31 @@
 
 #include "core/base/constants.h"
 #include "core/base/error.h"
+#include "core/creator/structure.h"
 #include "core/model/soft_body_shape.h"
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace softbody {
 
-/// What `SoftBodyCreator` puts inside an outline.
+/// What `SoftBodyCreator` puts inside an outline. Points are counted in the order in which they are given: the outline, the
+/// inner points, the centre point; springs in the order of `springs`, or of `automatic_springs` if that is empty.
 struct StructureOptions {
 	Real mass = 1; ///< of the whole body [mass], > 0; every point gets an equal share
 	Real stiffness = 100; ///< k of every spring [force/length], >= 0
 	Real damping = 1; ///< c of every spring [force·s/length], >= 0
-	bool centre_point = true; ///< add a point at the hull's mean, joined to every hull point
+	bool centre_point = true; ///< add a point at the hull's mean; the automatic springs join it to every hull point
+	std::vector<Vec2> inner_points = {}; ///< further points, meant to lie inside the outline [length]
+	std::vector<SpringEnds> springs = {}; ///< all springs of the body; empty: the automatic ones
+	// Factors on the values above and on the length as designed, one a spring; empty: all 1. A body that is painted so
+	// follows what all its springs share, and its outline.
+	std::vector<Real> spring_stiffness_scales = {}; ///< [1], >= 0
+	std::vector<Real> spring_damping_scales = {}; ///< [1], >= 0
+	std::vector<Real> spring_length_scales = {}; ///< [1], > 0
+
+	friend bool operator==(const StructureOptions &, const StructureOptions &) = default;
 };
 
 /// Builds soft bodies (thesis 4.4.2, "SoftBodyCreator"; Alg. 4.9 to 4.11). Fills data, simulates nothing.
@@ -27,12 +39,11 @@ public:
 	static Result<std::shared_ptr<const SoftBodyShape>> create_circle(Real radius, int point_count,
 			const StructureOptions &options);
 
-	/// Any simple polygon, convex or not. Hull springs join neighbours; the centre point sits at the
-	/// mean of the hull points and is joined to all of them. Where the outline is not star-shaped
-	/// about that point some of these springs cross the outline, which is legal: they only hold distances.
-	/// A hull of negative winding is reversed about its first point: point i becomes (n - i) mod n.
-	/// Refuses a bad hull (see `check_hull`), mass <= 0, negative or non-finite spring values, and a
-	/// centre that coincides with a hull point.
+	/// Any simple polygon, convex or not; the centre point sits at the mean of its points. A hull of negative winding is
+	/// reversed about its first point: point i becomes (n - i) mod n, and springs follow; their order stays.
+	/// Refuses a bad hull (see `check_hull`), mass <= 0, negative or non-finite values, a centre that coincides with a
+	/// hull point unless springs are given, more than MAX_HULL_POINTS inner points, springs that name a point twice or one
+	/// that is not there, repeat another or have no length, and as many scales as there are no springs.
 	static Result<std::shared_ptr<const SoftBodyShape>> create_polygon(std::span<const Vec2> hull,
 			const StructureOptions &options);
 };

@@ -64,6 +64,18 @@ void SoftBodyData::disturb() {
 	}
 }
 
+void SoftBodyData::put_to_sleep() {
+	// The step counts its islands from 1.
+	constexpr std::uint64_t NOT_OF_A_STEP = std::uint64_t(1) << 63;
+	if (frozen_) {
+		return;
+	}
+	std::ranges::fill(mutable_velocities(), Vec2{});
+	clear_external_forces();
+	note_change(); // the step asks anew who sleeps
+	rest_state_ = { 0, true, NOT_OF_A_STEP | (changes_ ? ++changes_->put_to_sleep : 0) };
+}
+
 void SoftBodyData::note_change() {
 	outside_hull_.clear();
 	disturb();

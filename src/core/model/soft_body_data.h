@@ -35,6 +35,7 @@ struct ChangeCounts {
 	std::uint64_t restores = 0; ///< states put back
 	std::vector<Aabb> disturbed_boxes; ///< in which a frozen body was, came to be or went, until a step takes note
 	std::vector<WokenIsland> woken_islands; ///< of sleeping bodies that were woken, until a step takes note
+	std::uint64_t put_to_sleep = 0; ///< bodies that were, as each is an island of its own
 };
 
 /// One soft body of the world: a shared shape, its settings, and the state that a step advances.
@@ -138,6 +139,9 @@ public:
 	void wake();
 	/// For who moves or removes it: wakes it, or, if it is frozen, what lies near.
 	void disturb();
+	/// Stops it and lets it sleep at once, wherever it is, whether or not its settings let it fall asleep. It sleeps alone:
+	/// what it touches goes on, and may wake it. A frozen one does not sleep.
+	void put_to_sleep();
 
 	/// Whether any point is pinned.
 	bool has_pins() const { return !pinned_inverse_masses_.empty(); }

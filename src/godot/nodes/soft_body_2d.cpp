@@ -54,29 +54,37 @@ String SoftBody2D::describe() const {
 
 // Life in the tree.
 
-// Builds the body anew at the node's transform, at rest. Only another hull or scale needs this.
-void SoftBody2D::rebuild_body() {
+// Builds the body anew in its rest shape at the node's transform, which other points or another scale need.
+void SoftBody2D::rebuild_body(bool p_keeps_motion) {
+	if (p_keeps_motion && body() != nullptr) {
+		const softbody::BodyFrame motion = softbody::measure_frame(*body());
+		first_linear_velocity_ = to_godot(motion.velocity);
+		first_angular_velocity_ = motion.angular_velocity;
+	}
 	if (space_ == nullptr) {
 		stored_body_.reset();
 		update_topology();
 		return;
 	}
 	const Transform2D transform = get_global_transform();
-	const auto shape = make_shape(transform);
-	if (!accept("shape", shape ? softbody::Status() : softbody::Status(shape.error()))) {
+	const auto design = make_design(transform);
+	if (!accept("shape", design ? softbody::Status() : softbody::Status(design.error()))) {
 		return;
 	}
-	auto fresh = softbody::SoftBodyData::create(shape.value(), make_settings(), softbody::to_core_pose(transform));
+	auto fresh = softbody::SoftBodyData::create(design.value().shape, make_settings(design.value().mass), softbody::to_core_pose(transform));
 	if (!accept("transform", fresh ? softbody::Status() : softbody::Status(fresh.error()))) {
 		return;
 	}
 	built_scale_ = softbody::scale_and_skew(transform);
-	hull_reversed_ = (softbody::signed_area(to_core(hull_)) < 0) != (built_scale_.determinant() < 0);
+	design_ = design.value();
+	hull_reversed_ = design_->is_reversed;
 	space_->world().remove_soft_body(body_id_);
 	body_id_ = space_->world().add_soft_body(std::move(fresh.value()));
 	apply_pins();
 	pins_.clear(); // their places in the frames of their targets are those of the new shape
 	known_transform_ = transform;
+	start_first_motion();
+	body()->set_frozen(freeze_);
 	interpolation_.end();
 	update_topology();
 }
@@ -92,7 +100,10 @@ void SoftBody2D::enter_space() {
 		stored_body_.reset();
 		take_over_transform();
 	} else {
-		rebuild_body();
+		rebuild_body(false);
+	}
+	if (sleeping_) {
+		set_sleeping(true);
 	}
 	if (get_tree()->is_debugging_collisions_hint()) {
 		debug_drawing_ = std::make_unique<softbody::DebugDrawing>(get_canvas_item());
@@ -113,6 +124,7 @@ void SoftBody2D::leave_space() {
 	SoftBodyServer2D::get_singleton()->drawing().remove(view_);
 	view_ = nullptr;
 	debug_drawing_.reset();
+	contacts_.clear(); // whom it touched it remembers: it may come back
 	// Last: the server drops a space that has no nodes left.
 	SoftBodyServer2D::get_singleton()->remove_body(this);
 }
@@ -145,10 +157,6 @@ void SoftBody2D::_notification(int p_what) {
 		default:
 			break;
 	}
-}
-
-void SoftBody2D::reset() {
-	rebuild_body();
 }
 
 // Agreement of node and body.
@@ -186,7 +194,7 @@ void SoftBody2D::take_over_transform() {
 		const PackedVector2Array deformed = known_transform_.affine_inverse().xform(to_godot(body()->positions()));
 		const std::vector<softbody::Vec2> velocities(body()->velocities().begin(), body()->velocities().end());
 		const bool was_reversed = hull_reversed_;
-		rebuild_body();
+		rebuild_body(false);
 		if (was_reversed == hull_reversed_) {
 			for (uint32_t i = 0; i < velocities.size(); i++) {
 				body()->set_point(i, to_core(transform.xform(deformed[i])), velocities[i]);
@@ -214,7 +222,11 @@ void SoftBody2D::prepare_step() {
 	follow_pin_targets();
 	if (softbody::SoftBodyData *found = body()) {
 		found->set_active(can_process());
+		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
+			apply_constant_forces();
+		}
 	}
+	tell_structure_problems();
 }
 
 void SoftBody2D::finish_step() {
@@ -226,19 +238,26 @@ void SoftBody2D::finish_step() {
 	const Transform2D before = known_transform_;
 	moving_ = body()->is_active() && !body()->is_asleep();
 	if (moving_ || has_stopped) {
-		body()->set_rotation_memory(softbody::measure_frame(*body()).rotation); // for a body that may collapse later
-		set_global_transform(body_transform());
-		// Read back rather than remembered: under a transformed parent it may differ in the last digit,
-		// and such a digit must not look like a move by the user.
-		known_transform_ = get_global_transform();
-		settled_ = false;
-		area_checked_ = false;
+		follow_body();
 	}
 	if (moving_) {
 		interpolation_.begin(before);
 	} else {
 		interpolation_.end();
 	}
+}
+
+void SoftBody2D::follow_body() {
+	if (space_ == nullptr) {
+		return; // the first step in the tree does it
+	}
+	body()->set_rotation_memory(softbody::measure_frame(*body()).rotation); // for a body that may collapse later
+	set_global_transform(body_transform());
+	// Read back rather than remembered: under a transformed parent it may differ in the last digit,
+	// and such a digit must not look like a move by the user.
+	known_transform_ = get_global_transform();
+	settled_ = false;
+	area_checked_ = false;
 }
 
 } // namespace godot

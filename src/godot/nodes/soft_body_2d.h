@@ -3,22 +3,27 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/creator/soft_body_creator.h"
+#include "core/model/contact.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/world_data.h"
 #include "godot/drawing/body_interpolation.h"
 #include "godot/drawing/debug_drawing.h"
 #include "godot/drawing/drawing_frame.h"
 #include "godot/drawing/soft_body_skin.h"
+#include "godot/resources/soft_body_material_2d.h"
 
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/templates/hash_map.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
+#include <godot_cpp/variant/vector2i.hpp>
 
 #include <memory>
 #include <optional>
@@ -26,6 +31,7 @@
 #include <vector>
 
 namespace softbody {
+class BodySignals;
 class SoftBodySpace2D;
 }
 
@@ -59,26 +65,19 @@ public:
 	PackedVector2Array get_hull() const { return hull_; }
 	void set_mass(double p_mass);
 	double get_mass() const { return mass_; }
-	void set_stiffness(double p_stiffness);
-	double get_stiffness() const { return stiffness_; }
-	void set_damping(double p_damping);
-	double get_damping() const { return damping_; }
+	double get_total_mass() const { return mass_in_use(); }
 	void set_center_point(bool p_center_point);
 	bool has_center_point() const { return center_point_; }
-	void set_pressure(double p_pressure);
-	double get_pressure() const { return pressure_; }
-	void set_inflation(double p_inflation);
-	double get_inflation() const { return inflation_; }
-	void set_friction(double p_friction);
-	double get_friction() const { return friction_; }
-	void set_bounce(double p_bounce);
-	double get_bounce() const { return bounce_; }
-	void set_rolling_resistance(double p_rolling_resistance);
-	double get_rolling_resistance() const { return rolling_resistance_; }
-	void set_shape_matching(double p_shape_matching);
-	double get_shape_matching() const { return shape_matching_; }
-	void set_shape_damping(double p_shape_damping);
-	double get_shape_damping() const { return shape_damping_; }
+	template <double softbody::MaterialValues::*VALUE>
+	void set_material_value(double p_value) {
+		set_own_material_value(softbody::material_field(VALUE), p_value);
+	}
+	template <double softbody::MaterialValues::*VALUE>
+	double get_material_value() const {
+		return own_material_.*VALUE;
+	}
+	void set_soft_body_material(const Ref<SoftBodyMaterial2D> &p_material);
+	Ref<SoftBodyMaterial2D> get_soft_body_material() const { return material_; }
 	void set_gravity_scale(double p_gravity_scale);
 	double get_gravity_scale() const { return gravity_scale_; }
 	void set_integrator(Integrator p_integrator);
@@ -89,6 +88,8 @@ public:
 	uint32_t get_collision_layer() const { return collision_layer_; }
 	void set_collision_mask(uint32_t p_mask);
 	uint32_t get_collision_mask() const { return collision_mask_; }
+	void set_self_collision(bool p_self_collision);
+	bool has_self_collision() const { return self_collision_; }
 
 	// Drawing.
 	enum OutlineTextureMode {
@@ -128,6 +129,51 @@ public:
 	static PackedVector2Array make_box_hull(const Vector2 &p_size, double p_spacing);
 	static PackedVector2Array make_capsule_hull(double p_radius, double p_height, double p_spacing);
 
+	// Structure: soft_body_2d_structure.cpp.
+	void set_inner_points(const PackedVector2Array &p_points);
+	PackedVector2Array get_inner_points() const { return inner_points_; }
+	void set_springs(const PackedInt32Array &p_springs);
+	PackedInt32Array get_springs() const { return springs_; }
+	void set_spring_stiffness_scales(const PackedFloat32Array &p_scales);
+	PackedFloat32Array get_spring_stiffness_scales() const { return spring_stiffness_scales_; }
+	void set_spring_damping_scales(const PackedFloat32Array &p_scales);
+	PackedFloat32Array get_spring_damping_scales() const { return spring_damping_scales_; }
+	void set_spring_length_scales(const PackedFloat32Array &p_scales);
+	PackedFloat32Array get_spring_length_scales() const { return spring_length_scales_; }
+	int get_spring_count() const;
+	Vector2i get_spring_points(int p_index) const;
+	PackedInt32Array get_all_springs() const;
+	double get_spring_stiffness(int p_index) const;
+	double get_spring_damping(int p_index) const;
+	double get_spring_rest_length(int p_index) const;
+	double get_spring_length(int p_index) const;
+	double get_spring_strain(int p_index) const;
+	void set_spring_stiffness_scale(int p_index, double p_scale);
+	void set_spring_damping_scale(int p_index, double p_scale);
+	void set_spring_length_scale(int p_index, double p_scale);
+
+	// Contacts: soft_body_2d_contacts.cpp.
+	void set_contact_monitor(bool p_enabled);
+	bool is_contact_monitor_enabled() const { return contact_monitor_; }
+	void set_max_contacts_reported(int p_amount);
+	int get_max_contacts_reported() const { return max_contacts_reported_; }
+	int get_contact_count() const { return int(contacts_.size()); }
+	Vector2 get_contact_position(int p_index) const;
+	Vector2 get_contact_normal(int p_index) const;
+	double get_contact_impulse(int p_index) const;
+	double get_contact_depth(int p_index) const;
+	int get_contact_point(int p_index) const;
+	Object *get_contact_collider(int p_index) const;
+	TypedArray<Node2D> get_colliding_bodies() const;
+
+	// Sleep: soft_body_2d_sleep.cpp.
+	void set_sleeping(bool p_sleeping);
+	bool is_sleeping() const;
+	void set_can_sleep(bool p_able);
+	bool is_able_to_sleep() const { return can_sleep_; }
+	void set_freeze_enabled(bool p_freeze);
+	bool is_freeze_enabled() const { return freeze_; }
+
 	int get_point_count() const;
 	PackedVector2Array get_point_positions() const;
 	PackedVector2Array get_point_velocities() const;
@@ -135,16 +181,40 @@ public:
 	bool has_point(const Vector2 &p_global_position) const;
 	void apply_point_force(int p_index, const Vector2 &p_force);
 	void apply_point_impulse(int p_index, const Vector2 &p_impulse);
-	void apply_central_force(const Vector2 &p_force);
-	void apply_central_impulse(const Vector2 &p_impulse);
-	Vector2 get_center_of_mass_position() const;
-	Vector2 get_linear_velocity() const;
-	double get_angular_velocity() const;
+	void apply_point_forces(const PackedVector2Array &p_forces);
+	PackedVector2Array get_point_forces() const;
+	void set_point_position(int p_index, const Vector2 &p_position);
+	void set_point_positions(const PackedVector2Array &p_positions);
+	void set_point_velocity(int p_index, const Vector2 &p_velocity);
+	void set_point_velocities(const PackedVector2Array &p_velocities);
 	double get_area() const;
 	double get_rest_area() const;
-	double get_kinetic_energy() const;
 	double get_penetration() const;
 	Dictionary get_substep_plan() const;
+
+	// Motion: soft_body_2d_motion.cpp.
+	void set_linear_velocity(const Vector2 &p_velocity);
+	Vector2 get_linear_velocity() const;
+	void set_angular_velocity(double p_velocity);
+	double get_angular_velocity() const;
+	void apply_impulse(const Vector2 &p_impulse, const Vector2 &p_position);
+	void apply_central_impulse(const Vector2 &p_impulse);
+	void apply_torque_impulse(double p_torque);
+	void apply_force(const Vector2 &p_force, const Vector2 &p_position);
+	void apply_central_force(const Vector2 &p_force);
+	void apply_torque(double p_torque);
+	void set_constant_force(const Vector2 &p_force);
+	Vector2 get_constant_force() const { return constant_force_; }
+	void set_constant_torque(double p_torque);
+	double get_constant_torque() const { return constant_torque_; }
+	void add_constant_central_force(const Vector2 &p_force);
+	void add_constant_force(const Vector2 &p_force, const Vector2 &p_position);
+	void add_constant_torque(double p_torque);
+	Vector2 get_center_of_mass_position() const;
+	Vector2 get_center_of_mass() const;
+	double get_inertia() const;
+	double get_kinetic_energy() const;
+	void teleport(const Transform2D &p_transform);
 	void reset();
 
 	PackedStringArray get_warnings() const;
@@ -186,13 +256,27 @@ public:
 	void finish_step();
 	/// Before a frame is drawn: brings the skin to where the body is in it. False when there was nothing to do.
 	bool draw_frame(const softbody::DrawingFrame &p_frame);
+	/// Whether it monitors contacts, or has signals about former ones to emit.
+	bool watches_contacts() const { return contact_monitor_; }
+	/// After the step: contacts and touches of this body, whom they are with by instance id (0 for nobody), and where to
+	/// put what is to be told. Nothing is emitted before all nodes are up to date.
+	void take_contacts(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders,
+			std::vector<uint64_t> p_touched, softbody::BodySignals &r_signals);
+	void take_sleep(softbody::BodySignals &r_signals);
+	/// While signals are emitted: notices when the other leaves the tree.
+	void watch_collider(Node *p_collider, bool p_watch);
 
 protected:
 	static void _bind_methods();
 	void _notification(int p_what);
+	void _validate_property(PropertyInfo &p_property) const;
 
 private:
-	static void bind_shape();
+	static void bind_hull();
+	static void bind_mass();
+	static void bind_structure();
+	static void bind_contacts();
+	static void bind_sleep();
 	static void bind_motion();
 	static void bind_points();
 	static void bind_material();
@@ -201,23 +285,70 @@ private:
 	static void bind_drawing();
 	static void bind_pins();
 
+	static constexpr int DEFAULT_MAX_CONTACTS = 16;
+
+	/// Points and springs at one scale of the node.
+	struct Design {
+		std::shared_ptr<const softbody::SoftBodyShape> shape;
+		Transform2D scale;
+		double mass = 0; ///< [kg]
+		bool is_reversed = false; ///< see `hull_reversed_`
+		PackedStringArray problems; ///< parts of the structure that do not fit the others and were left out
+	};
+
+	/// What a contact of the last step was, for scripts.
+	struct ContactRecord {
+		Vector2 point;
+		Vector2 normal;
+		double impulse = 0;
+		double depth = 0;
+		uint32_t core_point = 0;
+		uint64_t collider = 0; ///< instance id
+	};
+
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
 	bool accept_shape(const StringName &p_property);
-	bool change(const StringName &p_property, double &r_member, double p_value, const softbody::Status &p_range);
-	softbody::BodySettings make_settings() const;
+	bool change(const StringName &p_property, double &r_member, double p_value, const softbody::Status &p_range,
+			bool p_is_structural);
+	void set_own_material_value(const softbody::MaterialField &p_field, double p_value);
+	void take_over_material();
+	const softbody::MaterialValues &material_values() const;
+	double mass_of_area(double p_area) const;
+	double mass_in_use() const;
+	softbody::BodySettings make_settings(double p_mass) const;
 	/// The structure at the scale of `p_transform`, or what is wrong with it.
-	softbody::Result<std::shared_ptr<const softbody::SoftBodyShape>> make_shape(const Transform2D &p_transform) const;
+	softbody::Result<Design> make_design(const Transform2D &p_transform) const;
+	/// That of the body, or the one it would have; null if there can be none.
+	const Design *design() const;
+	Transform2D design_transform() const;
+	template <class Value>
+	bool change_structure(const StringName &p_property, Value &r_member, const Value &p_value, const softbody::Status &p_status);
+	void set_scale_of_spring(const StringName &p_property, PackedFloat32Array &r_scales, int p_index, double p_scale,
+			bool p_may_be_zero);
+	const softbody::Spring2D *find_spring(int p_index) const;
+	void tell_structure_problems();
+	const ContactRecord *find_contact(int p_index) const;
+	void on_collider_exiting(uint64_t p_collider);
+	void forget_contacts();
 	softbody::SoftBodyData *body();
 	const softbody::SoftBodyData *body() const;
 	/// The body after it has followed a transform that the user has just set.
 	const softbody::SoftBodyData *followed_body() const;
 	softbody::SoftBodyData *followed_body();
 	std::size_t core_index(int p_index) const;
+	/// The other way round, for a body or design that holds the hull so.
+	int public_index(std::size_t p_core_index, bool p_reversed) const;
 	bool check_index(int p_index) const;
 
 	void enter_space();
 	void leave_space();
-	void rebuild_body();
+	void rebuild_body(bool p_keeps_motion);
+	/// Gives a body that has just been made the velocities that were set before.
+	void start_first_motion();
+	void apply_constant_forces();
+	bool check_points(const char *p_what, const PackedVector2Array &p_values);
+	/// The node goes to where its points have been put.
+	void follow_body();
 	void apply_shape();
 	void apply_settings();
 	void take_over_transform();
@@ -249,22 +380,30 @@ private:
 	void leave_screen() { on_screen_ = false; }
 
 	PackedVector2Array hull_;
+	PackedVector2Array inner_points_;
+	PackedInt32Array springs_;
+	PackedFloat32Array spring_stiffness_scales_;
+	PackedFloat32Array spring_damping_scales_;
+	PackedFloat32Array spring_length_scales_;
 	double mass_ = 1;
-	double stiffness_ = 100;
-	double damping_ = 0.12;
 	bool center_point_ = true;
-	double pressure_ = 0;
-	double inflation_ = 1;
-	double friction_ = 0.4;
-	double bounce_ = 0;
-	double rolling_resistance_ = 0.03;
-	double shape_matching_ = 0.4;
-	double shape_damping_ = 0.25;
+	softbody::MaterialValues own_material_;
+	Ref<SoftBodyMaterial2D> material_;
+	bool density_decides_ = false; ///< whose density makes the mass
 	double gravity_scale_ = 1;
+	Vector2 first_linear_velocity_; ///< of a body that is still to be made
+	double first_angular_velocity_ = 0;
+	Vector2 constant_force_;
+	double constant_torque_ = 0;
+	bool can_sleep_ = true;
+	bool freeze_ = false;
 	Integrator integrator_ = INTEGRATOR_AUTOMATIC;
 	int substeps_ = 0;
 	uint32_t collision_layer_ = 1;
 	uint32_t collision_mask_ = 1;
+	bool self_collision_ = false;
+	bool contact_monitor_ = false;
+	int max_contacts_reported_ = DEFAULT_MAX_CONTACTS;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
 
 	PackedInt32Array pinned_points_;
@@ -279,6 +418,11 @@ private:
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
 	bool hull_reversed_ = false;
+	mutable std::optional<Design> design_; ///< forgotten when the structure changes
+	PackedStringArray told_problems_;
+	bool sleeping_ = false; ///< as last told, or as wanted of a body that is still to be made
+	std::vector<ContactRecord> contacts_; ///< of the last step
+	std::vector<uint64_t> touched_; ///< instance ids, sorted
 	bool moving_ = false; ///< whether the last tick stepped the body
 
 	softbody::SoftBodySkin skin_;

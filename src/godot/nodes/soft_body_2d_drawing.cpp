@@ -17,18 +17,22 @@ namespace godot {
 
 namespace {
 
-// Hull and middle in the order the core holds them.
-std::vector<Vec2> rest_points(const PackedVector2Array &p_hull, bool p_reversed, bool p_center_point) {
+// Hull, inner points and middle in the order the core holds them.
+std::vector<Vec2> rest_points(const PackedVector2Array &p_hull, const PackedVector2Array &p_inner_points, bool p_reversed, bool p_center_point) {
 	std::vector<Vec2> points = softbody::to_core(p_hull);
 	if (p_reversed) {
 		std::reverse(points.begin() + 1, points.end());
 	}
+	Vec2 sum;
+	for (const Vec2 point : points) {
+		sum += point;
+	}
+	const Vec2 middle = sum * (1 / softbody::Real(points.size()));
+	for (const Vector2 &point : p_inner_points) {
+		points.push_back(softbody::to_core(point));
+	}
 	if (p_center_point) {
-		Vec2 sum;
-		for (const Vec2 point : points) {
-			sum += point;
-		}
-		points.push_back(sum * (1 / softbody::Real(points.size())));
+		points.push_back(middle);
 	}
 	return points;
 }
@@ -44,7 +48,7 @@ void SoftBody2D::update_topology() {
 	// Of the node's scale one pixel is this part; the parent's and the camera's are left out, as Godot's own lines do.
 	const Vector2 scale = built_scale_.get_scale().abs();
 	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);
-	skin_.set_rest(rest_points(hull_, hull_reversed_, center_point_), std::size_t(hull_.size()), hull_reversed_, softbody::Real(pixel));
+	skin_.set_rest(rest_points(hull_, inner_points_, hull_reversed_, center_point_), std::size_t(hull_.size()), hull_reversed_, softbody::Real(pixel));
 	remake_skin();
 }
 

@@ -47,16 +47,29 @@ PackedStringArray SoftBody2D::get_warnings() const {
 	for (const KeyValue<StringName, String> &refused : refused_) {
 		warnings.push_back("The last value given to '" + String(refused.key) + "' was refused: " + refused.value + ". The previous value is in use.");
 	}
+	if (const Design *found = design()) {
+		for (const String &problem : found->problems) {
+			warnings.push_back("Left out of the body, as it does not fit the rest of its structure: " + problem + ".");
+		}
+	}
+	const std::vector<softbody::Vec2> hull = softbody::to_core(hull_);
+	for (int64_t i = 0; i < inner_points_.size(); i++) {
+		if (!softbody::point_in_polygon(softbody::to_core(inner_points_[i]), hull)) {
+			warnings.push_back("inner_points[" + String::num_int64(i) + "] lies outside the hull: it is part of the body, but touches nothing. Move it inside.");
+		}
+	}
 	const double gravity = double(ProjectSettings::get_singleton()->get_setting("physics/2d/default_gravity", 980.0));
-	const double weight = mass_ * gravity * std::abs(gravity_scale_);
+	const double weight = mass_in_use() * gravity * std::abs(gravity_scale_);
 	const double radius = std::sqrt(get_rest_area() / Math_PI);
 	const double unit_stiffness = 8 * weight / (radius * double(hull_.size())); // where q is 1
-	if (stiffness_ < FOLDING_STRENGTH * unit_stiffness) {
-		warnings.push_back("Stiffness " + String::num(stiffness_) + " N/m is too low for the body's weight: it will fold. Use at least " + String::num(std::ceil(FIRM_STRENGTH * unit_stiffness)) + " N/m, or less mass or gravity_scale.");
+	const double stiffness = material_values().stiffness;
+	const double damping = material_values().damping;
+	if (stiffness < FOLDING_STRENGTH * unit_stiffness) {
+		warnings.push_back("Stiffness " + String::num(stiffness) + " N/m is too low for the body's weight: it will fold. Use at least " + String::num(std::ceil(FIRM_STRENGTH * unit_stiffness)) + " N/m, or less mass or gravity_scale.");
 	}
-	const double floor = softbody::DAMPING_FLOOR * std::sqrt(stiffness_ * mass_ / get_point_count());
-	if (damping_ < floor) {
-		warnings.push_back(vformat(String::utf8("Damping %s N·s/m is too low to calm strong deformations. Use at least %s N·s/m."), damping_, String::num(floor, 3)));
+	const double floor = softbody::DAMPING_FLOOR * std::sqrt(stiffness * mass_in_use() / get_point_count());
+	if (damping < floor) {
+		warnings.push_back(vformat(String::utf8("Damping %s N·s/m is too low to calm strong deformations. Use at least %s N·s/m."), damping, String::num(floor, 3)));
 	}
 	const Dictionary plan = get_substep_plan();
 	if (!plan.is_empty() && !bool(plan["safe"])) {
@@ -69,11 +82,15 @@ PackedStringArray SoftBody2D::get_warnings() const {
 
 // In the order of the inspector. Each of these stands in the file of what it binds.
 void SoftBody2D::_bind_methods() {
-	bind_shape();
-	bind_motion();
-	bind_points();
+	bind_hull();
+	bind_mass();
+	bind_structure();
 	bind_material();
+	bind_motion();
+	bind_sleep();
+	bind_points();
 	bind_collision();
+	bind_contacts();
 	bind_pins();
 	bind_solver();
 	bind_drawing();

@@ -2,10 +2,8 @@
 // What scripts can ask of the body and do to it: points, forces, measures.
 #include "godot/nodes/soft_body_2d.h"
 
-#include "core/dynamics/energy.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/geometry/polygon.h"
-#include "core/model/body_frame.h"
 #include "godot/convert.h"
 #include "godot/server/soft_body_space_2d.h"
 
@@ -14,6 +12,7 @@
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <cmath>
+#include <string>
 
 using softbody::to_core;
 using softbody::to_godot;
@@ -43,8 +42,13 @@ const char *reason_text(softbody::PlanReason p_reason) {
 // Points.
 
 std::size_t SoftBody2D::core_index(int p_index) const {
+	return std::size_t(public_index(std::size_t(p_index), hull_reversed_)); // a reversal undoes itself
+}
+
+int SoftBody2D::public_index(std::size_t p_core_index, bool p_reversed) const {
+	const int index = int(p_core_index);
 	const int hull_count = int(hull_.size());
-	return std::size_t(hull_reversed_ && p_index < hull_count ? (hull_count - p_index) % hull_count : p_index);
+	return p_reversed && index < hull_count ? (hull_count - index) % hull_count : index;
 }
 
 bool SoftBody2D::check_index(int p_index) const {
@@ -54,7 +58,7 @@ bool SoftBody2D::check_index(int p_index) const {
 }
 
 int SoftBody2D::get_point_count() const {
-	return int(hull_.size()) + (center_point_ ? 1 : 0);
+	return int(hull_.size() + inner_points_.size()) + (center_point_ ? 1 : 0);
 }
 
 PackedVector2Array SoftBody2D::get_point_positions() const {
@@ -107,48 +111,83 @@ void SoftBody2D::apply_point_impulse(int p_index, const Vector2 &p_impulse) {
 	}
 }
 
-void SoftBody2D::apply_central_force(const Vector2 &p_force) {
-	if (!check_index(0)) {
-		return;
+PackedVector2Array SoftBody2D::get_point_forces() const {
+	PackedVector2Array forces;
+	if (const softbody::SoftBodyData *found = followed_body()) {
+		forces.resize(get_point_count());
+		forces.fill(Vector2());
+		for (const softbody::ExternalForce &each : found->external_forces()) {
+			const int index = public_index(each.point, hull_reversed_);
+			forces.set(index, forces[index] + to_godot(each.force));
+		}
 	}
-	softbody::SoftBodyData &target = *followed_body();
-	const softbody::SoftBodyShape &shape = target.shape();
-	for (uint32_t i = 0; i < shape.point_count(); i++) {
-		if (!accept("force", target.add_external_force(i, to_core(p_force) * (shape.masses()[i] / shape.total_mass())))) {
-			return;
+	return forces;
+}
+
+bool SoftBody2D::check_points(const char *p_what, const PackedVector2Array &p_values) {
+	if (!check_index(0)) {
+		return false;
+	}
+	const std::string name = p_what;
+	if (p_values.size() != get_point_count()) {
+		return accept(p_what, softbody::Error{ name, std::to_string(p_values.size()) + " entries", "must have " + std::to_string(get_point_count()) + " entries, one a point", "give as many as get_point_count()" });
+	}
+	for (int64_t i = 0; i < p_values.size(); i++) {
+		if (!p_values[i].is_finite()) {
+			return accept(p_what, softbody::Error{ name + "[" + std::to_string(i) + "]", "non-finite", "must be finite", "check the computation that produced this value" });
+		}
+	}
+	return accept(p_what, {});
+}
+
+void SoftBody2D::set_point_positions(const PackedVector2Array &p_positions) {
+	if (check_points("positions", p_positions)) {
+		softbody::SoftBodyData &target = *followed_body();
+		for (int i = 0; i < get_point_count(); i++) {
+			const std::size_t index = core_index(i);
+			target.set_point(uint32_t(index), to_core(p_positions[i]), target.velocities()[index]);
+		}
+		follow_body();
+	}
+}
+
+void SoftBody2D::set_point_velocities(const PackedVector2Array &p_velocities) {
+	if (check_points("velocities", p_velocities)) {
+		softbody::SoftBodyData &target = *followed_body();
+		for (int i = 0; i < get_point_count(); i++) {
+			const std::size_t index = core_index(i);
+			target.set_point(uint32_t(index), target.positions()[index], to_core(p_velocities[i]));
 		}
 	}
 }
 
-void SoftBody2D::apply_central_impulse(const Vector2 &p_impulse) {
-	if (!check_index(0)) {
-		return;
+void SoftBody2D::set_point_position(int p_index, const Vector2 &p_position) {
+	if (check_index(p_index)) {
+		softbody::SoftBodyData &target = *followed_body();
+		const std::size_t index = core_index(p_index);
+		if (accept("position", target.set_point(uint32_t(index), to_core(p_position), target.velocities()[index]))) {
+			follow_body();
+		}
 	}
-	softbody::SoftBodyData &target = *followed_body();
-	const softbody::SoftBodyShape &shape = target.shape();
-	for (uint32_t i = 0; i < shape.point_count(); i++) {
-		if (!accept("impulse", target.apply_impulse(i, to_core(p_impulse) * (shape.masses()[i] / shape.total_mass())))) {
-			return;
+}
+
+void SoftBody2D::set_point_velocity(int p_index, const Vector2 &p_velocity) {
+	if (check_index(p_index)) {
+		softbody::SoftBodyData &target = *followed_body();
+		const std::size_t index = core_index(p_index);
+		accept("velocity", target.set_point(uint32_t(index), target.positions()[index], to_core(p_velocity)));
+	}
+}
+
+void SoftBody2D::apply_point_forces(const PackedVector2Array &p_forces) {
+	if (check_points("forces", p_forces)) {
+		for (int i = 0; i < get_point_count(); i++) {
+			followed_body()->add_external_force(uint32_t(core_index(i)), to_core(p_forces[i]));
 		}
 	}
 }
 
 // Measures.
-
-Vector2 SoftBody2D::get_center_of_mass_position() const {
-	const softbody::SoftBodyData *found = followed_body();
-	return found ? to_godot(softbody::measure_frame(*found).centre) : get_global_position();
-}
-
-Vector2 SoftBody2D::get_linear_velocity() const {
-	const softbody::SoftBodyData *found = followed_body();
-	return found ? to_godot(softbody::measure_frame(*found).velocity) : Vector2();
-}
-
-double SoftBody2D::get_angular_velocity() const {
-	const softbody::SoftBodyData *found = followed_body();
-	return found ? double(softbody::measure_frame(*found).angular_velocity) : 0.0;
-}
 
 double SoftBody2D::get_area() const {
 	const softbody::SoftBodyData *found = followed_body();
@@ -160,25 +199,20 @@ double SoftBody2D::get_rest_area() const {
 	return found ? double(found->shape().rest_area()) : std::abs(double(softbody::signed_area(to_core(hull_))));
 }
 
-double SoftBody2D::get_kinetic_energy() const {
-	const softbody::SoftBodyData *found = followed_body();
-	return found ? softbody::measure_energy(*found, {}).kinetic : 0.0;
-}
-
 double SoftBody2D::get_penetration() const {
 	const softbody::SoftBodyData *found = followed_body();
 	return found && space_ ? double(softbody::measure_penetration(space_->world(), *found)) : 0.0;
 }
 
 Dictionary SoftBody2D::get_substep_plan() const {
-	const auto shape = make_shape(body() ? built_scale_ : get_transform());
+	const Design *found = design();
 	Dictionary result;
-	if (!shape) {
+	if (found == nullptr) {
 		return result;
 	}
 	const double delta = 1.0 / Engine::get_singleton()->get_physics_ticks_per_second();
 	const softbody::SubstepPlan plan =
-			softbody::plan_substeps(*shape.value(), make_settings(), softbody::Real(delta), collision_mask_ != 0);
+			softbody::plan_substeps(*found->shape, make_settings(found->mass), softbody::Real(delta), collision_mask_ != 0);
 	result["frequency"] = plan.frequency;
 	result["damping_rate"] = plan.damping_rate;
 	result["integrator"] = int(plan.integrator);
@@ -190,19 +224,16 @@ Dictionary SoftBody2D::get_substep_plan() const {
 	return result;
 }
 
-void SoftBody2D::bind_motion() {
-	ClassDB::bind_method(D_METHOD("apply_central_force", "force"), &SoftBody2D::apply_central_force);
-	ClassDB::bind_method(D_METHOD("apply_central_impulse", "impulse"), &SoftBody2D::apply_central_impulse);
-	ClassDB::bind_method(D_METHOD("get_center_of_mass_position"), &SoftBody2D::get_center_of_mass_position);
-	ClassDB::bind_method(D_METHOD("get_linear_velocity"), &SoftBody2D::get_linear_velocity);
-	ClassDB::bind_method(D_METHOD("get_angular_velocity"), &SoftBody2D::get_angular_velocity);
-	ClassDB::bind_method(D_METHOD("get_kinetic_energy"), &SoftBody2D::get_kinetic_energy);
-}
-
 void SoftBody2D::bind_points() {
 	ClassDB::bind_method(D_METHOD("get_point_count"), &SoftBody2D::get_point_count);
 	ClassDB::bind_method(D_METHOD("get_point_positions"), &SoftBody2D::get_point_positions);
 	ClassDB::bind_method(D_METHOD("get_point_velocities"), &SoftBody2D::get_point_velocities);
+	ClassDB::bind_method(D_METHOD("get_point_forces"), &SoftBody2D::get_point_forces);
+	ClassDB::bind_method(D_METHOD("set_point_positions", "positions"), &SoftBody2D::set_point_positions);
+	ClassDB::bind_method(D_METHOD("set_point_velocities", "velocities"), &SoftBody2D::set_point_velocities);
+	ClassDB::bind_method(D_METHOD("set_point_position", "index", "position"), &SoftBody2D::set_point_position);
+	ClassDB::bind_method(D_METHOD("set_point_velocity", "index", "velocity"), &SoftBody2D::set_point_velocity);
+	ClassDB::bind_method(D_METHOD("apply_point_forces", "forces"), &SoftBody2D::apply_point_forces);
 	ClassDB::bind_method(D_METHOD("get_nearest_point", "global_position"), &SoftBody2D::get_nearest_point);
 	ClassDB::bind_method(D_METHOD("has_point", "global_position"), &SoftBody2D::has_point);
 	ClassDB::bind_method(D_METHOD("apply_point_force", "index", "force"), &SoftBody2D::apply_point_force);
@@ -210,7 +241,6 @@ void SoftBody2D::bind_points() {
 	ClassDB::bind_method(D_METHOD("get_area"), &SoftBody2D::get_area);
 	ClassDB::bind_method(D_METHOD("get_rest_area"), &SoftBody2D::get_rest_area);
 	ClassDB::bind_method(D_METHOD("get_penetration"), &SoftBody2D::get_penetration);
-	ClassDB::bind_method(D_METHOD("reset"), &SoftBody2D::reset);
 }
 
 } // namespace godot

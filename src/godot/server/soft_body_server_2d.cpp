@@ -151,6 +151,7 @@ void SoftBodyServer2D::step() {
 	total_step_usec_ += last_step_usec_;
 	counted_steps_++;
 	tick_count_++;
+	signals_.emit(); // last: who listens may free nodes, and with them spaces
 }
 
 // Nodes that are moved along run code of the user, who may do anything: add nodes, free them, in other spaces too.
@@ -159,7 +160,7 @@ void SoftBodyServer2D::step_spaces(double p_delta) {
 	const size_t count = spaces_.size(); // what comes meanwhile waits for the next tick
 	for (size_t i = 0; i < count; i++) {
 		softbody::SoftBodySpace2D &content = *spaces_[i].content;
-		content.step(p_delta);
+		content.step(p_delta, signals_);
 		profile_ += content.profile();
 	}
 	threads_.end_step();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "godot/drawing/drawing_frame.h"
+#include "godot/server/body_signals.h"
 #include "godot/server/soft_body_space_2d.h"
 #include "godot/server/step_settings.h"
 #include "godot/server/step_threads.h"
@@ -79,6 +80,7 @@ private:
 	bool settings_known_ = false;
 	softbody::StepThreads threads_; ///< before the spaces, whose simulators use them
 	std::vector<Space> spaces_;
+	softbody::BodySignals signals_;
 	bool stepping_ = false; ///< while nodes may come and go, but no space may
 	uint64_t watched_tree_ = 0; ///< instance id of the tree whose ticks step the spaces
 	int64_t tick_count_ = 0;

@@ -20,9 +20,6 @@ namespace softbody {
 
 namespace {
 
-// Godot's own conversion between pixels and metres in 2D: tolerances of the core scale with it.
-constexpr Real PIXELS_PER_METRE = 100;
-
 // How far a body may get in one step [px]: its fastest point plus what gravity adds, and a margin for
 // points that the springs throw ahead.
 Aabb reach_of(const SoftBodyData &p_body, Vec2 p_gravity, double p_delta) {
@@ -59,7 +56,8 @@ StepProfile &StepProfile::operator+=(const StepProfile &p_other) {
 
 SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for) :
 		space_(p_space), simulator_(world_, std::move(p_parallel_for)) {
-	world_.set_length_unit(PIXELS_PER_METRE);
+	world_.set_length_unit(PIXELS_PER_METRE); // tolerances of the core scale with it
+	read_gravity(); // a first step that brought it would wake those who start asleep
 }
 
 void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
@@ -98,18 +96,11 @@ void SoftBodySpace2D::remove_joint(SoftBodyJoint2D *p_node) {
 	std::erase(joints_, p_node);
 }
 
-// Handlers of the signal may free any node.
-void SoftBodySpace2D::tell_of_broken_joints(const StepReport &p_report) {
-	std::vector<uint64_t> broken;
+void SoftBodySpace2D::collect_broken_joints(const StepReport &p_report, BodySignals &r_signals) {
 	for (SoftBodyJoint2D *joint : joints_) {
 		if (std::ranges::find(p_report.broken_joints, joint->get_joint_id()) != p_report.broken_joints.end()) {
 			joint->note_break();
-			broken.push_back(joint->get_instance_id());
-		}
-	}
-	for (const uint64_t id : broken) {
-		if (Object *joint = ObjectDB::get_instance(id)) {
-			joint->emit_signal("broken");
+			r_signals.add_broken(joint->get_instance_id());
 		}
 	}
 }
@@ -141,7 +132,7 @@ void SoftBodySpace2D::read_surroundings(double p_delta) {
 	}
 }
 
-void SoftBodySpace2D::step(double p_delta) {
+void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	Stopwatch watch;
 	read_gravity();
 	stepping_ = true;
@@ -166,8 +157,9 @@ void SoftBodySpace2D::step(double p_delta) {
 	stepping_ = false;
 	close_gaps();
 	if (!report.broken_joints.empty()) {
-		tell_of_broken_joints(report);
+		collect_broken_joints(report, r_signals);
 	}
+	collect_signals(r_signals);
 	profile_.finish = watch.lap();
 }
 

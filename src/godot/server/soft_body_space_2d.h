@@ -18,6 +18,8 @@ class SoftBodyJoint2D;
 
 namespace softbody {
 
+class BodySignals;
+
 /// Where the time of a step goes [µs].
 struct StepProfile {
 	double prepare = 0; ///< taking over what users changed
@@ -55,8 +57,9 @@ public:
 	void remove(godot::SoftBody2D *p_node);
 	void add_joint(godot::SoftBodyJoint2D *p_node);
 	void remove_joint(godot::SoftBodyJoint2D *p_node);
-	/// Reads gravity and surroundings, steps the core by `p_delta` [s], hands the result to the nodes.
-	void step(double p_delta);
+	/// Reads gravity and surroundings, steps the core by `p_delta` [s], hands the result to the nodes. What is to be told
+	/// of it is added to the signals.
+	void step(double p_delta, BodySignals &r_signals);
 
 private:
 	/// Calls `p_work(node)` for the nodes that are there now; those that it removes are left out, those that it adds wait.
@@ -70,10 +73,11 @@ private:
 		}
 	}
 	void close_gaps();
-	void tell_of_broken_joints(const StepReport &p_report);
+	void collect_broken_joints(const StepReport &p_report, BodySignals &r_signals);
 	int64_t count_awake() const;
 	void read_gravity();
 	void read_surroundings(double p_delta);
+	void collect_signals(BodySignals &r_signals);
 	godot::SoftBody2D *node_of(BodyId p_id) const;
 
 	godot::RID space_;

@@ -41,6 +41,7 @@ Surface read_surface(const RID &p_body, const Transform2D &p_transform) {
 	surface.angular_velocity = Real(double(server->body_get_state(p_body, PhysicsServer2D::BODY_STATE_ANGULAR_VELOCITY)));
 	surface.velocity_origin = to_core(p_transform.get_origin());
 	surface.layer = server->body_get_collision_layer(p_body);
+	surface.tag = server->body_get_object_instance_id(p_body);
 	return surface;
 }
 

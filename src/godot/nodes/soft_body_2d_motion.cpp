@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// The body as a whole: how it moves and what pushes it, in the words of RigidBody2D.
+#include "godot/nodes/soft_body_2d.h"
+
+#include "core/dynamics/energy.h"
+#include "core/model/body_frame.h"
+#include "core/model/rigid_motion.h"
+#include "godot/convert.h"
+
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/math.hpp>
+
+using softbody::to_core;
+using softbody::to_godot;
+
+namespace godot {
+
+namespace {
+
+softbody::Status check_velocity(const char *p_name, bool p_is_finite) {
+	if (p_is_finite) {
+		return {};
+	}
+	return softbody::Error{ p_name, "non-finite", "must be finite", "check the computation that produced this value" };
+}
+
+} // namespace
+
+// Velocities. Those of a body that is still to be made are kept for it.
+
+void SoftBody2D::set_linear_velocity(const Vector2 &p_velocity) {
+	if (!accept("linear_velocity", check_velocity("linear_velocity", p_velocity.is_finite()))) {
+		return;
+	}
+	if (softbody::SoftBodyData *found = followed_body()) {
+		accept("linear_velocity", softbody::set_linear_velocity(*found, to_core(p_velocity)));
+	} else {
+		first_linear_velocity_ = p_velocity;
+	}
+}
+
+Vector2 SoftBody2D::get_linear_velocity() const {
+	const softbody::SoftBodyData *found = followed_body();
+	return found ? to_godot(softbody::measure_frame(*found).velocity) : first_linear_velocity_;
+}
+
+void SoftBody2D::set_angular_velocity(double p_velocity) {
+	if (!accept("angular_velocity", check_velocity("angular_velocity", Math::is_finite(p_velocity)))) {
+		return;
+	}
+	if (softbody::SoftBodyData *found = followed_body()) {
+		accept("angular_velocity", softbody::set_angular_velocity(*found, softbody::Real(p_velocity)));
+	} else {
+		first_angular_velocity_ = p_velocity;
+	}
+}
+
+double SoftBody2D::get_angular_velocity() const {
+	const softbody::SoftBodyData *found = followed_body();
+	return found ? double(softbody::measure_frame(*found).angular_velocity) : first_angular_velocity_;
+}
+
+void SoftBody2D::start_first_motion() {
+	softbody::SoftBodyData *found = body();
+	if (found == nullptr) {
+		return;
+	}
+	if (first_linear_velocity_ != Vector2()) {
+		softbody::set_linear_velocity(*found, to_core(first_linear_velocity_));
+	}
+	if (first_angular_velocity_ != 0) {
+		softbody::set_angular_velocity(*found, softbody::Real(first_angular_velocity_));
+	}
+	first_linear_velocity_ = Vector2();
+	first_angular_velocity_ = 0;
+}
+
+// Impulses and forces. A position is an offset from the node's origin, in global axes, as RigidBody2D has it.
+
+void SoftBody2D::apply_impulse(const Vector2 &p_impulse, const Vector2 &p_position) {
+	if (check_index(0)) {
+		softbody::SoftBodyData &target = *followed_body();
+		accept("impulse", softbody::apply_rigid_impulse(target, to_core(p_impulse), to_core(get_global_position() + p_position)));
+	}
+}
+
+void SoftBody2D::apply_central_impulse(const Vector2 &p_impulse) {
+	if (check_index(0)) {
+		softbody::SoftBodyData &target = *followed_body();
+		accept("impulse", softbody::apply_rigid_impulse(target, to_core(p_impulse), softbody::measure_frame(target).centre));
+	}
+}
+
+void SoftBody2D::apply_torque_impulse(double p_torque) {
+	if (check_index(0)) {
+		accept("torque", softbody::apply_angular_impulse(*followed_body(), softbody::Real(p_torque)));
+	}
+}
+
+void SoftBody2D::apply_force(const Vector2 &p_force, const Vector2 &p_position) {
+	if (check_index(0)) {
+		softbody::SoftBodyData &target = *followed_body();
+		accept("force", softbody::add_rigid_force(target, to_core(p_force), to_core(get_global_position() + p_position)));
+	}
+}
+
+void SoftBody2D::apply_central_force(const Vector2 &p_force) {
+	if (check_index(0)) {
+		softbody::SoftBodyData &target = *followed_body();
+		accept("force", softbody::add_rigid_force(target, to_core(p_force), softbody::measure_frame(target).centre));
+	}
+}
+
+void SoftBody2D::apply_torque(double p_torque) {
+	if (check_index(0)) {
+		accept("torque", softbody::add_torque(*followed_body(), softbody::Real(p_torque)));
+	}
+}
+
+// Constant forces.
+
+void SoftBody2D::set_constant_force(const Vector2 &p_force) {
+	if (accept("constant_force", check_velocity("constant_force", p_force.is_finite()))) {
+		constant_force_ = p_force;
+	}
+}
+
+void SoftBody2D::set_constant_torque(double p_torque) {
+	if (accept("constant_torque", check_velocity("constant_torque", Math::is_finite(p_torque)))) {
+		constant_torque_ = p_torque;
+	}
+}
+
+void SoftBody2D::add_constant_central_force(const Vector2 &p_force) {
+	set_constant_force(constant_force_ + p_force);
+}
+
+void SoftBody2D::add_constant_force(const Vector2 &p_force, const Vector2 &p_position) {
+	const Vector2 arm = p_position - (get_center_of_mass_position() - get_global_position());
+	set_constant_force(constant_force_ + p_force);
+	set_constant_torque(constant_torque_ + arm.cross(p_force));
+}
+
+void SoftBody2D::add_constant_torque(double p_torque) {
+	set_constant_torque(constant_torque_ + p_torque);
+}
+
+void SoftBody2D::apply_constant_forces() {
+	if (constant_force_ != Vector2()) {
+		apply_central_force(constant_force_);
+	}
+	if (constant_torque_ != 0) {
+		apply_torque(constant_torque_);
+	}
+}
+
+// Mass and place.
+
+Vector2 SoftBody2D::get_center_of_mass_position() const {
+	if (const softbody::SoftBodyData *found = followed_body()) {
+		return to_godot(softbody::measure_frame(*found).centre);
+	}
+	return (is_inside_tree() ? get_global_transform() : get_transform()).xform(get_center_of_mass());
+}
+
+Vector2 SoftBody2D::get_center_of_mass() const {
+	if (const softbody::SoftBodyData *found = followed_body()) {
+		return get_global_transform().affine_inverse().xform(to_godot(softbody::measure_frame(*found).centre));
+	}
+	const Design *found = design();
+	return found != nullptr ? found->scale.affine_inverse().xform(to_godot(found->shape->origin_offset())) : Vector2();
+}
+
+double SoftBody2D::get_inertia() const {
+	if (const softbody::SoftBodyData *found = followed_body()) {
+		return double(softbody::measure_frame(*found).inertia);
+	}
+	const Design *found = design();
+	return found != nullptr ? double(found->shape->rest_inertia()) : 0.0;
+}
+
+double SoftBody2D::get_kinetic_energy() const {
+	const softbody::SoftBodyData *found = followed_body();
+	return found ? softbody::measure_energy(*found, {}).kinetic : 0.0;
+}
+
+void SoftBody2D::teleport(const Transform2D &p_transform) {
+	ERR_FAIL_COND_MSG(!p_transform.is_finite() || p_transform.determinant() == 0, describe() + ": teleport: the transform must be finite and invertible.");
+	if (is_inside_tree()) {
+		set_global_transform(p_transform);
+		take_over_transform();
+		reset_physics_interpolation();
+	} else {
+		set_transform(p_transform);
+	}
+}
+
+void SoftBody2D::reset() {
+	rebuild_body(false);
+}
+
+void SoftBody2D::bind_motion() {
+	ClassDB::bind_method(D_METHOD("set_linear_velocity", "linear_velocity"), &SoftBody2D::set_linear_velocity);
+	ClassDB::bind_method(D_METHOD("get_linear_velocity"), &SoftBody2D::get_linear_velocity);
+	ClassDB::bind_method(D_METHOD("set_angular_velocity", "angular_velocity"), &SoftBody2D::set_angular_velocity);
+	ClassDB::bind_method(D_METHOD("get_angular_velocity"), &SoftBody2D::get_angular_velocity);
+	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse", "position"), &SoftBody2D::apply_impulse, DEFVAL(Vector2()));
+	ClassDB::bind_method(D_METHOD("apply_central_impulse", "impulse"), &SoftBody2D::apply_central_impulse);
+	ClassDB::bind_method(D_METHOD("apply_torque_impulse", "torque"), &SoftBody2D::apply_torque_impulse);
+	ClassDB::bind_method(D_METHOD("apply_force", "force", "position"), &SoftBody2D::apply_force, DEFVAL(Vector2()));
+	ClassDB::bind_method(D_METHOD("apply_central_force", "force"), &SoftBody2D::apply_central_force);
+	ClassDB::bind_method(D_METHOD("apply_torque", "torque"), &SoftBody2D::apply_torque);
+	ClassDB::bind_method(D_METHOD("set_constant_force", "force"), &SoftBody2D::set_constant_force);
+	ClassDB::bind_method(D_METHOD("get_constant_force"), &SoftBody2D::get_constant_force);
+	ClassDB::bind_method(D_METHOD("set_constant_torque", "torque"), &SoftBody2D::set_constant_torque);
+	ClassDB::bind_method(D_METHOD("get_constant_torque"), &SoftBody2D::get_constant_torque);
+	ClassDB::bind_method(D_METHOD("add_constant_central_force", "force"), &SoftBody2D::add_constant_central_force);
+	ClassDB::bind_method(D_METHOD("add_constant_force", "force", "position"), &SoftBody2D::add_constant_force, DEFVAL(Vector2()));
+	ClassDB::bind_method(D_METHOD("add_constant_torque", "torque"), &SoftBody2D::add_constant_torque);
+	ClassDB::bind_method(D_METHOD("get_center_of_mass_position"), &SoftBody2D::get_center_of_mass_position);
+	ClassDB::bind_method(D_METHOD("get_center_of_mass"), &SoftBody2D::get_center_of_mass);
+	ClassDB::bind_method(D_METHOD("get_inertia"), &SoftBody2D::get_inertia);
+	ClassDB::bind_method(D_METHOD("get_kinetic_energy"), &SoftBody2D::get_kinetic_energy);
+	ClassDB::bind_method(D_METHOD("teleport", "transform"), &SoftBody2D::teleport);
+	ClassDB::bind_method(D_METHOD("reset"), &SoftBody2D::reset);
+
+	ADD_GROUP("Linear", "linear_");
+	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "linear_velocity", PROPERTY_HINT_NONE, "suffix:px/s"), "set_linear_velocity", "get_linear_velocity");
+	ADD_GROUP("Angular", "angular_");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "angular_velocity", PROPERTY_HINT_NONE, String::utf8("radians_as_degrees,suffix:°/s")), "set_angular_velocity", "get_angular_velocity");
+	ADD_GROUP("Constant Forces", "constant_");
+	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "constant_force", PROPERTY_HINT_NONE, String::utf8("suffix:kg⋅px/s²")), "set_constant_force", "get_constant_force");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "constant_torque", PROPERTY_HINT_NONE, String::utf8("suffix:kg⋅px²/s²/rad")), "set_constant_torque", "get_constant_torque");
+	// What follows from the points is read, and neither set nor saved.
+	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "center_of_mass", PROPERTY_HINT_NONE, "suffix:px", PROPERTY_USAGE_NONE), "", "get_center_of_mass");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "inertia", PROPERTY_HINT_NONE, String::utf8("suffix:kg⋅px²"), PROPERTY_USAGE_NONE), "", "get_inertia");
+}
+
+} // namespace godot

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The resource: a material that soft bodies share.
+#pragma once
+
+#include "godot/resources/material_values.h"
+
+#include <godot_cpp/classes/resource.hpp>
+
+namespace godot {
+
+/// See doc_classes/SoftBodyMaterial2D.xml. It only keeps checked values and tells by the signal `changed` that one of them
+/// is another; nodes listen and take them over.
+class SoftBodyMaterial2D : public Resource {
+	GDCLASS(SoftBodyMaterial2D, Resource)
+
+public:
+	const softbody::MaterialValues &values() const { return values_; }
+
+	template <double softbody::MaterialValues::*VALUE>
+	void set_material_value(double p_value) {
+		set_value(softbody::material_field(VALUE), p_value);
+	}
+	template <double softbody::MaterialValues::*VALUE>
+	double get_material_value() const {
+		return values_.*VALUE;
+	}
+
+protected:
+	static void _bind_methods();
+
+private:
+	void set_value(const softbody::MaterialField &p_field, double p_value);
+	/// "SoftBodyMaterial2D 'res://jelly.tres'": how messages name this resource.
+	String describe() const;
+
+	softbody::MaterialValues values_;
+};
+
+} // namespace godot

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What a step has to tell scripts, kept until every node is up to date.
+#pragma once
+
+#include <godot_cpp/variant/vector2.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace softbody {
+
+/// Signals of one step. Whoever listens to one may free any node, change any property, add and remove bodies: nodes are
+/// known by instance id, and looked up only when their turn has come.
+class BodySignals {
+public:
+	/// Where and how hard two pressed on each other when they met.
+	struct Impact {
+		godot::Vector2 point; ///< in the world [px]
+		godot::Vector2 normal; ///< unit, towards the body that is told
+		double impulse = 0; ///< [kg·px/s]
+	};
+
+	void add_entered(uint64_t p_body, uint64_t p_collider, const Impact &p_impact) {
+		pending_.push_back({ Kind::ENTERED, p_body, p_collider, p_impact });
+	}
+	void add_exited(uint64_t p_body, uint64_t p_collider) { pending_.push_back({ Kind::EXITED, p_body, p_collider, {} }); }
+	void add_broken(uint64_t p_joint) { pending_.push_back({ Kind::BROKEN, p_joint, 0, {} }); }
+	void add_sleep_changed(uint64_t p_body) { pending_.push_back({ Kind::SLEEP_CHANGED, p_body, 0, {} }); }
+
+	/// Emits them in the order in which they were added; those of a node that is gone are dropped, and so are those about a
+	/// collider that is gone.
+	void emit();
+
+private:
+	enum class Kind {
+		ENTERED,
+		EXITED,
+		SLEEP_CHANGED,
+		BROKEN,
+	};
+	struct Pending {
+		Kind kind;
+		uint64_t body; ///< or joint; instance ids
+		uint64_t collider;
+		Impact impact;
+	};
+	std::vector<Pending> pending_;
+};
+
+} // namespace softbody
