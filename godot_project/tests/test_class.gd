@@ -21,6 +21,12 @@ const PROPERTIES := {
 	"substeps": [TYPE_INT, ""],
 	"collision_layer": [TYPE_INT, ""],
 	"collision_mask": [TYPE_INT, ""],
+	"collision_proxy_enabled": [TYPE_BOOL, ""],
+	"collision_proxy_margin": [TYPE_FLOAT, "suffix:px"],
+	"linear_damp_mode": [TYPE_INT, "Combine,Replace"],
+	"linear_damp": [TYPE_FLOAT, ""],
+	"angular_damp_mode": [TYPE_INT, "Combine,Replace"],
+	"angular_damp": [TYPE_FLOAT, ""],
 	"color": [TYPE_COLOR, ""],
 	"texture": [TYPE_OBJECT, "Texture2D"],
 }
@@ -28,14 +34,16 @@ const DEFAULTS := {
 	"mass": 1.0, "stiffness": 100.0, "damping": 0.12, "friction": 0.4, "bounce": 0.0,
 	"rolling_resistance": 0.03, "shape_matching": 0.4, "shape_damping": 0.25, "gravity_scale": 1.0,
 	"center_point": true, "pressure": 0.0, "inflation": 1.0, "integrator": 0,
-	"substeps": 0, "collision_layer": 1, "collision_mask": 1, "color": Color.WHITE, "texture": null,
+	"substeps": 0, "collision_layer": 1, "collision_mask": 1, "collision_proxy_enabled": true, "collision_proxy_margin": -1.0,
+	"linear_damp_mode": 0, "linear_damp": 0.0, "angular_damp_mode": 0, "angular_damp": 0.0, "color": Color.WHITE, "texture": null,
 }
 const METHODS: Array[String] = [
 	"make_circle_hull", "make_box_hull", "make_capsule_hull", "get_point_count", "get_point_positions",
 	"get_point_velocities", "get_interpolated_hull", "get_nearest_point", "has_point", "apply_point_force",
 	"apply_point_impulse", "apply_central_force", "apply_central_impulse", "get_center_of_mass_position",
 	"get_linear_velocity", "get_angular_velocity", "get_area", "get_rest_area", "get_kinetic_energy",
-	"get_penetration", "get_substep_plan", "get_warnings", "reset",
+	"get_penetration", "get_substep_plan", "get_warnings", "reset", "get_rid",
+	"add_collision_exception_with", "remove_collision_exception_with", "get_collision_exceptions",
 ]
 const SERVER_METHODS: Array[String] = [
 	"get_body_count", "get_tick_count", "get_last_step_usec", "get_mean_step_usec", "reset_statistics",

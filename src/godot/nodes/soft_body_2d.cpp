@@ -73,6 +73,7 @@ void SoftBody2D::rebuild_body() {
 	hull_reversed_ = (softbody::signed_area(to_core(hull_)) < 0) != (built_scale_.determinant() < 0);
 	space_->world().remove_soft_body(body_id_);
 	body_id_ = space_->world().add_soft_body(std::move(fresh.value()));
+	proxy_.forget_shape();
 	known_transform_ = transform;
 	current_ = current_pose();
 	previous_ = current_;
@@ -91,6 +92,7 @@ void SoftBody2D::enter_space() {
 	} else {
 		rebuild_body();
 	}
+	update_proxy_presence();
 	set_process_internal(true);
 }
 
@@ -98,6 +100,7 @@ void SoftBody2D::leave_space() {
 	if (space_ == nullptr) {
 		return;
 	}
+	proxy_.leave();
 	if (softbody::SoftBodyData *found = body()) {
 		stored_body_ = std::move(*found);
 		space_->world().remove_soft_body(body_id_);
@@ -115,6 +118,10 @@ void SoftBody2D::_notification(int p_what) {
 		} break;
 		case NOTIFICATION_EXIT_TREE: {
 			leave_space();
+		} break;
+		case NOTIFICATION_DISABLED:
+		case NOTIFICATION_ENABLED: {
+			update_proxy_presence();
 		} break;
 		case NOTIFICATION_WORLD_2D_CHANGED: {
 			if (space_ != nullptr) {

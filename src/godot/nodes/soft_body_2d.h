@@ -5,14 +5,18 @@
 #include "core/base/error.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/world_data.h"
+#include "godot/surroundings/area_effects.h"
+#include "godot/surroundings/hull_proxy.h"
 
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/templates/hash_map.hpp>
+#include <godot_cpp/templates/local_vector.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 #include <optional>
 
@@ -41,6 +45,12 @@ public:
 		INTEGRATOR_RUNGE_KUTTA_4,
 		INTEGRATOR_VELOCITY_VERLET,
 		INTEGRATOR_XPBD,
+	};
+
+	/// As RigidBody2D.DampMode.
+	enum DampMode {
+		DAMP_MODE_COMBINE,
+		DAMP_MODE_REPLACE,
 	};
 
 	SoftBody2D();
@@ -80,6 +90,22 @@ public:
 	uint32_t get_collision_layer() const { return collision_layer_; }
 	void set_collision_mask(uint32_t p_mask);
 	uint32_t get_collision_mask() const { return collision_mask_; }
+	void set_collision_proxy_enabled(bool p_enabled);
+	bool is_collision_proxy_enabled() const { return collision_proxy_enabled_; }
+	void set_collision_proxy_margin(double p_margin);
+	double get_collision_proxy_margin() const { return collision_proxy_margin_; }
+	RID get_rid() const;
+	void add_collision_exception_with(Node *p_body);
+	void remove_collision_exception_with(Node *p_body);
+	TypedArray<Node2D> get_collision_exceptions() const;
+	void set_linear_damp_mode(DampMode p_mode);
+	DampMode get_linear_damp_mode() const { return linear_damp_mode_; }
+	void set_linear_damp(double p_damp);
+	double get_linear_damp() const { return linear_damp_; }
+	void set_angular_damp_mode(DampMode p_mode);
+	DampMode get_angular_damp_mode() const { return angular_damp_mode_; }
+	void set_angular_damp(double p_damp);
+	double get_angular_damp() const { return angular_damp_; }
 	void set_color(const Color &p_color);
 	Color get_color() const { return color_; }
 	void set_texture(const Ref<Texture2D> &p_texture);
@@ -123,6 +149,11 @@ public:
 	void prepare_step();
 	/// After the step: moves the node along and keeps what drawing interpolates.
 	void finish_step();
+	/// Before the step: takes over the gravity and damping of areas. `p_space` is what holds where no area is.
+	void feel_areas(const softbody::AreaEffects &p_space, double p_delta, uint64_t p_tick);
+	/// After the step: moves the proxy along. True when `flush_hull_proxies` must follow.
+	bool follow_with_proxy();
+	softbody::HullProxy &proxy() { return proxy_; }
 
 protected:
 	static void _bind_methods();
@@ -133,7 +164,9 @@ private:
 	static void bind_motion();
 	static void bind_points();
 	static void bind_material();
+	static void bind_damping();
 	static void bind_collision();
+	static void bind_proxy();
 	static void bind_solver();
 	static void bind_drawing();
 
@@ -163,6 +196,10 @@ private:
 	void apply_shape();
 	void apply_settings();
 	void take_over_transform();
+	void update_proxy_presence();
+	void apply_collision_exception(Node *p_body, bool p_excepted);
+	softbody::Real proxy_inset() const;
+	void wake_for_change();
 	Transform2D body_transform() const;
 	Pose current_pose() const;
 	void update_topology();
@@ -187,6 +224,13 @@ private:
 	int substeps_ = 0;
 	uint32_t collision_layer_ = 1;
 	uint32_t collision_mask_ = 1;
+	bool collision_proxy_enabled_ = true;
+	double collision_proxy_margin_ = -1;
+	LocalVector<uint64_t> collision_exceptions_; ///< instance ids
+	DampMode linear_damp_mode_ = DAMP_MODE_COMBINE;
+	double linear_damp_ = 0;
+	DampMode angular_damp_mode_ = DAMP_MODE_COMBINE;
+	double angular_damp_ = 0;
 	Color color_ = Color(1, 1, 1);
 	Ref<Texture2D> texture_;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
@@ -198,6 +242,9 @@ private:
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
 	bool hull_reversed_ = false;
+	mutable softbody::HullProxy proxy_; ///< makes its RID when that is asked for
+	int engine_steps_ = 0; ///< that the engine can have made since the proxy entered its space
+	softbody::AreaEffects felt_; ///< by the last step
 	Pose previous_;
 	Pose current_;
 	bool moving_ = false; ///< whether the last tick stepped the body
@@ -210,3 +257,4 @@ private:
 } // namespace godot
 
 VARIANT_ENUM_CAST(SoftBody2D::Integrator);
+VARIANT_ENUM_CAST(SoftBody2D::DampMode);

@@ -69,9 +69,11 @@ PackedStringArray SoftBody2D::get_warnings() const {
 void SoftBody2D::_bind_methods() {
 	bind_shape();
 	bind_motion();
+	bind_damping();
 	bind_points();
 	bind_material();
 	bind_collision();
+	bind_proxy();
 	bind_solver();
 	bind_drawing();
 	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBody2D::get_warnings);

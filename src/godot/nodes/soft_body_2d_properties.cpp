@@ -165,6 +165,7 @@ void SoftBody2D::set_substeps(int p_substeps) {
 
 void SoftBody2D::set_collision_layer(uint32_t p_layer) {
 	collision_layer_ = p_layer;
+	proxy_.set_layer(p_layer);
 	apply_settings();
 }
 

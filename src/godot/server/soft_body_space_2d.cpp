@@ -4,6 +4,7 @@
 
 #include "godot/convert.h"
 #include "godot/nodes/soft_body_2d.h"
+#include "godot/surroundings/hull_proxy.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/classes/time.hpp>
@@ -53,6 +54,7 @@ StepProfile &StepProfile::operator+=(const StepProfile &p_other) {
 	surroundings += p_other.surroundings;
 	simulate += p_other.simulate;
 	finish += p_other.finish;
+	proxies += p_other.proxies;
 	return *this;
 }
 
@@ -97,10 +99,8 @@ void SoftBodySpace2D::close_gaps() {
 }
 
 void SoftBodySpace2D::read_gravity() {
-	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
-	const Vector2 direction = server->area_get_param(space_, PhysicsServer2D::AREA_PARAM_GRAVITY_VECTOR);
-	const double strength = server->area_get_param(space_, PhysicsServer2D::AREA_PARAM_GRAVITY);
-	if (const Status status = world_.set_gravity(to_core(direction * real_t(strength)))) {
+	space_effects_ = read_space_effects(space_);
+	if (const Status status = world_.set_gravity(space_effects_.gravity)) {
 		ERR_PRINT_ONCE("SoftBody2D keeps the last gravity: " + to_godot(status->message()));
 	}
 }
@@ -109,11 +109,18 @@ void SoftBodySpace2D::read_surroundings(double p_delta) {
 	reader_.begin(world_);
 	PhysicsDirectSpaceState2D *state = PhysicsServer2D::get_singleton()->space_get_direct_state(space_);
 	ERR_FAIL_NULL_MSG(state, "SoftBody2D: the physics space cannot be read now; this tick has no surroundings.");
-	for (const SoftBodyData &body : world_.soft_bodies()) {
-		if (body.is_active()) {
-			reader_.read(state, reach_of(body, world_.gravity(), p_delta), body.settings().collision_mask, world_);
-		}
+	if (known_proxies_ != hull_proxies_version()) {
+		known_proxies_ = hull_proxies_version();
+		TypedArray<RID> proxies;
+		for_nodes([&](SoftBody2D &r_node) { proxies.push_back(r_node.get_rid()); });
+		reader_.set_excluded(proxies);
 	}
+	for_nodes([&](SoftBody2D &r_node) {
+		const SoftBodyData *body = world_.find(r_node.get_body_id());
+		if (body != nullptr && body->is_active()) {
+			reader_.read(state, reach_of(*body, world_.gravity(), p_delta), body->settings().collision_mask, r_node.proxy(), world_);
+		}
+	});
 }
 
 void SoftBodySpace2D::step(double p_delta) {
@@ -121,6 +128,8 @@ void SoftBodySpace2D::step(double p_delta) {
 	read_gravity();
 	stepping_ = true;
 	for_nodes([](SoftBody2D &r_node) { r_node.prepare_step(); });
+	tick_++;
+	for_nodes([&](SoftBody2D &r_node) { r_node.feel_areas(space_effects_, p_delta, tick_); });
 	profile_.prepare = watch.lap();
 	read_surroundings(p_delta);
 	profile_.surroundings = watch.lap();
@@ -135,9 +144,19 @@ void SoftBodySpace2D::step(double p_delta) {
 		}
 	}
 	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });
+	profile_.finish = watch.lap();
+	RID changed_proxy;
+	for_nodes([&](SoftBody2D &r_node) {
+		if (r_node.follow_with_proxy()) {
+			changed_proxy = r_node.get_rid();
+		}
+	});
+	if (changed_proxy.is_valid()) {
+		flush_hull_proxies(changed_proxy);
+	}
 	stepping_ = false;
 	close_gaps();
-	profile_.finish = watch.lap();
+	profile_.proxies = watch.lap();
 }
 
 int64_t SoftBodySpace2D::count_awake() const {

@@ -283,6 +283,11 @@ bool HullProxy::follow(const SoftBodyData &body, const BodyFrame &frame, Real in
 	return slots_.size() > 1;
 }
 
+void HullProxy::stir() {
+	PhysicsServer2D::get_singleton()->body_set_state(rid(), PhysicsServer2D::BODY_STATE_TRANSFORM,
+			Transform2D(0, to_godot(origin_)));
+}
+
 void HullProxy::begin_near() {
 	pressed_ = false;
 	near_.clear();

@@ -51,6 +51,8 @@ public:
 	void leave();
 	/// The body has another hull: the next `follow` divides it anew.
 	void forget_shape() { parts_ = {}; }
+	/// Has the engine work out anew what areas do to a body that sleeps.
+	void stir();
 	/// After a step. `frame` is the body's, `inset` >= 0 [px], at most a quarter of the body's width is used.
 	/// If it returns true, `flush_hull_proxies` must be called before anybody asks.
 	bool follow(const SoftBodyData &body, const BodyFrame &frame, Real inset);
