@@ -130,7 +130,8 @@ func test_a_character_jumps_off_a_jelly() -> void:
 	check_near(start - highest, 400.0 * 400 / (2 * GRAVITY), 12, "height of the jump")
 	await seconds(3)
 	await _check_stands(walker, body, "after the jump")
-	check_near(walker.position.y, start, 1, "where it stands after the jump")
+	# How deep it sinks depends a little on how it lands: no more than the margin of 0.06 R.
+	check_near(walker.position.y, start, 3, "where it stands after the jump")
 
 
 func test_a_character_walks_into_a_jelly_and_pushes_it_along() -> void:
@@ -180,10 +181,10 @@ func test_a_character_under_a_heavy_jelly_walks_out() -> void:
 
 
 func test_a_character_is_carried_by_a_moving_jelly() -> void:
-	var body := add_weightless_body(Vector2(0, 50), { "hull": SoftBody2D.make_box_hull(Vector2(200, 60), 20),
-			"stiffness": 1000.0, "mass": 20.0 })
-	var walker := _add_walker(Vector2(0, -10))
-	await seconds(1)
+	add_floor(100)
+	var body := add_body(Vector2(0, 70), { "hull": SoftBody2D.make_box_hull(Vector2(200, 60), 20), "friction": 0.0 })
+	var walker := _add_walker(Vector2(0, 10))
+	await seconds(2)
 	body.apply_central_impulse(Vector2(80, 0) * body.mass - body.mass * body.get_linear_velocity())
 	await ticks(3)
 	var platform := walker.get_platform_velocity()
@@ -206,7 +207,8 @@ func test_a_margin_of_zero_is_a_hard_surface() -> void:
 
 func test_a_deep_margin_lets_a_character_sink_in_so_far() -> void:
 	add_floor(100)
-	var body := add_body(Vector2(0, 50), { "collision_proxy_margin": 10.0, "stiffness": 200.0 })
+	var body := add_body(Vector2(0, 50), { "collision_proxy_margin": 10.0,
+			"hull": SoftBody2D.make_box_hull(Vector2(120, 80), 20), "stiffness": 400.0 })
 	await seconds(3)
 	var top := bounds_of(hull_of(body)).position.y
 	var walker := _add_walker(Vector2(0, top - 40))

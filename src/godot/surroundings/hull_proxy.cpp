@@ -29,9 +29,10 @@ constexpr Real LEAST_DENT_TOLERANCE = 1;
 // For how many ticks a hull has no deep dent before it is shown in one piece again.
 constexpr int SMOOTH_FOLLOWS = 30;
 
-// Speeds below which the engine's body counts as still [px/s, rad/s].
-constexpr Real SPEED_TOLERANCE = Real(0.1);
-constexpr Real SPIN_TOLERANCE = Real(1e-3);
+// Speeds below which the engine's body counts as still [px/s, rad/s]. A character is carried by what it stands on, and by
+// friction carries that in turn: with the tremor of a pressed jelly passed on, the two wander off together.
+constexpr Real SPEED_TOLERANCE = 3;
+constexpr Real SPIN_TOLERANCE = Real(0.05);
 
 std::unordered_set<std::int64_t> proxies;
 std::uint64_t version = 0;
@@ -238,7 +239,7 @@ void HullProxy::send_velocity(const BodyFrame &frame, bool asleep) {
 	Real spin = asleep ? 0 : frame.angular_velocity;
 	Vec2 velocity = asleep ? Vec2{} : frame.velocity + perpendicular(origin_ - frame.centre) * spin;
 	if (length_squared(velocity) < SPEED_TOLERANCE * SPEED_TOLERANCE && std::abs(spin) < SPIN_TOLERANCE) {
-		velocity = {}; // A kinematic body that stands still costs the engine nothing.
+		velocity = {};
 		spin = 0;
 	}
 	if (velocity == velocity_ && spin == angular_velocity_) {
@@ -274,11 +275,12 @@ bool HullProxy::follow(const SoftBodyData &body, const BodyFrame &frame, Real in
 	if (is_changed || slots_.size() > parts_.convex.size()) {
 		show();
 		shown_ = outline_;
-		// Areas look again at a kinematic body only when it has been put somewhere.
-		PhysicsServer2D::get_singleton()->body_set_state(rid(), PhysicsServer2D::BODY_STATE_TRANSFORM,
-				Transform2D(0, to_godot(origin_)));
+		stir(); // Areas look again at a kinematic body only when it has been put somewhere.
 	}
 	send_velocity(frame, asleep);
+	if (!asleep && velocity_ == Vec2{} && angular_velocity_ == 0) {
+		stir(); // The engine works out gravity and damping for bodies that it believes to move.
+	}
 	still_ = asleep && slots_.size() == parts_.convex.size();
 	return slots_.size() > 1;
 }
