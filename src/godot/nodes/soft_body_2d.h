@@ -152,7 +152,7 @@ public:
 	/// Before the step: takes over the gravity and damping of areas. `p_space` is what holds where no area is.
 	void feel_areas(const softbody::AreaEffects &p_space, double p_delta, uint64_t p_tick);
 	/// After the step: moves the proxy along. True when `flush_hull_proxies` must follow.
-	bool follow_with_proxy();
+	bool follow_with_proxy(bool p_may_detail);
 	softbody::HullProxy &proxy() { return proxy_; }
 
 protected:

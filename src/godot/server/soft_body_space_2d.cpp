@@ -23,6 +23,9 @@ namespace {
 // Godot's own conversion between pixels and metres in 2D: tolerances of the core scale with it.
 constexpr Real PIXELS_PER_METRE = 100;
 
+// How many bodies with dents are shown to the engine as they are without need. The others are shown without their dents.
+constexpr int MAX_DETAILED_PROXIES = 16;
+
 // How far a body may get in one step [px]: its fastest point plus what gravity adds, and a margin for
 // points that the springs throw ahead.
 Aabb reach_of(const SoftBodyData &p_body, Vec2 p_gravity, double p_delta) {
@@ -145,18 +148,26 @@ void SoftBodySpace2D::step(double p_delta) {
 	}
 	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });
 	profile_.finish = watch.lap();
-	RID changed_proxy;
-	for_nodes([&](SoftBody2D &r_node) {
-		if (r_node.follow_with_proxy()) {
-			changed_proxy = r_node.get_rid();
-		}
-	});
-	if (changed_proxy.is_valid()) {
-		flush_hull_proxies(changed_proxy);
-	}
+	move_proxies();
 	stepping_ = false;
 	close_gaps();
 	profile_.proxies = watch.lap();
+}
+
+void SoftBodySpace2D::move_proxies() {
+	RID changed;
+	int detailed = 0;
+	for_nodes([&](SoftBody2D &r_node) { detailed += int(r_node.proxy().is_detailed()); });
+	for_nodes([&](SoftBody2D &r_node) {
+		detailed -= int(r_node.proxy().is_detailed());
+		if (r_node.follow_with_proxy(detailed < MAX_DETAILED_PROXIES)) {
+			changed = r_node.get_rid();
+		}
+		detailed += int(r_node.proxy().is_detailed());
+	});
+	if (changed.is_valid()) {
+		flush_hull_proxies(changed);
+	}
 }
 
 int64_t SoftBodySpace2D::count_awake() const {

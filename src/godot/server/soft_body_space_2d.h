@@ -72,6 +72,7 @@ private:
 	int64_t count_awake() const;
 	void read_gravity();
 	void read_surroundings(double p_delta);
+	void move_proxies();
 	godot::SoftBody2D *node_of(BodyId p_id) const;
 
 	godot::RID space_;

@@ -103,7 +103,7 @@ void HullProxy::enter(const RID &space, const SoftBodyData &body, Real inset) {
 	in_space_ = true;
 	still_ = false;
 	placed_ = false;
-	follow(body, measure_frame(body), inset);
+	follow(body, measure_frame(body), inset, false);
 	PhysicsServer2D::get_singleton()->body_set_space(rid(), space);
 	++version;
 }
@@ -200,9 +200,18 @@ void HullProxy::drop_slots(std::size_t count) {
 	}
 }
 
+bool HullProxy::has_moved(const std::vector<std::uint32_t> &part, std::size_t first, std::size_t count) const {
+	for (std::size_t i = first; i < first + count; ++i) {
+		if (moved_[part[i % part.size()]]) {
+			return true;
+		}
+	}
+	return false;
+}
+
 // Wedges come a tick before the convex parts go, and go a tick after those have come back: no area sees the body leave in
 // between. The first slots show either, those behind them are there for wedges only.
-void HullProxy::show() {
+void HullProxy::show(bool may_detail) {
 	const std::size_t part_count = parts_.convex.size();
 	Real radius = 0;
 	for (const Vec2 point : outline_) {
@@ -212,26 +221,33 @@ void HullProxy::show() {
 	for (std::size_t i = 0; i < part_count; ++i) {
 		deepest = std::max(deepest, gather_part(outline_, parts_.convex[i], workspace_, polygons_[i]));
 	}
-	const bool is_deep = deepest > std::max(LEAST_DENT_TOLERANCE, DENT_TOLERANCE * std::sqrt(radius));
+	const bool has_wedges = is_detailed();
+	const bool is_deep = deepest > std::max(LEAST_DENT_TOLERANCE, DENT_TOLERANCE * std::sqrt(radius)) &&
+			(may_detail || pressed_ || has_wedges);
 	smooth_follows_ = is_deep ? 0 : smooth_follows_ + 1;
 
-	const bool has_wedges = slots_.size() > part_count;
 	const bool dented = is_deep || (has_wedges && smooth_follows_ < SMOOTH_FOLLOWS);
 	const bool was_wedged = wedged_;
 	wedged_ = dented && has_wedges;
 	for (std::size_t i = 0; i < part_count; ++i) {
-		if (wedged_) {
-			gather_wedge(outline_, parts_, parts_.wedges[i], workspace_, polygons_[i]);
+		const HullParts::Wedge &wedge = parts_.wedges[i];
+		if (wedged_ && (!was_wedged || has_moved(parts_.convex[wedge.part], wedge.first, wedge.count))) {
+			gather_wedge(outline_, parts_, wedge, workspace_, polygons_[i]);
+			show_slot(i, polygons_[i]);
+		} else if (!wedged_ && (was_wedged || has_moved(parts_.convex[i], 0, parts_.convex[i].size()))) {
+			show_slot(i, polygons_[i]);
 		}
-		show_slot(i, polygons_[i]);
 	}
 	if (!dented && !was_wedged) {
 		drop_slots(part_count);
 		return;
 	}
 	for (std::size_t i = part_count; i < parts_.wedges.size(); ++i) {
-		gather_wedge(outline_, parts_, parts_.wedges[i], workspace_, polygon_);
-		show_slot(i, polygon_);
+		const HullParts::Wedge &wedge = parts_.wedges[i];
+		if (i >= slots_.size() || has_moved(parts_.convex[wedge.part], wedge.first, wedge.count)) {
+			gather_wedge(outline_, parts_, wedge, workspace_, polygon_);
+			show_slot(i, polygon_);
+		}
 	}
 }
 
@@ -252,7 +268,7 @@ void HullProxy::send_velocity(const BodyFrame &frame, bool asleep) {
 	server->body_set_state(rid(), PhysicsServer2D::BODY_STATE_ANGULAR_VELOCITY, double(angular_velocity_));
 }
 
-bool HullProxy::follow(const SoftBodyData &body, const BodyFrame &frame, Real inset) {
+bool HullProxy::follow(const SoftBodyData &body, const BodyFrame &frame, Real inset, bool may_detail) {
 	const Real wanted = pressed_ ? std::min(inset, body.shape().width() / 4) : 0;
 	if (!in_space_ || (still_ && body.is_asleep() && wanted == inset_ && !parts_.convex.empty())) {
 		return false;
@@ -264,24 +280,29 @@ bool HullProxy::follow(const SoftBodyData &body, const BodyFrame &frame, Real in
 	const bool asleep = body.is_asleep();
 	place(frame, asleep);
 	trace(body, frame, inset_);
-	Real farthest = 0;
+	const bool is_new = shown_.empty();
+	shown_.resize(outline_.size());
+	moved_.assign(outline_.size(), is_new);
+	bool is_changed = is_new;
 	for (std::size_t i = 0; i < outline_.size(); ++i) {
 		outline_[i] -= origin_;
-		if (!shown_.empty()) {
-			farthest = std::max(farthest, length_squared(outline_[i] - shown_[i]));
+		if (is_new || length_squared(outline_[i] - shown_[i]) > OUTLINE_TOLERANCE * OUTLINE_TOLERANCE) {
+			moved_[i] = true;
+			is_changed = true;
+			shown_[i] = outline_[i];
+		} else {
+			outline_[i] = shown_[i];
 		}
 	}
-	const bool is_changed = shown_.empty() || farthest > OUTLINE_TOLERANCE * OUTLINE_TOLERANCE;
-	if (is_changed || slots_.size() > parts_.convex.size()) {
-		show();
-		shown_ = outline_;
+	if (is_changed || is_detailed()) {
+		show(may_detail);
 		stir(); // Areas look again at a kinematic body only when it has been put somewhere.
 	}
 	send_velocity(frame, asleep);
 	if (!asleep && velocity_ == Vec2{} && angular_velocity_ == 0) {
 		stir(); // The engine works out gravity and damping for bodies that it believes to move.
 	}
-	still_ = asleep && slots_.size() == parts_.convex.size();
+	still_ = asleep && (!is_detailed() || (wedged_ && smooth_follows_ == 0));
 	return slots_.size() > 1;
 }
 

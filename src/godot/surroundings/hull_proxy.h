@@ -21,7 +21,9 @@ namespace softbody {
 /// Its place and its polygons change at once, not with the engine's next step as is usual for kinematic bodies: what a
 /// script asks in `_physics_process` is answered by the hull as it is. Polygons are within OUTLINE_TOLERANCE of the
 /// hull, but dents: a part (`HullParts::convex`) is shown as its convex hull until a dent in it is deeper than
-/// DENT_TOLERANCE; then the hull is shown in wedges, until it has been smooth for a while.
+/// DENT_TOLERANCE; then the hull is shown in wedges, until it has been smooth for a while. Wedges cost many times as
+/// much, and in a pile nearly all bodies are dented by their neighbours. So the caller says which may have them; one
+/// with a kinematic body near has them anyway, as a character in a dent that is filled would be stuck.
 ///
 /// **Characters.** A kinematic character would be stopped at the hull and so never press it. Where the near ones are
 /// known (`begin_near`), the outline is drawn in by `inset`: they come that far in, the core's contact presses the hull
@@ -55,7 +57,9 @@ public:
 	void stir();
 	/// After a step. `frame` is the body's, `inset` >= 0 [px], at most a quarter of the body's width is used.
 	/// If it returns true, `flush_hull_proxies` must be called before anybody asks.
-	bool follow(const SoftBodyData &body, const BodyFrame &frame, Real inset);
+	bool follow(const SoftBodyData &body, const BodyFrame &frame, Real inset, bool may_detail);
+	/// Whether it is shown in wedges.
+	bool is_detailed() const { return !parts_.convex.empty() && slots_.size() > parts_.convex.size(); }
 
 	/// Around what the surroundings reader found near the body: who is not noted between the two is no longer near.
 	void begin_near();
@@ -76,7 +80,8 @@ private:
 	void divide(const SoftBodyData &body);
 	void trace(const SoftBodyData &body, const BodyFrame &frame, Real inset);
 	void place(const BodyFrame &frame, bool exactly);
-	void show();
+	bool has_moved(const std::vector<std::uint32_t> &part, std::size_t first, std::size_t count) const;
+	void show(bool may_detail);
 	void show_slot(std::size_t index, const std::vector<Vec2> &outline);
 	void drop_slots(std::size_t count);
 	void send_velocity(const BodyFrame &frame, bool asleep);
@@ -87,7 +92,8 @@ private:
 	std::vector<Vec2> rest_normals_; ///< outward, one a hull point
 
 	std::vector<Vec2> outline_; ///< to be shown, relative to the origin
-	std::vector<Vec2> shown_; ///< as it was when the polygons were last changed
+	std::vector<Vec2> shown_; ///< where each point was when it was last shown
+	std::vector<bool> moved_; ///< which are elsewhere now
 	Vec2 origin_;
 	Vec2 velocity_;
 	Real angular_velocity_ = 0;
