@@ -150,7 +150,7 @@ public:
 	/// After the step: moves the node along and keeps what drawing interpolates.
 	void finish_step();
 	/// Before the step: takes over the gravity and damping of areas. `p_space` is what holds where no area is.
-	void feel_areas(const softbody::AreaEffects &p_space, double p_delta, uint64_t p_tick);
+	void feel_areas(const softbody::AreaEffects &p_space, uint64_t p_tick);
 	/// After the step: moves the proxy along. True when `flush_hull_proxies` must follow.
 	bool follow_with_proxy(bool p_may_detail);
 	softbody::HullProxy &proxy() { return proxy_; }
@@ -199,7 +199,6 @@ private:
 	void update_proxy_presence();
 	void apply_collision_exception(Node *p_body, bool p_excepted);
 	softbody::Real proxy_inset() const;
-	void wake_for_change();
 	Transform2D body_transform() const;
 	Pose current_pose() const;
 	void update_topology();
@@ -244,7 +243,7 @@ private:
 	bool hull_reversed_ = false;
 	mutable softbody::HullProxy proxy_; ///< makes its RID when that is asked for
 	int engine_steps_ = 0; ///< that the engine can have made since the proxy entered its space
-	softbody::AreaEffects felt_; ///< by the last step
+	bool knows_areas_ = false; ///< whether the body has been told what areas do to it
 	Pose previous_;
 	Pose current_;
 	bool moving_ = false; ///< whether the last tick stepped the body

@@ -20,14 +20,12 @@ constexpr uint64_t ASLEEP_INTERVAL = 16;
 void SoftBody2D::set_linear_damp(double p_damp) {
 	if (accept("linear_damp", softbody::check_at_least("linear_damp", p_damp, 0, "1/s"))) {
 		linear_damp_ = p_damp;
-		wake_for_change();
 	}
 }
 
 void SoftBody2D::set_angular_damp(double p_damp) {
 	if (accept("angular_damp", softbody::check_at_least("angular_damp", p_damp, 0, "1/s"))) {
 		angular_damp_ = p_damp;
-		wake_for_change();
 	}
 }
 
@@ -43,15 +41,9 @@ void SoftBody2D::set_angular_damp_mode(DampMode p_mode) {
 	}
 }
 
-void SoftBody2D::wake_for_change() {
-	if (softbody::SoftBodyData *found = body()) {
-		found->wake();
-	}
-}
-
 // What the engine has worked out holds from the second step on that it has seen the proxy in: its first one asks for gravity
 // before it looks at areas. While the tree is paused the engine makes no steps, and what it last said goes on holding.
-void SoftBody2D::feel_areas(const softbody::AreaEffects &p_space, double p_delta, uint64_t p_tick) {
+void SoftBody2D::feel_areas(const softbody::AreaEffects &p_space, uint64_t p_tick) {
 	softbody::SoftBodyData *found = body();
 	if (found == nullptr || !found->is_active()) {
 		return;
@@ -69,18 +61,14 @@ void SoftBody2D::feel_areas(const softbody::AreaEffects &p_space, double p_delta
 		}
 		if (engine_steps_ > 1) {
 			effects = softbody::read_area_effects(proxy_.rid());
+		} else if (knows_areas_) {
+			return; // It has just come back: until the engine knows, what held before it left.
 		}
 	}
+	knows_areas_ = true;
 	effects.linear_damp = softbody::DampChoice{ softbody::Real(linear_damp_), linear_damp_mode_ == DAMP_MODE_REPLACE }.combined_with(effects.linear_damp);
 	effects.angular_damp = softbody::DampChoice{ softbody::Real(angular_damp_), angular_damp_mode_ == DAMP_MODE_REPLACE }.combined_with(effects.angular_damp);
-	if (found->is_asleep()) {
-		if (effects == felt_) {
-			return;
-		}
-		found->wake();
-	}
-	felt_ = effects;
-	softbody::apply_area_effects(effects, p_space, softbody::Real(p_delta), *found);
+	accept("areas", softbody::apply_area_effects(effects, p_space, *found));
 }
 
 void SoftBody2D::bind_damping() {

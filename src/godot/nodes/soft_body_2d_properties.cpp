@@ -203,6 +203,10 @@ softbody::BodySettings SoftBody2D::make_settings() const {
 	settings.substeps = substeps_;
 	settings.collision_layer = collision_layer_;
 	settings.collision_mask = collision_mask_;
+	if (const softbody::SoftBodyData *found = body()) { // Of areas, too: `feel_areas` sets them.
+		settings.linear_damp = found->settings().linear_damp;
+		settings.angular_damp = found->settings().angular_damp;
+	}
 	return settings;
 }
 

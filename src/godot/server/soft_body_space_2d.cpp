@@ -132,7 +132,7 @@ void SoftBodySpace2D::step(double p_delta) {
 	stepping_ = true;
 	for_nodes([](SoftBody2D &r_node) { r_node.prepare_step(); });
 	tick_++;
-	for_nodes([&](SoftBody2D &r_node) { r_node.feel_areas(space_effects_, p_delta, tick_); });
+	for_nodes([&](SoftBody2D &r_node) { r_node.feel_areas(space_effects_, tick_); });
 	profile_.prepare = watch.lap();
 	read_surroundings(p_delta);
 	profile_.surroundings = watch.lap();

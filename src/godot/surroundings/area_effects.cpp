@@ -2,17 +2,24 @@
 // What areas do to a soft body.
 #include "godot/surroundings/area_effects.h"
 
-#include "core/model/body_frame.h"
 #include "godot/convert.h"
 
 #include <godot_cpp/classes/physics_direct_body_state2d.hpp>
 #include <godot_cpp/classes/physics_server2d.hpp>
 
-#include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
 namespace softbody {
+
+namespace {
+
+// Which part of gravity may change unnoticed. A point of gravity pulls another way whenever a body moves, and a change
+// of what acts on it keeps a body awake.
+constexpr Real GRAVITY_TOLERANCE = Real(1e-3);
+
+} // namespace
 
 AreaEffects read_space_effects(const RID &space) {
 	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
@@ -36,23 +43,24 @@ AreaEffects read_area_effects(const RID &kinematic_body) {
 	return effects;
 }
 
-// As Godot's own bodies: damping takes its part of the velocity at the beginning of a tick, and then come the forces.
-void apply_area_effects(const AreaEffects &effects, const AreaEffects &space, Real delta, SoftBodyData &r_body) {
-	const Vec2 gained = (effects.gravity - space.gravity) * (r_body.settings().gravity_scale * delta);
-	const Real kept_spin = std::max(Real(0), 1 - effects.angular_damp * delta);
-	const Real kept = std::max(Real(0), 1 - effects.linear_damp * delta);
-	if (gained == Vec2{} && kept == 1 && kept_spin == 1) {
-		return;
-	}
-	const BodyFrame frame = measure_frame(r_body);
-	const Vec2 change = gained - frame.velocity * (1 - kept);
-	const Real spin_change = frame.angular_velocity * (kept_spin - 1);
-	const std::span<Vec2> velocities = r_body.mutable_velocities();
-	for (std::size_t i = 0; i < velocities.size(); ++i) {
-		if (r_body.inverse_masses()[i] > 0) {
-			velocities[i] += change + perpendicular(r_body.positions()[i] - frame.centre) * spin_change;
+Status apply_area_effects(const AreaEffects &effects, const AreaEffects &space, SoftBodyData &r_body) {
+	BodySettings settings = r_body.settings();
+	if (settings.linear_damp != effects.linear_damp || settings.angular_damp != effects.angular_damp) {
+		settings.linear_damp = effects.linear_damp;
+		settings.angular_damp = effects.angular_damp;
+		if (Status status = r_body.set_settings(settings)) {
+			return status;
 		}
 	}
+	const Real scale = settings.gravity_scale;
+	Vec2 acceleration = (effects.gravity - space.gravity) * scale;
+	const Real tolerance = GRAVITY_TOLERANCE * (length(effects.gravity) + length(space.gravity)) * std::abs(scale);
+	if (length(acceleration) <= tolerance) {
+		acceleration = {};
+	} else if (length(acceleration - r_body.acceleration()) <= tolerance) {
+		return {};
+	}
+	return r_body.set_acceleration(acceleration);
 }
 
 } // namespace softbody
