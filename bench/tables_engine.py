@@ -7,7 +7,7 @@ BUDGET_USEC = 1e6 / 60
 HELD_HEADLESS = 4000  # awake, colliding
 HELD_DRAWN = 1000
 FACTOR = 20  # times what rigid points and spring joints hold
-PARTS = ("prepare", "surroundings", "simulate", "proxy", "finish")
+PARTS = ("prepare", "surroundings", "simulate", "finish", "proxies")
 NAMES = {
     "soft": "as it comes",
     "soft_unseen": "without proxy",

@@ -21,6 +21,12 @@ const PROPERTIES := {
 	"substeps": [TYPE_INT, ""],
 	"collision_layer": [TYPE_INT, ""],
 	"collision_mask": [TYPE_INT, ""],
+	"collision_proxy_enabled": [TYPE_BOOL, ""],
+	"collision_proxy_margin": [TYPE_FLOAT, "suffix:px"],
+	"linear_damp_mode": [TYPE_INT, "Combine,Replace"],
+	"linear_damp": [TYPE_FLOAT, ""],
+	"angular_damp_mode": [TYPE_INT, "Combine,Replace"],
+	"angular_damp": [TYPE_FLOAT, ""],
 	"color": [TYPE_COLOR, ""],
 	"vertex_colors": [TYPE_PACKED_COLOR_ARRAY, ""],
 	"antialiased": [TYPE_BOOL, ""],
@@ -62,13 +68,16 @@ const DEFAULTS := {
 	"soft_body_material": null, "linear_velocity": Vector2.ZERO, "angular_velocity": 0.0,
 	"constant_force": Vector2.ZERO, "constant_torque": 0.0, "sleeping": false, "can_sleep": true, "freeze": false,
 	"self_collision": false, "contact_monitor": false, "max_contacts_reported": 16,
+	"collision_proxy_enabled": true, "collision_proxy_margin": -1.0,
+	"linear_damp_mode": 0, "linear_damp": 0.0, "angular_damp_mode": 0, "angular_damp": 0.0,
 }
 const METHODS: Array[String] = [
 	"make_circle_hull", "make_box_hull", "make_capsule_hull", "get_point_count", "get_point_positions",
 	"get_point_velocities", "get_interpolated_hull", "get_interpolated_transform", "get_nearest_point", "has_point", "apply_point_force",
 	"apply_point_impulse", "apply_central_force", "apply_central_impulse", "get_center_of_mass_position",
 	"get_linear_velocity", "get_angular_velocity", "get_area", "get_rest_area", "get_kinetic_energy",
-	"get_penetration", "get_substep_plan", "get_warnings", "reset",
+	"get_penetration", "get_substep_plan", "get_warnings", "reset", "get_rid",
+	"add_collision_exception_with", "remove_collision_exception_with", "get_collision_exceptions",
 ]
 const SERVER_METHODS: Array[String] = [
 	"get_body_count", "get_tick_count", "get_last_step_usec", "get_mean_step_usec", "reset_statistics",

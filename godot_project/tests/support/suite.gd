@@ -30,6 +30,7 @@ func set_up(p_tree: SceneTree, p_error_log: RefCounted) -> void:
 	tree = p_tree
 	_error_log = p_error_log
 	take_errors()
+	set_default_damp(0, 0)
 	_orphans_before = Performance.get_monitor(Performance.OBJECT_ORPHAN_NODE_COUNT)
 	stage = Node2D.new()
 	stage.name = "Stage"
@@ -168,6 +169,16 @@ func add_solid(shape: Shape2D, transform := Transform2D.IDENTITY, parent: Node =
 ## A wide rectangle whose top is at `y`.
 func add_floor(y: float, parent: Node = null) -> StaticBody2D:
 	return add_solid(rectangle(2000, 100), Transform2D(0, Vector2(0, y + 50)), parent)
+
+
+## What a project's default damping does, here and in worlds to come. Tests begin in empty space, where a motion can be
+## calculated; a new project has 0.1 and 1.
+func set_default_damp(linear: float, angular: float) -> void:
+	ProjectSettings.set_setting("physics/2d/default_linear_damp", linear)
+	ProjectSettings.set_setting("physics/2d/default_angular_damp", angular)
+	var space := tree.root.world_2d.space
+	PhysicsServer2D.area_set_param(space, PhysicsServer2D.AREA_PARAM_LINEAR_DAMP, linear)
+	PhysicsServer2D.area_set_param(space, PhysicsServer2D.AREA_PARAM_ANGULAR_DAMP, angular)
 
 
 func rectangle(width: float, height: float) -> RectangleShape2D:

@@ -82,6 +82,7 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	body_id_ = space_->world().add_soft_body(std::move(fresh.value()));
 	apply_pins();
 	pins_.clear(); // their places in the frames of their targets are those of the new shape
+	proxy_.forget_shape();
 	known_transform_ = transform;
 	start_first_motion();
 	body()->set_frozen(freeze_);
@@ -108,12 +109,14 @@ void SoftBody2D::enter_space() {
 	if (get_tree()->is_debugging_collisions_hint()) {
 		debug_drawing_ = std::make_unique<softbody::DebugDrawing>(get_canvas_item());
 	}
+	update_proxy_presence();
 }
 
 void SoftBody2D::leave_space() {
 	if (space_ == nullptr) {
 		return;
 	}
+	proxy_.leave();
 	if (softbody::SoftBodyData *found = body()) {
 		stored_body_ = std::move(*found);
 		space_->world().remove_soft_body(body_id_);
@@ -136,6 +139,10 @@ void SoftBody2D::_notification(int p_what) {
 		} break;
 		case NOTIFICATION_EXIT_TREE: {
 			leave_space();
+		} break;
+		case NOTIFICATION_DISABLED:
+		case NOTIFICATION_ENABLED: {
+			update_proxy_presence();
 		} break;
 		case NOTIFICATION_WORLD_2D_CHANGED: {
 			if (space_ != nullptr) {

@@ -12,10 +12,13 @@
 #include "godot/drawing/drawing_frame.h"
 #include "godot/drawing/soft_body_skin.h"
 #include "godot/resources/soft_body_material_2d.h"
+#include "godot/surroundings/area_effects.h"
+#include "godot/surroundings/hull_proxy.h"
 
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/templates/hash_map.hpp>
+#include <godot_cpp/templates/local_vector.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
@@ -58,6 +61,12 @@ public:
 		INTEGRATOR_XPBD,
 	};
 
+	/// As RigidBody2D.DampMode.
+	enum DampMode {
+		DAMP_MODE_COMBINE,
+		DAMP_MODE_REPLACE,
+	};
+
 	SoftBody2D();
 	~SoftBody2D();
 
@@ -96,6 +105,22 @@ public:
 		OUTLINE_TEXTURE_TILE,
 		OUTLINE_TEXTURE_STRETCH,
 	};
+	void set_collision_proxy_enabled(bool p_enabled);
+	bool is_collision_proxy_enabled() const { return collision_proxy_enabled_; }
+	void set_collision_proxy_margin(double p_margin);
+	double get_collision_proxy_margin() const { return collision_proxy_margin_; }
+	RID get_rid() const;
+	void add_collision_exception_with(Node *p_body);
+	void remove_collision_exception_with(Node *p_body);
+	TypedArray<Node2D> get_collision_exceptions() const;
+	void set_linear_damp_mode(DampMode p_mode);
+	DampMode get_linear_damp_mode() const { return linear_damp_mode_; }
+	void set_linear_damp(double p_damp);
+	double get_linear_damp() const { return linear_damp_; }
+	void set_angular_damp_mode(DampMode p_mode);
+	DampMode get_angular_damp_mode() const { return angular_damp_mode_; }
+	void set_angular_damp(double p_damp);
+	double get_angular_damp() const { return angular_damp_; }
 	void set_color(const Color &p_color);
 	Color get_color() const { return skin_.style().color; }
 	void set_vertex_colors(const PackedColorArray &p_colors);
@@ -265,6 +290,11 @@ public:
 	void take_sleep(softbody::BodySignals &r_signals);
 	/// While signals are emitted: notices when the other leaves the tree.
 	void watch_collider(Node *p_collider, bool p_watch);
+	/// Before the step: takes over the gravity and damping of areas. `p_space` is what holds where no area is.
+	void feel_areas(const softbody::AreaEffects &p_space, uint64_t p_tick);
+	/// After the step: moves the proxy along. True when `flush_hull_proxies` must follow.
+	bool follow_with_proxy(bool p_may_detail);
+	softbody::HullProxy &proxy() { return proxy_; }
 
 protected:
 	static void _bind_methods();
@@ -280,7 +310,9 @@ private:
 	static void bind_motion();
 	static void bind_points();
 	static void bind_material();
+	static void bind_damping();
 	static void bind_collision();
+	static void bind_proxy();
 	static void bind_solver();
 	static void bind_drawing();
 	static void bind_pins();
@@ -352,6 +384,9 @@ private:
 	void apply_shape();
 	void apply_settings();
 	void take_over_transform();
+	void update_proxy_presence();
+	void apply_collision_exception(Node *p_body, bool p_excepted);
+	softbody::Real proxy_inset() const;
 	Transform2D body_transform() const;
 	void update_topology();
 
@@ -404,6 +439,13 @@ private:
 	bool self_collision_ = false;
 	bool contact_monitor_ = false;
 	int max_contacts_reported_ = DEFAULT_MAX_CONTACTS;
+	bool collision_proxy_enabled_ = true;
+	double collision_proxy_margin_ = -1;
+	LocalVector<uint64_t> collision_exceptions_; ///< instance ids
+	DampMode linear_damp_mode_ = DAMP_MODE_COMBINE;
+	double linear_damp_ = 0;
+	DampMode angular_damp_mode_ = DAMP_MODE_COMBINE;
+	double angular_damp_ = 0;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
 
 	PackedInt32Array pinned_points_;
@@ -423,6 +465,9 @@ private:
 	bool sleeping_ = false; ///< as last told, or as wanted of a body that is still to be made
 	std::vector<ContactRecord> contacts_; ///< of the last step
 	std::vector<uint64_t> touched_; ///< instance ids, sorted
+	mutable softbody::HullProxy proxy_; ///< makes its RID when that is asked for
+	int engine_steps_ = 0; ///< that the engine can have made since the proxy entered its space
+	bool knows_areas_ = false; ///< whether the body has been told what areas do to it
 	bool moving_ = false; ///< whether the last tick stepped the body
 
 	softbody::SoftBodySkin skin_;
@@ -442,3 +487,4 @@ private:
 
 VARIANT_ENUM_CAST(SoftBody2D::Integrator);
 VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);
+VARIANT_ENUM_CAST(SoftBody2D::DampMode);

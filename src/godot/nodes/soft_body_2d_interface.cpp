@@ -87,11 +87,13 @@ void SoftBody2D::_bind_methods() {
 	bind_structure();
 	bind_material();
 	bind_motion();
+	bind_damping();
 	bind_sleep();
 	bind_points();
 	bind_collision();
 	bind_contacts();
 	bind_pins();
+	bind_proxy();
 	bind_solver();
 	bind_drawing();
 	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBody2D::get_warnings);

@@ -83,6 +83,7 @@ void SoftBody2D::set_substeps(int p_substeps) {
 
 void SoftBody2D::set_collision_layer(uint32_t p_layer) {
 	collision_layer_ = p_layer;
+	proxy_.set_layer(p_layer);
 	apply_settings();
 }
 
@@ -119,6 +120,10 @@ softbody::BodySettings SoftBody2D::make_settings(double p_mass) const {
 	settings.can_sleep = can_sleep_;
 	settings.contact_monitor = contact_monitor_;
 	settings.self_collision = self_collision_;
+	if (const softbody::SoftBodyData *found = body()) { // Of areas, too: `feel_areas` sets them.
+		settings.linear_damp = found->settings().linear_damp;
+		settings.angular_damp = found->settings().angular_damp;
+	}
 	return settings;
 }
 

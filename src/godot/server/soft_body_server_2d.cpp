@@ -232,6 +232,7 @@ Dictionary SoftBodyServer2D::get_step_profile() const {
 	result["surroundings"] = profile_.surroundings / steps;
 	result["simulate"] = profile_.simulate / steps;
 	result["finish"] = profile_.finish / steps;
+	result["proxies"] = profile_.proxies / steps;
 	return result;
 }
 

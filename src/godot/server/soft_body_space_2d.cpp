@@ -5,6 +5,7 @@
 #include "godot/convert.h"
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_joint_2d.h"
+#include "godot/surroundings/hull_proxy.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/classes/time.hpp>
@@ -19,6 +20,9 @@ using namespace godot;
 namespace softbody {
 
 namespace {
+
+// How many bodies with dents are shown to the engine as they are without need. The others are shown without their dents.
+constexpr int MAX_DETAILED_PROXIES = 16;
 
 // How far a body may get in one step [px]: its fastest point plus what gravity adds, and a margin for
 // points that the springs throw ahead.
@@ -51,6 +55,7 @@ StepProfile &StepProfile::operator+=(const StepProfile &p_other) {
 	surroundings += p_other.surroundings;
 	simulate += p_other.simulate;
 	finish += p_other.finish;
+	proxies += p_other.proxies;
 	return *this;
 }
 
@@ -113,10 +118,8 @@ void SoftBodySpace2D::close_gaps() {
 }
 
 void SoftBodySpace2D::read_gravity() {
-	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
-	const Vector2 direction = server->area_get_param(space_, PhysicsServer2D::AREA_PARAM_GRAVITY_VECTOR);
-	const double strength = server->area_get_param(space_, PhysicsServer2D::AREA_PARAM_GRAVITY);
-	if (const Status status = world_.set_gravity(to_core(direction * real_t(strength)))) {
+	space_effects_ = read_space_effects(space_);
+	if (const Status status = world_.set_gravity(space_effects_.gravity)) {
 		ERR_PRINT_ONCE("SoftBody2D keeps the last gravity: " + to_godot(status->message()));
 	}
 }
@@ -125,11 +128,18 @@ void SoftBodySpace2D::read_surroundings(double p_delta) {
 	reader_.begin(world_);
 	PhysicsDirectSpaceState2D *state = PhysicsServer2D::get_singleton()->space_get_direct_state(space_);
 	ERR_FAIL_NULL_MSG(state, "SoftBody2D: the physics space cannot be read now; this tick has no surroundings.");
-	for (const SoftBodyData &body : world_.soft_bodies()) {
-		if (body.is_active()) {
-			reader_.read(state, reach_of(body, world_.gravity(), p_delta), body.settings().collision_mask, world_);
-		}
+	if (known_proxies_ != hull_proxies_version()) {
+		known_proxies_ = hull_proxies_version();
+		TypedArray<RID> proxies;
+		for_nodes([&](SoftBody2D &r_node) { proxies.push_back(r_node.get_rid()); });
+		reader_.set_excluded(proxies);
 	}
+	for_nodes([&](SoftBody2D &r_node) {
+		const SoftBodyData *body = world_.find(r_node.get_body_id());
+		if (body != nullptr && body->is_active()) {
+			reader_.read(state, reach_of(*body, world_.gravity(), p_delta), body->settings().collision_mask, r_node.proxy(), world_);
+		}
+	});
 }
 
 void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
@@ -140,6 +150,8 @@ void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	for (SoftBodyJoint2D *joint : joints_) {
 		joint->prepare_step();
 	}
+	tick_++;
+	for_nodes([&](SoftBody2D &r_node) { r_node.feel_areas(space_effects_, tick_); });
 	profile_.prepare = watch.lap();
 	read_surroundings(p_delta);
 	profile_.surroundings = watch.lap();
@@ -154,13 +166,31 @@ void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 		}
 	}
 	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });
+	profile_.finish = watch.lap();
+	move_proxies();
 	stepping_ = false;
 	close_gaps();
 	if (!report.broken_joints.empty()) {
 		collect_broken_joints(report, r_signals);
 	}
 	collect_signals(r_signals);
-	profile_.finish = watch.lap();
+	profile_.proxies = watch.lap();
+}
+
+void SoftBodySpace2D::move_proxies() {
+	RID changed;
+	int detailed = 0;
+	for_nodes([&](SoftBody2D &r_node) { detailed += int(r_node.proxy().is_detailed()); });
+	for_nodes([&](SoftBody2D &r_node) {
+		detailed -= int(r_node.proxy().is_detailed());
+		if (r_node.follow_with_proxy(detailed < MAX_DETAILED_PROXIES)) {
+			changed = r_node.get_rid();
+		}
+		detailed += int(r_node.proxy().is_detailed());
+	});
+	if (changed.is_valid()) {
+		flush_hull_proxies(changed);
+	}
 }
 
 int64_t SoftBodySpace2D::count_awake() const {

@@ -5,6 +5,7 @@
 #include "core/dynamics/simulator.h"
 #include "core/model/world_data.h"
 #include "godot/server/step_settings.h"
+#include "godot/surroundings/area_effects.h"
 #include "godot/surroundings/surroundings_reader.h"
 
 #include <godot_cpp/variant/rid.hpp>
@@ -26,6 +27,7 @@ struct StepProfile {
 	double surroundings = 0; ///< reading what is near
 	double simulate = 0; ///< in the core
 	double finish = 0; ///< moving nodes along
+	double proxies = 0; ///< showing the hulls to the engine
 
 	StepProfile &operator+=(const StepProfile &p_other);
 };
@@ -78,12 +80,16 @@ private:
 	void read_gravity();
 	void read_surroundings(double p_delta);
 	void collect_signals(BodySignals &r_signals);
+	void move_proxies();
 	godot::SoftBody2D *node_of(BodyId p_id) const;
 
 	godot::RID space_;
 	WorldData world_;
 	Simulator simulator_;
 	SurroundingsReader reader_;
+	AreaEffects space_effects_; ///< where no area is
+	uint64_t known_proxies_ = 0; ///< `hull_proxies_version` when the reader was last told which they are
+	uint64_t tick_ = 0;
 	std::vector<godot::SoftBody2D *> nodes_;
 	std::vector<godot::SoftBodyJoint2D *> joints_;
 	int64_t body_count_ = 0; ///< nodes that are not null

@@ -131,8 +131,10 @@ void SurroundingsReader::begin(WorldData &r_world) {
 }
 
 void SurroundingsReader::read(PhysicsDirectSpaceState2D *p_space, const Aabb &p_box, uint32_t p_mask,
-		WorldData &r_world) {
+		HullProxy &r_proxy, WorldData &r_world) {
+	r_proxy.begin_near();
 	if (p_mask == 0) {
+		r_proxy.end_near();
 		return;
 	}
 	const Vector2 half = to_godot((p_box.max - p_box.min) * Real(0.5));
@@ -144,11 +146,16 @@ void SurroundingsReader::read(PhysicsDirectSpaceState2D *p_space, const Aabb &p_
 	for (int64_t i = 0; i < hits.size(); i++) {
 		const Dictionary hit = hits[i];
 		const RID body = hit["rid"];
+		if (is_hull_proxy(body)) {
+			continue;
+		}
+		r_proxy.note_near(body, PhysicsServer2D::get_singleton()->body_get_mode(body));
 		const int shape_index = hit["shape"];
 		if (known_.insert({ body.get_id(), shape_index }).second) {
 			read_shape(body, shape_index, r_world);
 		}
 	}
+	r_proxy.end_near();
 }
 
 void SurroundingsReader::read_shape(const RID &p_body, int p_shape_index, WorldData &r_world) {
