@@ -81,6 +81,16 @@ func test_contact_substeps_follow_the_setting() -> void:
 	check_above(counts[1], 1.5 * counts[0], "contacts answered in eight substeps, against one")
 
 
+func test_bodies_that_leave_their_substeps_open_take_the_project_s() -> void:
+	var open := add_weightless_body(Vector2.ZERO)
+	var own := add_weightless_body(Vector2(300, 0), {"substeps": 3})
+	await change(SUBSTEPS, 7)
+	check_equal(open.get_substep_plan()["substeps"], 7, "substeps of a body that leaves them open")
+	check_equal(own.get_substep_plan()["substeps"], 3, "substeps of a body with its own")
+	await change(SUBSTEPS, 0)
+	check_equal(open.get_substep_plan()["reason"], "contacts", "reason of the automatic choice")
+
+
 func test_sleep_can_be_switched_off_for_a_project() -> void:
 	add_floor(0)
 	var body := add_body(Vector2(0, -60))

@@ -261,7 +261,7 @@ public:
 	/// Another number whenever the rest shape is another.
 	uint64_t get_rest_version() const { return rest_version_; }
 	/// All points at rest in the node's frame, in the core's order.
-	std::span<const softbody::Vec2> rest_points() const { return skin_.rest(); }
+	std::span<const softbody::Vec2> get_rest_positions() const { return skin_.rest(); }
 	/// The body's points in the node's frame at that fraction, in the core's order; a rest shape without a body. Valid
 	/// until the next call for any node.
 	std::span<const softbody::Vec2> local_points(double p_fraction) const;
@@ -275,6 +275,8 @@ public:
 	void set_space_index(size_t p_index) { space_index_ = p_index; }
 	/// "SoftBody2D 'Jelly' (/root/Main/Jelly)": how messages name this node.
 	String describe() const;
+	/// What the project says of bodies that leave it open is another.
+	void note_project_settings() { apply_settings(); }
 	/// Before the step: takes over a transform that the user set, and whether the node may process.
 	void prepare_step();
 	/// After the step: moves the node along and keeps what drawing interpolates.

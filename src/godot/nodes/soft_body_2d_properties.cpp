@@ -4,6 +4,7 @@
 
 #include "core/base/constants.h"
 #include "godot/convert.h"
+#include "godot/server/soft_body_server_2d.h"
 #include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -114,7 +115,7 @@ softbody::BodySettings SoftBody2D::make_settings(double p_mass) const {
 	settings.rolling_resistance = softbody::Real(material.rolling_resistance);
 	settings.gravity_scale = softbody::Real(gravity_scale_);
 	settings.integrator = softbody::Integrator(integrator_);
-	settings.substeps = substeps_;
+	settings.substeps = substeps_ != 0 ? substeps_ : SoftBodyServer2D::get_singleton()->settings().substeps;
 	settings.collision_layer = collision_layer_;
 	settings.collision_mask = collision_mask_;
 	settings.can_sleep = can_sleep_;

@@ -5,6 +5,7 @@
 #include "godot/convert.h"
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_joint_2d.h"
+#include "godot/server/body_signals.h"
 #include "godot/surroundings/hull_proxy.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
@@ -68,6 +69,10 @@ SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for)
 void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
 	world_.set_contact_substeps(p_settings.contact_substeps);
 	world_.set_sleeping(p_settings.can_sleep);
+	if (default_substeps_ != p_settings.substeps) {
+		default_substeps_ = p_settings.substeps;
+		for_nodes([](SoftBody2D &r_node) { r_node.note_project_settings(); });
+	}
 }
 
 void SoftBodySpace2D::add(SoftBody2D *p_node) {

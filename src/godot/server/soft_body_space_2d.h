@@ -92,6 +92,7 @@ private:
 	uint64_t tick_ = 0;
 	std::vector<godot::SoftBody2D *> nodes_;
 	std::vector<godot::SoftBodyJoint2D *> joints_;
+	int default_substeps_ = 0; ///< as the nodes know it
 	int64_t body_count_ = 0; ///< nodes that are not null
 	bool stepping_ = false;
 	int64_t awake_body_count_ = 0;
