@@ -79,6 +79,7 @@ struct Run {
 	std::vector<std::uint64_t> hashes; ///< of each tick
 	std::vector<BodyState> end;
 	std::size_t asleep = 0;
+	std::size_t least_asleep = SIZE_MAX;
 	friend bool operator==(const Run &, const Run &) = default;
 };
 
@@ -87,6 +88,7 @@ Run run(WorldData &world, Simulator &simulator, int tick, int count) {
 	for (int end = tick + count; tick < end; ++tick) {
 		drive(world, tick);
 		result.asleep = simulator.simulate(TICK).sleeping_bodies;
+		result.least_asleep = std::min(result.least_asleep, result.asleep);
 		result.hashes.push_back(hash_of_state(world));
 	}
 	result.end = snapshot(world, tick).bodies;
@@ -123,7 +125,7 @@ TEST_CASE("60 bodies in a pile go on in the same bits when they are put back, he
 				const Run first = run(world, simulator, start, 300);
 				if (start == ASLEEP && !is_lively) { // or else it says less than it promises
 					CHECK(std::ranges::all_of(from.bodies, [](const BodyState &state) { return state.rest.asleep; }));
-					CHECK(first.asleep < 60);
+					CHECK(first.least_asleep < 60); // the lift has woken some
 				}
 				restore(world, from);
 				CHECK(run(world, simulator, start, 300) == first);
