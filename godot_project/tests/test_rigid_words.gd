@@ -168,7 +168,7 @@ func test_sleep_can_be_forbidden_and_forced() -> void:
 
 
 func test_a_frozen_body_holds_what_lies_on_it_and_goes_on_when_it_is_let_go() -> void:
-	var body := add_body(Vector2.ZERO, {"freeze": true})
+	var body := add_body(Vector2.ZERO, {"freeze": true, "hull": SoftBody2D.make_box_hull(Vector2(200, 100), 25)})
 	var upper := add_body(Vector2(0, -110), {"stiffness": 150.0})
 	var points := body.get_point_positions()
 	await seconds(3)

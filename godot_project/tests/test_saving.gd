@@ -18,10 +18,15 @@ const PROPERTIES := {
 	"spring_damping_scales": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2],
 	"spring_length_scales": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0.75],
 	"linear_velocity": Vector2(30, 20), "angular_velocity": 0.5, "constant_force": Vector2(4, 0), "constant_torque": 8.0,
+	"linear_damp_mode": 1, "linear_damp": 0.25, "angular_damp_mode": 1, "angular_damp": 0.5,
+	"collision_proxy_enabled": false, "collision_proxy_margin": 2.0,
+	"vertex_colors": [Color.RED, Color.GREEN, Color.BLUE, Color.WHITE, Color.BLACK, Color.RED, Color.GREEN],
+	"uv": [Vector2(0, 0), Vector2(8, 0), Vector2(16, 0), Vector2(16, 8), Vector2(16, 16), Vector2(8, 16), Vector2(0, 16)],
+	"pinned_points": [3], "pin_targets": [^".."],
 	"can_sleep": false, "self_collision": true, "contact_monitor": true, "max_contacts_reported": 4,
 }
 # Resources, and what would keep the body from moving.
-const OTHERS: Array[String] = ["texture", "soft_body_material", "sleeping", "freeze"]
+const OTHERS: Array[String] = ["texture", "outline_texture", "soft_body_material", "sleeping", "freeze"]
 
 
 func _make() -> SoftBody2D:

@@ -13,7 +13,7 @@ func _wobble(ticks_per_second: int, time_scale := 1.0) -> PackedVector2Array:
 	var body := add_weightless_body(Vector2.ZERO, {"stiffness": 100.0})
 	var velocities := body.get_point_velocities()
 	for i in 16:
-		velocities[i] = Vector2(1, 0) * cos(TAU * 2 * i / 16.0) * 60
+		velocities[i] = Vector2(1, 0) * cos(TAU * 2 * i / 16.0) * 400
 	body.set_point_velocities(velocities)
 	await ticks(roundi(ticks_per_second / time_scale))
 	var centre := body.get_center_of_mass_position()
@@ -27,12 +27,12 @@ func _wobble(ticks_per_second: int, time_scale := 1.0) -> PackedVector2Array:
 	return places
 
 
-## How far the points are from the rest shape after a tenth of a second, when the dent is deepest.
+## How far the points are from the rest shape when the dent is deepest.
 func _wobble_size() -> float:
 	var body := add_weightless_body()
 	var velocities := body.get_point_velocities()
 	for i in 16:
-		velocities[i] = Vector2(1, 0) * cos(TAU * 2 * i / 16.0) * 60
+		velocities[i] = Vector2(1, 0) * cos(TAU * 2 * i / 16.0) * 400
 	body.set_point_velocities(velocities)
 	var largest := 0.0
 	for i in 60:
@@ -48,7 +48,7 @@ func test_a_second_of_wobble_is_the_same_at_any_tick_rate() -> void:
 		var places: PackedVector2Array = await _wobble(rate)
 		check_below(largest_distance(places, reference) / RADIUS, 0.02, "difference between %d and 240 ticks, in radii" % rate)
 	var size: float = await _wobble_size()
-	check_above(size / RADIUS, 0.04, "the wobble itself, in radii")
+	check_above(size / RADIUS, 0.1, "the wobble itself, in radii")
 
 
 func test_a_fall_is_the_same_at_any_tick_rate() -> void:
@@ -171,7 +171,8 @@ func test_bodies_freed_in_any_callback_leave_the_others_alone() -> void:
 			bodies[1].queue_free()
 		elif moment == "_draw":
 			for i in 6:
-				bodies[1].queue_redraw()
+				if is_instance_valid(bodies[1]):
+					bodies[1].queue_redraw()
 				await tree.process_frame
 			for body in bodies: # nothing is drawn without a window
 				if is_instance_valid(body):

@@ -365,3 +365,20 @@ TEST_CASE("bodies that are put to sleep wake each for itself, and may be put to 
 	scene.step();
 	CHECK(scene.asleep() == Asleep{ false, true, false });
 }
+
+TEST_CASE("who is put to sleep sleeps on in the first step of a world with borders, and wakes when they change") {
+	WorldData world;
+	world.set_gravity({ 0, Real(-9.81) });
+	CHECK_FALSE(world.add_border({ { { 0, 0 }, { 0, 1 } }, {} }));
+	const BodyId id = world.add_soft_body(thesis_body(thesis_shape(), {}, { { 0, Real(0.5) }, {} }));
+	world.find(id)->put_to_sleep();
+	Simulator simulator(world);
+	for (int i = 0; i < 30; ++i) {
+		simulator.simulate(Real(1) / 60);
+	}
+	CHECK(world.find(id)->is_asleep());
+	world.clear_surroundings();
+	CHECK_FALSE(world.add_border({ { { 0, -5 }, { 0, 1 } }, {} }));
+	simulator.simulate(Real(1) / 60);
+	CHECK_FALSE(world.find(id)->is_asleep());
+}

@@ -285,6 +285,13 @@ StepReport Simulator::simulate(Real dt) {
 	surroundings_.update(world_, dt);
 	const bool is_arranged = arrange(dt);
 	take_over_sleepers(is_arranged);
+	for (std::uint32_t row = 0; is_arranged && sleepers_.count() > 0 && row < places_.size(); ++row) {
+		// Who was put to sleep sleeps amid what is there now.
+		RestState &rest = world_.soft_bodies()[places_[row]].rest_state();
+		if (rest.asleep && rest.surroundings == 0) {
+			rest.surroundings = watch_.describe(surroundings_, rest_box(row));
+		}
+	}
 	// Bodies that came or were activated may have brought forces along.
 	const bool is_rearranged = roster_.version() != old_roster;
 	const bool has_forces = seen_forces_ != world_.change_counts().forces || is_rearranged;

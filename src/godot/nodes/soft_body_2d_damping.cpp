@@ -65,10 +65,15 @@ void SoftBody2D::feel_areas(const softbody::AreaEffects &p_space, uint64_t p_tic
 			return; // It has just come back: until the engine knows, what held before it left.
 		}
 	}
+	// A body that is made asleep is told of the project's damping for the first time; that is no reason to wake.
+	const bool stays_asleep = !knows_areas_ && found->is_asleep();
 	knows_areas_ = true;
 	effects.linear_damp = softbody::DampChoice{ softbody::Real(linear_damp_), linear_damp_mode_ == DAMP_MODE_REPLACE }.combined_with(effects.linear_damp);
 	effects.angular_damp = softbody::DampChoice{ softbody::Real(angular_damp_), angular_damp_mode_ == DAMP_MODE_REPLACE }.combined_with(effects.angular_damp);
 	accept("areas", softbody::apply_area_effects(effects, p_space, *found));
+	if (stays_asleep) {
+		found->put_to_sleep();
+	}
 }
 
 void SoftBody2D::bind_damping() {

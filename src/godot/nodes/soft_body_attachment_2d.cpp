@@ -16,8 +16,8 @@ SoftBody2D *SoftBodyAttachment2D::soft_body() const {
 	return Object::cast_to<SoftBody2D>(get_parent());
 }
 
-PackedStringArray SoftBodyAttachment2D::_get_configuration_warnings() const {
-	PackedStringArray warnings = Node2D::_get_configuration_warnings();
+PackedStringArray SoftBodyAttachment2D::get_warnings() const {
+	PackedStringArray warnings;
 	if (soft_body() == nullptr) {
 		warnings.push_back("SoftBodyAttachment2D only works as a child of a SoftBody2D. Move it below the body that shall carry it.");
 	}
@@ -90,6 +90,7 @@ void SoftBodyAttachment2D::follow(double p_fraction) {
 }
 
 void SoftBodyAttachment2D::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBodyAttachment2D::get_warnings);
 	ClassDB::bind_method(D_METHOD("set_follow_rotation", "follow"), &SoftBodyAttachment2D::set_follow_rotation);
 	ClassDB::bind_method(D_METHOD("is_following_rotation"), &SoftBodyAttachment2D::is_following_rotation);
 	ClassDB::bind_method(D_METHOD("attach_at", "position", "rotation"), &SoftBodyAttachment2D::attach_at, DEFVAL(0.0));

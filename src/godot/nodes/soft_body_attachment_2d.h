@@ -27,7 +27,8 @@ public:
 	Vector2 get_rest_position() const;
 	double get_rest_rotation() const;
 
-	PackedStringArray _get_configuration_warnings() const override;
+	PackedStringArray get_warnings() const;
+	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
 
 protected:
 	static void _bind_methods();

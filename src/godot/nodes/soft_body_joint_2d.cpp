@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The node that ties a SoftBody2D to another one, to a RigidBody2D or to the world.
+// The node that ties a SoftBody2D to another one, to any other node, or to the world.
 #include "godot/nodes/soft_body_joint_2d.h"
 
 #include "core/geometry/segment.h"
@@ -8,7 +8,6 @@
 #include "godot/server/soft_body_server_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/rigid_body2d.hpp>
 #include <godot_cpp/classes/world2d.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -108,8 +107,8 @@ void SoftBodyJoint2D::set_disable_collision(bool p_disable) {
 	disable_collision_ = p_disable;
 }
 
-PackedStringArray SoftBodyJoint2D::_get_configuration_warnings() const {
-	PackedStringArray warnings = Node2D::_get_configuration_warnings();
+PackedStringArray SoftBodyJoint2D::get_warnings() const {
+	PackedStringArray warnings;
 	const Node *a = node_a_.is_empty() ? nullptr : get_node_or_null(node_a_);
 	const Node *b = node_b_.is_empty() ? nullptr : get_node_or_null(node_b_);
 	if (Object::cast_to<SoftBody2D>(a) == nullptr && Object::cast_to<SoftBody2D>(b) == nullptr) {
@@ -174,20 +173,7 @@ std::optional<JointAnchor> SoftBodyJoint2D::present_anchor(const End &p_end) con
 		anchor.body = soft->get_body_id();
 		return anchor;
 	}
-	const RigidBody2D *rigid = Object::cast_to<RigidBody2D>(node);
-	if (rigid != nullptr && !rigid->is_freeze_enabled()) {
-		return JointAnchor::on_rigid_body(p_end.node, to_core(p_end.position));
-	}
 	return JointAnchor::at_place(softbody::to_core_pose(node->get_global_transform()).apply(to_core(p_end.position)));
-}
-
-uint64_t SoftBodyJoint2D::get_rigid_body() const {
-	for (const std::optional<End> &end : ends_) {
-		if (end && Object::cast_to<RigidBody2D>(ObjectDB::get_instance(end->node)) != nullptr) {
-			return end->node;
-		}
-	}
-	return 0;
 }
 
 Vector2 SoftBodyJoint2D::place_of(const std::optional<End> &p_end) const {
@@ -321,6 +307,7 @@ void SoftBodyJoint2D::mend() {
 }
 
 void SoftBodyJoint2D::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBodyJoint2D::get_warnings);
 	ClassDB::bind_method(D_METHOD("set_node_a", "path"), &SoftBodyJoint2D::set_node_a);
 	ClassDB::bind_method(D_METHOD("get_node_a"), &SoftBodyJoint2D::get_node_a);
 	ClassDB::bind_method(D_METHOD("set_node_b", "path"), &SoftBodyJoint2D::set_node_b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The node that ties a SoftBody2D to another one, to a RigidBody2D or to the world.
+// The node that ties a SoftBody2D to another one, to any other node, or to the world.
 #pragma once
 
 #include "core/model/joint.h"
@@ -50,7 +50,8 @@ public:
 	Vector2 get_anchor_a() const;
 	Vector2 get_anchor_b() const;
 
-	PackedStringArray _get_configuration_warnings() const override;
+	PackedStringArray get_warnings() const;
+	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
 
 	// For the space.
 	softbody::JointId get_joint_id() const { return id_; }
@@ -58,8 +59,6 @@ public:
 	void prepare_step();
 	/// The core's joint is no more.
 	void note_break();
-	/// The rigid body at one of the ends, or 0: it must be among the surroundings however far it is.
-	uint64_t get_rigid_body() const;
 
 protected:
 	static void _bind_methods();
