@@ -20,6 +20,7 @@
 #include <godot_cpp/templates/hash_map.hpp>
 #include <godot_cpp/templates/local_vector.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
@@ -191,6 +192,10 @@ public:
 	Object *get_contact_collider(int p_index) const;
 	TypedArray<Node2D> get_colliding_bodies() const;
 
+	// State: soft_body_2d_state.cpp.
+	PackedByteArray get_state() const;
+	Error set_state(const PackedByteArray &p_state);
+
 	// Sleep: soft_body_2d_sleep.cpp.
 	void set_sleeping(bool p_sleeping);
 	bool is_sleeping() const;
@@ -309,6 +314,7 @@ private:
 	static void bind_structure();
 	static void bind_contacts();
 	static void bind_sleep();
+	static void bind_state();
 	static void bind_motion();
 	static void bind_points();
 	static void bind_material();
@@ -364,6 +370,7 @@ private:
 	const ContactRecord *find_contact(int p_index) const;
 	void on_collider_exiting(uint64_t p_collider);
 	void forget_contacts();
+	void take_over_pins();
 	softbody::SoftBodyData *body();
 	const softbody::SoftBodyData *body() const;
 	/// The body after it has followed a transform that the user has just set.

@@ -89,6 +89,7 @@ void SoftBody2D::_bind_methods() {
 	bind_motion();
 	bind_damping();
 	bind_sleep();
+	bind_state();
 	bind_points();
 	bind_collision();
 	bind_contacts();
