@@ -33,7 +33,7 @@ func _process(_delta: float) -> void:
 
 
 func _draw() -> void:
-	var hull := _body.get_interpolated_hull(Engine.get_physics_interpolation_fraction())
+	var hull := _body.get_interpolated_hull()
 	if hull.size() < 3:
 		return
 	var inward := _inward_normals(hull)

@@ -20,7 +20,7 @@ func _ready() -> void:
 
 
 func _process(_delta: float) -> void:
-	var hull := _body.get_interpolated_hull(Engine.get_physics_interpolation_fraction())
+	var hull := _body.get_interpolated_hull()
 	if hull.is_empty():
 		return
 	var box := Rect2(hull[0], Vector2.ZERO)

@@ -54,3 +54,23 @@ func test_stretched_springs_are_red_and_pressed_ones_blue() -> void:
 	var pressed := image.get_pixelv(Vector2i(centre.lerp(Vector2(centre.x, box.end.y), 0.6)))
 	check_above(stretched.r - stretched.b, 0.3, "red of a stretched spring")
 	check_above(pressed.b - pressed.r, 0.3, "blue of a pressed spring")
+
+
+func test_contacts_of_a_body_that_monitors_are_drawn_where_they_are() -> void:
+	if not open_viewport():
+		return
+	add_solid(rectangle(400, 40), Transform2D(0, Vector2(200, 300)), viewport) # its top is at 280
+	tree.debug_collisions_hint = true
+	var body := add_to_view({ "color": CLEAR, "gravity_scale": 1.0, "position": Vector2(200, 225), "contact_monitor": true })
+	tree.debug_collisions_hint = false
+	var color: Color = ProjectSettings.get_setting_with_override("debug/shapes/collision/contact_color")
+	await ticks(25)
+	var image := await picture()
+	var lowest := Vector2.ZERO
+	for point in body.get_interpolated_hull():
+		lowest = point if point.y > lowest.y else lowest
+	check_near(lowest.y, 280, 2, "height of the lowest point")
+	# Below it is nothing but the contact's disc.
+	check_pixel(image, lowest + Vector2(0, 3), Color(color.r * color.a, color.g * color.a, color.b * color.a, color.a),
+			"a contact", 0.1)
+	check_pixel(image, Vector2(250, 283), CLEAR, "where nothing touches")

@@ -48,6 +48,20 @@ func test_paused_bodies_are_not_updated() -> void:
 	_check_shows(await picture(), body, Transform2D(), "the paused body")
 
 
+func test_frozen_bodies_are_not_updated_until_they_are_moved() -> void:
+	if not open_viewport():
+		return
+	var body := add_to_view({ "color": Color.RED })
+	_wobble(body)
+	await ticks(5)
+	body.freeze = true
+	await ticks(3)
+	check_equal(await _updates_in_a_frame(), 0, "frozen bodies updated")
+	body.global_position += Vector2(50, 30)
+	await ticks(2)
+	_check_shows(await picture(), body, Transform2D(), "the frozen body that was moved")
+
+
 func test_bodies_off_screen_and_hidden_ones_are_not_updated() -> void:
 	if not open_viewport():
 		return

@@ -243,7 +243,7 @@ void SoftBody2D::finish_step() {
 	// A body that has just stopped or fallen asleep is where its last step left it.
 	const bool has_stopped = moving_;
 	const Transform2D before = known_transform_;
-	moving_ = body()->is_active() && !body()->is_asleep();
+	moving_ = body()->is_active() && !body()->is_asleep() && !body()->is_frozen();
 	if (moving_ || has_stopped) {
 		follow_body();
 	}
