@@ -331,6 +331,45 @@ func test_collision_exceptions_are_kept_by_the_node() -> void:
 			"an exception with a plain node")
 
 
+func test_an_excepted_floor_is_fallen_through_and_held_again() -> void:
+	var ground := add_floor(100)
+	var body := add_body(Vector2(0, 0))
+	body.add_collision_exception_with(ground)
+	await seconds(1)
+	check_above(body.get_center_of_mass_position().y, 300, "y of the body that the floor does not hold")
+	body.position = Vector2.ZERO
+	body.linear_velocity = Vector2.ZERO
+	body.remove_collision_exception_with(ground)
+	await seconds(2)
+	check_near(bounds_of(hull_of(body)).end.y, 100.0, 1, "lowest point of the body that the floor holds again")
+
+
+func test_excepted_soft_bodies_pass_each_other_also_after_one_came_back() -> void:
+	var one := add_weightless_body(Vector2(-100, 0))
+	var other := add_weightless_body(Vector2(100, 0))
+	one.add_collision_exception_with(other)
+	for again in 3:
+		if again == 1:
+			stage.remove_child(other)
+			stage.add_child(other)
+		elif again == 2:
+			other.hull = SoftBody2D.make_circle_hull(40, 12)
+		one.position = Vector2(-100, 0)
+		other.position = Vector2(100, 0)
+		one.linear_velocity = Vector2(200, 0)
+		other.linear_velocity = Vector2(-200, 0)
+		await seconds(1)
+		check_near(one.get_center_of_mass_position(), Vector2(100, 0), 4, "the one, meeting %d" % again)
+		check_near(other.get_center_of_mass_position(), Vector2(-100, 0), 4, "the other, meeting %d" % again)
+	one.remove_collision_exception_with(other)
+	one.position = Vector2(-100, 0)
+	other.position = Vector2(100, 0)
+	one.linear_velocity = Vector2(200, 0)
+	other.linear_velocity = Vector2(-200, 0)
+	await seconds(1)
+	check_below(one.get_center_of_mass_position().x, 20, "x of the one that meets the other again")
+
+
 func test_bad_margins_and_damping_are_refused() -> void:
 	var body := add_weightless_body()
 	check_refused(func() -> void: body.collision_proxy_margin = NAN, ["collision_proxy_margin"], "a margin that is not a number")
