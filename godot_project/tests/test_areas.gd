@@ -82,6 +82,28 @@ func test_an_area_knows_a_body_once_however_it_is_deformed() -> void:
 	check_equal(watcher.exited.size(), 1, "number of exits after the body was freed")
 
 
+func test_a_body_that_is_dented_and_smooth_again_stays_in_an_area_that_has_a_part_of_it() -> void:
+	for side: Vector2 in [Vector2.LEFT, Vector2.RIGHT]:
+		var body := add_weightless_body()
+		var area := _add_area(side * 50, Vector2(60, 200))
+		await ticks(4)
+		var watcher := Watcher.new(area)
+		for i in 25:
+			body.apply_point_force(12, Vector2(0, 3000))
+			body.apply_point_force(4, Vector2(0, -3000))
+			await ticks(1)
+		var shapes := PhysicsServer2D.body_get_shape_count(body.get_rid())
+		check_above(shapes, 1, "number of shapes of the dented body")
+		await seconds(3)
+		check_equal(PhysicsServer2D.body_get_shape_count(body.get_rid()), 1, "number of shapes of the smooth body")
+		check(area.overlaps_body(body), "the area lost the body")
+		check_equal(watcher.exited.size(), 0, "number of exits")
+		check_equal(watcher.entered.size(), 0, "number of entrances of a body that was inside")
+		body.free()
+		area.free()
+		await ticks(2)
+
+
 func test_an_area_sees_by_layers_and_the_part_that_is_inside() -> void:
 	var area := _add_area(Vector2(0, 0), Vector2(100, 100), { "collision_mask": 4 })
 	var body := add_weightless_body(Vector2(95, 0), { "collision_layer": 1 })

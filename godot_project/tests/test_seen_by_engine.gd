@@ -142,6 +142,12 @@ func test_concave_and_long_bodies_are_seen_as_they_are() -> void:
 	hit = _ray(Vector2(middle, 0), Vector2(middle, 2000))
 	check_above(bent["position"].y, bounds_of(hull_of(bar)).position.y + 100, "how deep the bar hangs through")
 	check_near(hit["position"], bent["position"], 12, "what a ray finds at the bar's middle")
+	var right_end := Vector2.ZERO # the mean of the four points farthest to the right
+	var by_x := Array(hull_of(bar))
+	by_x.sort_custom(func(a: Vector2, b: Vector2) -> bool: return a.x > b.x)
+	for i in 4:
+		right_end += by_x[i] / 4
+	check_equal(_at(right_end), [bar] as Array[Node], "what is at the bar's end, which was bent up")
 
 
 func test_points_and_shapes_find_it() -> void:

@@ -69,8 +69,7 @@ void SoftBody2D::update_proxy_presence() {
 }
 
 bool SoftBody2D::follow_with_proxy(bool p_may_detail) {
-	return proxy_.is_in_space() && body() != nullptr &&
-			proxy_.follow(*body(), softbody::measure_frame(*body()), proxy_inset(), p_may_detail);
+	return proxy_.is_in_space() && body() != nullptr && proxy_.follow(*body(), proxy_inset(), p_may_detail);
 }
 
 // Bodies that are left alone: by the engine's side through the proxy, by the core through tags (of Godot's bodies) and ids (of
