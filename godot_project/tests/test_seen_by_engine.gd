@@ -142,6 +142,12 @@ func test_concave_and_long_bodies_are_seen_as_they_are() -> void:
 	hit = _ray(Vector2(middle, 0), Vector2(middle, 2000))
 	check_above(bent["position"].y, bounds_of(hull_of(bar)).position.y + 100, "how deep the bar hangs through")
 	check_near(hit["position"], bent["position"], 12, "what a ray finds at the bar's middle")
+	var right_end := Vector2.ZERO # the mean of the four points farthest to the right
+	var by_x := Array(hull_of(bar))
+	by_x.sort_custom(func(a: Vector2, b: Vector2) -> bool: return a.x > b.x)
+	for i in 4:
+		right_end += by_x[i] / 4
+	check_equal(_at(right_end), [bar] as Array[Node], "what is at the bar's end, which was bent up")
 
 
 func test_points_and_shapes_find_it() -> void:
@@ -329,6 +335,45 @@ func test_collision_exceptions_are_kept_by_the_node() -> void:
 	check_equal(body.get_collision_exceptions().size(), 0, "number of exceptions after the other is freed")
 	check_refused(func() -> void: body.add_collision_exception_with(stage), ["neither a SoftBody2D nor a CollisionObject2D"],
 			"an exception with a plain node")
+
+
+func test_an_excepted_floor_is_fallen_through_and_held_again() -> void:
+	var ground := add_floor(100)
+	var body := add_body(Vector2(0, 0))
+	body.add_collision_exception_with(ground)
+	await seconds(1)
+	check_above(body.get_center_of_mass_position().y, 300, "y of the body that the floor does not hold")
+	body.position = Vector2.ZERO
+	body.linear_velocity = Vector2.ZERO
+	body.remove_collision_exception_with(ground)
+	await seconds(2)
+	check_near(bounds_of(hull_of(body)).end.y, 100.0, 1, "lowest point of the body that the floor holds again")
+
+
+func test_excepted_soft_bodies_pass_each_other_also_after_one_came_back() -> void:
+	var one := add_weightless_body(Vector2(-100, 0))
+	var other := add_weightless_body(Vector2(100, 0))
+	one.add_collision_exception_with(other)
+	for again in 3:
+		if again == 1:
+			stage.remove_child(other)
+			stage.add_child(other)
+		elif again == 2:
+			other.hull = SoftBody2D.make_circle_hull(40, 12)
+		one.position = Vector2(-100, 0)
+		other.position = Vector2(100, 0)
+		one.linear_velocity = Vector2(200, 0)
+		other.linear_velocity = Vector2(-200, 0)
+		await seconds(1)
+		check_near(one.get_center_of_mass_position(), Vector2(100, 0), 4, "the one, meeting %d" % again)
+		check_near(other.get_center_of_mass_position(), Vector2(-100, 0), 4, "the other, meeting %d" % again)
+	one.remove_collision_exception_with(other)
+	one.position = Vector2(-100, 0)
+	other.position = Vector2(100, 0)
+	one.linear_velocity = Vector2(200, 0)
+	other.linear_velocity = Vector2(-200, 0)
+	await seconds(1)
+	check_below(one.get_center_of_mass_position().x, 20, "x of the one that meets the other again")
 
 
 func test_bad_margins_and_damping_are_refused() -> void:

@@ -83,6 +83,7 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	apply_pins();
 	pins_.clear(); // their places in the frames of their targets are those of the new shape
 	proxy_.forget_shape();
+	apply_exceptions();
 	known_transform_ = transform;
 	start_first_motion();
 	body()->set_frozen(freeze_);
@@ -99,6 +100,7 @@ void SoftBody2D::enter_space() {
 	if (stored_body_) {
 		body_id_ = space_->world().add_soft_body(std::move(*stored_body_));
 		stored_body_.reset();
+		apply_exceptions();
 		take_over_transform();
 	} else {
 		rebuild_body(false);

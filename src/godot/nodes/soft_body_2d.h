@@ -18,7 +18,6 @@
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/templates/hash_map.hpp>
-#include <godot_cpp/templates/local_vector.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
@@ -101,11 +100,7 @@ public:
 	void set_self_collision(bool p_self_collision);
 	bool has_self_collision() const { return self_collision_; }
 
-	// Drawing.
-	enum OutlineTextureMode {
-		OUTLINE_TEXTURE_TILE,
-		OUTLINE_TEXTURE_STRETCH,
-	};
+	// What the engine sees: soft_body_2d_proxy.cpp.
 	void set_collision_proxy_enabled(bool p_enabled);
 	bool is_collision_proxy_enabled() const { return collision_proxy_enabled_; }
 	void set_collision_proxy_margin(double p_margin);
@@ -114,6 +109,8 @@ public:
 	void add_collision_exception_with(Node *p_body);
 	void remove_collision_exception_with(Node *p_body);
 	TypedArray<Node2D> get_collision_exceptions() const;
+
+	// Damping: soft_body_2d_damping.cpp.
 	void set_linear_damp_mode(DampMode p_mode);
 	DampMode get_linear_damp_mode() const { return linear_damp_mode_; }
 	void set_linear_damp(double p_damp);
@@ -122,6 +119,12 @@ public:
 	DampMode get_angular_damp_mode() const { return angular_damp_mode_; }
 	void set_angular_damp(double p_damp);
 	double get_angular_damp() const { return angular_damp_; }
+
+	// Drawing.
+	enum OutlineTextureMode {
+		OUTLINE_TEXTURE_TILE,
+		OUTLINE_TEXTURE_STRETCH,
+	};
 	void set_color(const Color &p_color);
 	Color get_color() const { return skin_.style().color; }
 	void set_vertex_colors(const PackedColorArray &p_colors);
@@ -394,7 +397,7 @@ private:
 	void apply_settings();
 	void take_over_transform();
 	void update_proxy_presence();
-	void apply_collision_exception(Node *p_body, bool p_excepted);
+	void apply_exceptions();
 	softbody::Real proxy_inset() const;
 	Transform2D body_transform() const;
 	void update_topology();
@@ -450,7 +453,8 @@ private:
 	int max_contacts_reported_ = DEFAULT_MAX_CONTACTS;
 	bool collision_proxy_enabled_ = true;
 	double collision_proxy_margin_ = -1;
-	LocalVector<uint64_t> collision_exceptions_; ///< instance ids
+	std::vector<uint64_t> collision_exceptions_; ///< instance ids
+	std::vector<uint64_t> excepted_by_; ///< instance ids of soft bodies that have this one among theirs
 	DampMode linear_damp_mode_ = DAMP_MODE_COMBINE;
 	double linear_damp_ = 0;
 	DampMode angular_damp_mode_ = DAMP_MODE_COMBINE;

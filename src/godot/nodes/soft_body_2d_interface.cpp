@@ -92,9 +92,9 @@ void SoftBody2D::_bind_methods() {
 	bind_state();
 	bind_points();
 	bind_collision();
+	bind_proxy();
 	bind_contacts();
 	bind_pins();
-	bind_proxy();
 	bind_solver();
 	bind_drawing();
 	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBody2D::get_warnings);

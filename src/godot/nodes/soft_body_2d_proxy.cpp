@@ -69,28 +69,47 @@ void SoftBody2D::update_proxy_presence() {
 }
 
 bool SoftBody2D::follow_with_proxy(bool p_may_detail) {
-	return proxy_.is_in_space() && body() != nullptr &&
-			proxy_.follow(*body(), softbody::measure_frame(*body()), proxy_inset(), p_may_detail);
+	return proxy_.is_in_space() && body() != nullptr && proxy_.follow(*body(), proxy_inset(), p_may_detail);
 }
 
-// Bodies that are left alone.
+// Bodies that are left alone: by the engine's side through the proxy, by the core through tags (of Godot's bodies) and ids (of
+// soft ones). The core forgets the latter with a body that leaves its world, so either of the two brings them again.
 
 void SoftBody2D::add_collision_exception_with(Node *p_body) {
 	ERR_FAIL_NULL(p_body);
-	const bool is_ours = Object::cast_to<SoftBody2D>(p_body) != nullptr;
-	ERR_FAIL_COND_MSG(!is_ours && Object::cast_to<CollisionObject2D>(p_body) == nullptr,
+	SoftBody2D *soft = Object::cast_to<SoftBody2D>(p_body);
+	const CollisionObject2D *collision_object = Object::cast_to<CollisionObject2D>(p_body);
+	ERR_FAIL_COND_MSG(soft == nullptr && collision_object == nullptr,
 			describe() + ": no collision exception with '" + p_body->get_name() + "', which is neither a SoftBody2D nor a CollisionObject2D.");
-	if (!collision_exceptions_.has(p_body->get_instance_id())) {
-		collision_exceptions_.push_back(p_body->get_instance_id());
-		apply_collision_exception(p_body, true);
+	ERR_FAIL_COND_MSG(soft == this, describe() + ": no collision exception with itself. Switch self_collision off instead.");
+	const uint64_t id = p_body->get_instance_id();
+	if (std::find(collision_exceptions_.begin(), collision_exceptions_.end(), id) != collision_exceptions_.end()) {
+		return;
 	}
+	collision_exceptions_.push_back(id);
+	if (soft != nullptr) {
+		soft->excepted_by_.push_back(get_instance_id());
+	} else {
+		proxy_.add_exception(collision_object->get_rid());
+	}
+	apply_exceptions();
 }
 
 void SoftBody2D::remove_collision_exception_with(Node *p_body) {
 	ERR_FAIL_NULL(p_body);
-	if (collision_exceptions_.erase(p_body->get_instance_id())) {
-		apply_collision_exception(p_body, false);
+	if (std::erase(collision_exceptions_, p_body->get_instance_id()) == 0) {
+		return;
 	}
+	if (SoftBody2D *soft = Object::cast_to<SoftBody2D>(p_body)) {
+		std::erase(soft->excepted_by_, get_instance_id());
+		const bool is_wanted_by_other = std::find(excepted_by_.begin(), excepted_by_.end(), soft->get_instance_id()) != excepted_by_.end();
+		if (space_ != nullptr && !is_wanted_by_other) {
+			space_->world().remove_collision_exception(body_id_, soft->body_id_);
+		}
+	} else if (const CollisionObject2D *collision_object = Object::cast_to<CollisionObject2D>(p_body)) {
+		proxy_.remove_exception(collision_object->get_rid());
+	}
+	apply_exceptions();
 }
 
 TypedArray<Node2D> SoftBody2D::get_collision_exceptions() const {
@@ -103,19 +122,24 @@ TypedArray<Node2D> SoftBody2D::get_collision_exceptions() const {
 	return found;
 }
 
-// The engine's side. The list of ids is what the core is to leave out: surfaces carry the id as their tag.
-void SoftBody2D::apply_collision_exception(Node *p_body, bool p_excepted) {
-	RID rid;
-	if (const SoftBody2D *soft = Object::cast_to<SoftBody2D>(p_body)) {
-		rid = soft->get_rid();
-	} else if (const CollisionObject2D *collision_object = Object::cast_to<CollisionObject2D>(p_body)) {
-		rid = collision_object->get_rid();
+// Brings the core's exceptions of this body up to date.
+void SoftBody2D::apply_exceptions() {
+	softbody::SoftBodyData *found = body();
+	if (found == nullptr || (collision_exceptions_.empty() && excepted_by_.empty() && found->ignored_tags().empty())) {
+		return;
 	}
-	if (p_excepted) {
-		proxy_.add_exception(rid);
-	} else {
-		proxy_.remove_exception(rid);
+	std::vector<uint64_t> tags;
+	for (const std::vector<uint64_t> *list : { &collision_exceptions_, &excepted_by_ }) {
+		for (const uint64_t id : *list) {
+			const SoftBody2D *soft = Object::cast_to<SoftBody2D>(ObjectDB::get_instance(id));
+			if (soft == nullptr) {
+				tags.push_back(id);
+			} else if (space_ != nullptr && soft->space_ == space_ && soft->body() != nullptr) {
+				accept("collision_exceptions", space_->world().add_collision_exception(body_id_, soft->body_id_));
+			}
+		}
 	}
+	found->set_ignored_tags(tags);
 }
 
 void SoftBody2D::bind_proxy() {

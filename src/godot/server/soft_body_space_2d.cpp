@@ -173,13 +173,14 @@ void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });
 	profile_.finish = watch.lap();
 	move_proxies();
+	profile_.proxies = watch.lap();
 	stepping_ = false;
 	close_gaps();
 	if (!report.broken_joints.empty()) {
 		collect_broken_joints(report, r_signals);
 	}
 	collect_signals(r_signals);
-	profile_.proxies = watch.lap();
+	profile_.finish += watch.lap();
 }
 
 void SoftBodySpace2D::move_proxies() {

@@ -103,7 +103,7 @@ void HullProxy::enter(const RID &space, const SoftBodyData &body, Real inset) {
 	in_space_ = true;
 	still_ = false;
 	placed_ = false;
-	follow(body, measure_frame(body), inset, false);
+	follow(body, inset, false);
 	PhysicsServer2D::get_singleton()->body_set_space(rid(), space);
 	++version;
 }
@@ -146,10 +146,10 @@ void HullProxy::trace(const SoftBodyData &body, const BodyFrame &frame, Real ins
 
 // A kinematic body takes a transform over at the end of the engine's step, but its first one at once, and the first after
 // it was of another mode counts as that.
-void HullProxy::place(const BodyFrame &frame, bool exactly) {
+bool HullProxy::place(const BodyFrame &frame, bool exactly) {
 	const Real tolerance = exactly ? OUTLINE_TOLERANCE : ORIGIN_TOLERANCE;
 	if (placed_ && length_squared(frame.centre - origin_) <= tolerance * tolerance) {
-		return;
+		return false;
 	}
 	placed_ = true;
 	origin_ = frame.centre;
@@ -159,6 +159,7 @@ void HullProxy::place(const BodyFrame &frame, bool exactly) {
 	server->body_set_state(rid(), PhysicsServer2D::BODY_STATE_TRANSFORM, Transform2D(0, to_godot(origin_)));
 	server->body_set_state(rid(), PhysicsServer2D::BODY_STATE_LINEAR_VELOCITY, to_godot(velocity_));
 	server->body_set_state(rid(), PhysicsServer2D::BODY_STATE_ANGULAR_VELOCITY, double(angular_velocity_));
+	return true;
 }
 
 void HullProxy::show_slot(std::size_t index, const std::vector<Vec2> &outline) {
@@ -268,7 +269,7 @@ void HullProxy::send_velocity(const BodyFrame &frame, bool asleep) {
 	server->body_set_state(rid(), PhysicsServer2D::BODY_STATE_ANGULAR_VELOCITY, double(angular_velocity_));
 }
 
-bool HullProxy::follow(const SoftBodyData &body, const BodyFrame &frame, Real inset, bool may_detail) {
+bool HullProxy::follow(const SoftBodyData &body, Real inset, bool may_detail) {
 	const Real wanted = pressed_ ? std::min(inset, body.shape().width() / 4) : 0;
 	if (!in_space_ || (still_ && body.is_asleep() && wanted == inset_ && !parts_.convex.empty())) {
 		return false;
@@ -277,8 +278,9 @@ bool HullProxy::follow(const SoftBodyData &body, const BodyFrame &frame, Real in
 		divide(body);
 	}
 	inset_ = wanted;
+	const BodyFrame frame = measure_frame(body);
 	const bool asleep = body.is_asleep();
-	place(frame, asleep);
+	const bool is_placed = place(frame, asleep);
 	trace(body, frame, inset_);
 	const bool is_new = shown_.empty();
 	shown_.resize(outline_.size());
@@ -296,11 +298,10 @@ bool HullProxy::follow(const SoftBodyData &body, const BodyFrame &frame, Real in
 	}
 	if (is_changed || is_detailed()) {
 		show(may_detail);
-		stir(); // Areas look again at a kinematic body only when it has been put somewhere.
 	}
 	send_velocity(frame, asleep);
-	if (!asleep && velocity_ == Vec2{} && angular_velocity_ == 0) {
-		stir(); // The engine works out gravity and damping for bodies that it believes to move.
+	if (!asleep && !is_placed) {
+		stir(); // The engine looks at areas for bodies that it believes to move.
 	}
 	still_ = asleep && (!is_detailed() || (wedged_ && smooth_follows_ == 0));
 	return slots_.size() > 1;

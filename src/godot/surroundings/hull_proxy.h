@@ -55,9 +55,9 @@ public:
 	void forget_shape() { parts_ = {}; }
 	/// Has the engine work out anew what areas do to a body that sleeps.
 	void stir();
-	/// After a step. `frame` is the body's, `inset` >= 0 [px], at most a quarter of the body's width is used.
+	/// After a step. `inset` >= 0 [px], of which at most a quarter of the body's width is used.
 	/// If it returns true, `flush_hull_proxies` must be called before anybody asks.
-	bool follow(const SoftBodyData &body, const BodyFrame &frame, Real inset, bool may_detail);
+	bool follow(const SoftBodyData &body, Real inset, bool may_detail);
 	/// Whether it is shown in wedges.
 	bool is_detailed() const { return !parts_.convex.empty() && slots_.size() > parts_.convex.size(); }
 
@@ -79,7 +79,7 @@ private:
 
 	void divide(const SoftBodyData &body);
 	void trace(const SoftBodyData &body, const BodyFrame &frame, Real inset);
-	void place(const BodyFrame &frame, bool exactly);
+	bool place(const BodyFrame &frame, bool exactly);
 	bool has_moved(const std::vector<std::uint32_t> &part, std::size_t first, std::size_t count) const;
 	void show(bool may_detail);
 	void show_slot(std::size_t index, const std::vector<Vec2> &outline);
