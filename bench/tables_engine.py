@@ -16,7 +16,6 @@ NAMES = {
     "soft_monitored": "with contact monitor",
     "soft_asleep": "asleep",
     "soft_off_screen": "off-screen",
-    "soft_off_screen_still": "off-screen, not simulated there",
     "rigid": "rigid points and spring joints",
 }
 
@@ -53,12 +52,13 @@ def summarize(results):
     loads = [load for load in NAMES if held(rows, load, False) is not None]
     counts = [{"load": load, "headless": held(rows, load, False), "drawn": held(rows, load, True)} for load in loads]
     rigid = held(rows, "rigid", False) or 0
+    targets = {
+        f"{HELD_HEADLESS}_awake_colliding_headless": best_held(rows, False) >= HELD_HEADLESS,
+        f"{HELD_DRAWN}_drawn": best_held(rows, True) >= HELD_DRAWN,
+        f"{FACTOR}_times_rigid_points": rigid > 0 and best_held(rows, False) >= FACTOR * rigid,
+    }
     return {
-        "targets": {
-            f"{HELD_HEADLESS}_awake_colliding_headless": best_held(rows, False) >= HELD_HEADLESS,
-            f"{HELD_DRAWN}_drawn": best_held(rows, True) >= HELD_DRAWN,
-            f"{FACTOR}_times_rigid_points": rigid > 0 and best_held(rows, False) >= FACTOR * rigid,
-        },
+        "targets": targets if loads else {},
         "threads": max((row.get("threads", 0) for row in rows), default=0),
         "held": counts,
         "costs": rounded([cost(row) for row in rows if "cost" in row]),

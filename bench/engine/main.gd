@@ -17,13 +17,12 @@ const MAX_ROUNDS := 9
 ## What is simulated, and with which properties other than the node's own.
 const LOADS := {
 	"soft": {},
-	"soft_unseen": { "collision_proxy": false },
+	"soft_unseen": { "collision_proxy_enabled": false },
 	"soft_apart": { "collision_mask": 2 },
 	"soft_alone": { "collision_mask": 0 },
 	"soft_monitored": { "contact_monitor": true, "max_contacts_reported": 8 },
 	"soft_asleep": {},
 	"soft_off_screen": {},
-	"soft_off_screen_still": { "simulate_off_screen": false },
 	"rigid": {},
 }
 
