@@ -45,8 +45,9 @@ func _has_touched(walker: CharacterBody2D, body: SoftBody2D) -> bool:
 	return false
 
 
-## Claims that the character rests: on the floor all the time, and moving by less than half a pixel.
-func _check_stands(walker: Walker, body: SoftBody2D, what: String) -> void:
+## Claims that the character rests: on the floor all the time, and moving by less than half a pixel up and down, and by less
+## than `sideways` in two seconds.
+func _check_stands(walker: Walker, body: SoftBody2D, what: String, sideways := 0.5) -> void:
 	var box := Rect2(walker.position, Vector2.ZERO)
 	var in_air := 0
 	var touched := false
@@ -57,7 +58,7 @@ func _check_stands(walker: Walker, body: SoftBody2D, what: String) -> void:
 		touched = touched or _has_touched(walker, body)
 	check_equal(in_air, 0, what + ": ticks in the air out of 120")
 	check_below(box.size.y, 0.5, what + ": how far it moves up and down in px")
-	check_below(box.size.x, 0.5, what + ": how far it moves sideways in px")
+	check_below(box.size.x, sideways, what + ": how far it moves sideways in px")
 	check(touched, what + ": no slide collision names the body")
 
 
@@ -142,7 +143,7 @@ func test_a_character_walks_into_a_jelly_and_pushes_it_along() -> void:
 	walker.walk = 100
 	await seconds(4)
 	check_above(body.get_center_of_mass_position().x, 100, "x of the pushed body")
-	check_above(walker.position.x, 20, "x of the character that pushes")
+	check_above(walker.position.x, 150, "x of the character that pushes")
 	check_below(walker.position.x, body.get_center_of_mass_position().x - 40, "x of the character, which stays behind the body")
 	check_above(body.get_area() / body.get_rest_area(), 0.85, "area over rest area of the pushed body")
 	walker.walk = -100
@@ -163,9 +164,10 @@ func test_a_jelly_that_falls_on_a_character_parts_from_it() -> void:
 	check(all_finite(body.get_point_positions()), "a point is not finite")
 	check_near(walker.position.y, 74.9, 2, "y of the character on its floor")
 	check_above(body.get_area() / body.get_rest_area(), 0.8, "area over rest area after the hit")
-	walker.walk = 150
+	var away := -1.0 if body.get_center_of_mass_position().x > walker.position.x else 1.0
+	walker.walk = 150 * away
 	await seconds(2)
-	check_above(walker.position.x, 150, "x of the character that walks away")
+	check_above(walker.position.x * away, 200, "way of the character that walks away from the body")
 
 
 func test_a_character_under_a_heavy_jelly_walks_out() -> void:
@@ -212,10 +214,11 @@ func test_a_deep_margin_lets_a_character_sink_in_so_far() -> void:
 	await seconds(3)
 	var top := bounds_of(hull_of(body)).position.y
 	var walker := _add_walker(Vector2(0, top - 40))
-	await seconds(3)
+	await seconds(6) # the body gives way sideways for some seconds
 	check_near(walker.position.y + 25, top + 12, 8, "y of the soles")
 	check_above(walker.position.y + 25, top + 7, "y of the soles")
-	await _check_stands(walker, body, "in a deep margin")
+	# Pressed in deep, a body takes some seconds to find its balance, and takes along who stands on it.
+	await _check_stands(walker, body, "in a deep margin", 1.5)
 
 
 func test_a_character_walks_through_a_body_that_is_excepted() -> void:
