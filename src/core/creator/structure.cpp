@@ -3,38 +3,46 @@
 #include "core/creator/structure.h"
 
 #include "core/base/constants.h"
+#include "core/geometry/aabb.h"
 #include "core/geometry/segment.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace softbody {
 
 namespace {
 
-struct Neighbour {
-	Real distance_squared;
-	std::uint32_t point;
-};
+// How many of the nearest points are asked first whether they lie between two others. As a rule one of them does.
+constexpr std::size_t ASKED_FIRST = 16;
+
+Aabb box_around(Vec2 a, Vec2 b) {
+	Aabb box;
+	box.include(a);
+	box.include(b);
+	return box;
+}
 
 // Whether the way from one point to another meets an edge of the outline that ends at neither.
 bool crosses_outline(std::span<const Vec2> points, std::size_t hull_count, std::uint32_t from, std::uint32_t to) {
+	const Aabb way = box_around(points[from], points[to]);
 	for (std::size_t i = 0; i < hull_count; ++i) {
 		const std::size_t next = (i + 1) % hull_count;
-		if (i != to && next != to && segment_intersection(points[from], points[to], points[i], points[next])) {
+		if (i != to && next != to && way.overlaps(box_around(points[i], points[next])) &&
+				segment_intersection(points[from], points[to], points[i], points[next])) {
 			return true;
 		}
 	}
 	return false;
 }
 
-// Whether a third point lies inside the circle over the way to neighbour `index`. It is then nearer than that one, and as
-// a rule one of the nearest, so that few are looked at.
-bool is_shadowed(std::span<const Vec2> points, Vec2 from, std::span<const Neighbour> sorted, std::size_t index) {
-	const Vec2 to = points[sorted[index].point];
-	const Real tolerance = CIRCLE_TOLERANCE * sorted[index].distance_squared;
-	return std::ranges::any_of(sorted.first(index), [&](const Neighbour &third) {
-		return dot(from - points[third.point], to - points[third.point]) < -tolerance;
+// Whether a third point lies inside the circle over the way between two.
+bool is_shadowed(std::span<const Vec2> points, Vec2 from, Vec2 to, std::span<const std::uint32_t> others) {
+	const Real tolerance = CIRCLE_TOLERANCE * length_squared(to - from);
+	return std::ranges::any_of(others, [&](std::uint32_t third) {
+		return dot(from - points[third], to - points[third]) < -tolerance;
 	});
 }
 
@@ -60,21 +68,17 @@ std::vector<SpringEnds> automatic_springs(std::span<const Vec2> hull, std::span<
 	if (centre) {
 		points.push_back(*centre);
 	}
-	std::vector<Neighbour> neighbours;
+	std::vector<std::uint32_t> others(points.size());
+	std::iota(others.begin(), others.end(), 0u);
 	for (std::uint32_t from = hull_count; from < inner_end; ++from) {
-		neighbours.clear();
+		const auto middle = others.begin() + std::ptrdiff_t(std::min(ASKED_FIRST, others.size()));
+		std::ranges::partial_sort(others, middle, {}, [&](std::uint32_t i) {
+			return std::pair(length_squared(points[i] - points[from]), i);
+		});
 		for (std::uint32_t to = 0; to < points.size(); ++to) {
-			const Real distance_squared = length_squared(points[to] - points[from]);
-			if (distance_squared > 0) {
-				neighbours.push_back({ distance_squared, to });
-			}
-		}
-		std::ranges::sort(neighbours, {}, [](const Neighbour &each) { return std::pair(each.distance_squared, each.point); });
-		for (std::size_t i = 0; i < neighbours.size(); ++i) {
-			const std::uint32_t to = neighbours[i].point;
 			const bool is_pair_of_an_earlier_one = to >= hull_count && to < from;
-			if (!is_pair_of_an_earlier_one && !is_shadowed(points, points[from], neighbours, i) &&
-					!crosses_outline(points, hull_count, from, to)) {
+			if (!is_pair_of_an_earlier_one && length_squared(points[to] - points[from]) > 0 &&
+					!is_shadowed(points, points[from], points[to], others) && !crosses_outline(points, hull_count, from, to)) {
 				springs.push_back({ from, to });
 			}
 		}

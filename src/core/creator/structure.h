@@ -21,7 +21,7 @@ using SpringEnds = std::array<std::uint32_t, 2>;
 /// (Gabriel and Sokal 1969). On a lattice these are its edges and both diagonals of each cell, on scattered points the
 /// better part of a Delaunay triangulation; it needs no triangles, so nothing can break on points of one circle. What
 /// coincides is not joined. Points are counted hull, inner points, centre. O(hull) without inner points, else
-/// O(inner points * points * (log points + hull)) as a rule.
+/// O(inner points * points + springs * hull) as a rule.
 std::vector<SpringEnds> automatic_springs(std::span<const Vec2> hull, std::span<const Vec2> inner_points,
 		std::optional<Vec2> centre);
 
