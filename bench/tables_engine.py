@@ -16,6 +16,7 @@ NAMES = {
     "soft_monitored": "with contact monitor",
     "soft_asleep": "asleep",
     "soft_off_screen": "off-screen",
+    "soft_off_screen_still": "off-screen, not simulated",
     "rigid": "rigid points and spring joints",
 }
 

@@ -23,6 +23,7 @@ const LOADS := {
 	"soft_monitored": { "contact_monitor": true, "max_contacts_reported": 8 },
 	"soft_asleep": {},
 	"soft_off_screen": {},
+	"soft_off_screen_still": { "simulate_off_screen": false },
 	"rigid": {},
 }
 

@@ -97,6 +97,48 @@ func test_a_body_that_flies_in_is_seen_from_its_first_pixel_on() -> void:
 	check_below(body.global_position.x, 250, "where it has flown to")
 
 
+func test_a_body_told_so_stands_still_off_screen_and_goes_on_as_it_moved() -> void:
+	if not open_viewport():
+		return
+	var camera := Camera2D.new()
+	camera.anchor_mode = Camera2D.ANCHOR_MODE_FIXED_TOP_LEFT
+	viewport.add_child(camera)
+	camera.make_current()
+	var bodies: Array[SoftBody2D] = []
+	for still: bool in [false, true]:
+		bodies.append(add_to_view({ "position": Vector2(900, 300.0 * bodies.size()), "linear_velocity": Vector2(0, -60),
+				"simulate_off_screen": not still, "linear_damp": 0.0, "linear_damp_mode": SoftBody2D.DAMP_MODE_REPLACE }))
+	await ticks(20)
+	check_near(bodies[0].linear_velocity.y, -60, 0.01, "speed of the body that is always simulated")
+	var before := bodies[1].global_position
+	var way := -bodies[0].global_position.y
+	await ticks(30)
+	check_near(-bodies[0].global_position.y - way, 30, 0.5, "way of the body that is always simulated")
+	check_equal(bodies[1].global_position, before, "place of the body that stands still off-screen")
+	camera.position.x = 700
+	await ticks(4)
+	before = bodies[1].global_position
+	await ticks(30)
+	check_near(before.y - bodies[1].global_position.y, 30, 0.5, "way of the same body in view")
+	bodies[1].hide()
+	await ticks(5)
+	before = bodies[1].global_position
+	await ticks(10)
+	check_equal(bodies[1].global_position, before, "place of the same body, hidden")
+
+
+func test_a_body_in_view_loses_no_tick_by_standing_still_off_screen() -> void:
+	if not open_viewport():
+		return
+	var bodies: Array[SoftBody2D] = []
+	for still: bool in [false, true]:
+		bodies.append(add_to_view({ "position": Vector2(100.0 + 200.0 * bodies.size(), 100), "gravity_scale": 1.0,
+				"simulate_off_screen": not still }))
+	for i in 12:
+		await ticks(1)
+		check_near(bodies[1].global_position.y, bodies[0].global_position.y, 0.01, "height in tick %d" % i) # one tick of fall: 0.27
+
+
 func test_a_body_that_grows_into_view_is_seen() -> void:
 	if not open_viewport():
 		return

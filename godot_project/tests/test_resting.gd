@@ -293,3 +293,12 @@ func test_an_icy_floor_holds_nothing() -> void:
 	body.apply_central_impulse(Vector2(100, 0))
 	await seconds(2)
 	check_near(body.get_linear_velocity().x, 100.0, 5, "speed on ice two seconds after the push")
+
+
+func test_without_a_screen_every_body_is_simulated() -> void:
+	if DisplayServer.get_name() != "headless":
+		skip("there is a screen")
+		return
+	var body := add_body(Vector2(1e5, 0), { "simulate_off_screen": false })
+	await seconds(0.5)
+	check_above(body.global_position.y, 100, "fall of a body that may stand still off-screen")

@@ -35,7 +35,7 @@ measure_engine() {
 	for load in soft soft_unseen soft_apart soft_alone soft_monitored soft_asleep; do
 		headless+=(cost "$load" 1000)
 	done
-	for load in soft soft_unseen soft_asleep soft_off_screen; do
+	for load in soft soft_unseen soft_asleep soft_off_screen soft_off_screen_still; do
 		drawn+=(cost "$load" 1000)
 	done
 	if [[ $quick == yes ]]; then

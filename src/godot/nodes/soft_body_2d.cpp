@@ -128,6 +128,7 @@ void SoftBody2D::leave_space() {
 	interpolation_.end();
 	SoftBodyServer2D::get_singleton()->drawing().remove(view_);
 	view_ = nullptr;
+	unseen_frames_ = 0; // whoever comes in is shown to a frame first
 	debug_drawing_.reset();
 	contacts_.clear(); // whom it touched it remembers: it may come back
 	// Last: the server drops a space that has no nodes left.
@@ -230,7 +231,7 @@ void SoftBody2D::prepare_step() {
 	take_over_transform();
 	follow_pin_targets();
 	if (softbody::SoftBodyData *found = body()) {
-		found->set_active(can_process());
+		found->set_active(can_process() && (simulate_off_screen_ || !is_off_screen()));
 		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
 			apply_constant_forces();
 		}

@@ -204,6 +204,8 @@ public:
 	bool is_sleeping() const;
 	void set_can_sleep(bool p_able);
 	bool is_able_to_sleep() const { return can_sleep_; }
+	void set_simulate_off_screen(bool p_enabled) { simulate_off_screen_ = p_enabled; }
+	bool is_simulating_off_screen() const { return simulate_off_screen_; }
 	void set_freeze_enabled(bool p_freeze);
 	bool is_freeze_enabled() const { return freeze_; }
 
@@ -423,8 +425,9 @@ private:
 	void place_canvas_item(double p_fraction);
 	void update_seen_area();
 	void draw_debug(double p_fraction);
-	void enter_screen() { on_screen_ = true; }
+	void enter_screen();
 	void leave_screen() { on_screen_ = false; }
+	bool is_off_screen() const;
 
 	PackedVector2Array hull_;
 	PackedVector2Array inner_points_;
@@ -443,6 +446,7 @@ private:
 	Vector2 constant_force_;
 	double constant_torque_ = 0;
 	bool can_sleep_ = true;
+	bool simulate_off_screen_ = true;
 	bool freeze_ = false;
 	Integrator integrator_ = INTEGRATOR_AUTOMATIC;
 	int substeps_ = 0;
@@ -491,6 +495,7 @@ private:
 	bool area_checked_ = false; ///< since the last tick, of a body that nobody sees
 	bool item_displaced_ = false; ///< whether the canvas item stands where the body is drawn, not where the node is
 	bool on_screen_ = false; ///< as the rendering server saw it last
+	int unseen_frames_ = 0; ///< in a row, counted no further than needed
 	Rect2 skin_area_; ///< part of the node's plane in which the skin may move before `seen_area` is set anew
 	Callable entered_screen_;
 	Callable left_screen_;

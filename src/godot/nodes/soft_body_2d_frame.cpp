@@ -23,6 +23,8 @@ namespace {
 constexpr real_t AREA_RESERVE = 0.25;
 // So much larger than needed, as a ratio of areas, it is made smaller again.
 constexpr real_t AREA_EXCESS = 6;
+// So many frames in a row without a word of the rendering server make a body off-screen: it tells of a frame after it.
+constexpr int UNSEEN_FRAMES = 3;
 
 Rect2 rect_of(const Aabb &p_box) {
 	return Rect2(softbody::to_godot(p_box.min), softbody::to_godot(p_box.max - p_box.min));
@@ -97,6 +99,7 @@ void SoftBody2D::draw() {
 // While nobody sees the body, its skin stays as it was seen last. All that has to be known then is whether it might
 // grow into view.
 bool SoftBody2D::draw_frame(const softbody::DrawingFrame &p_frame) {
+	unseen_frames_ = on_screen_ ? 0 : MIN(unseen_frames_ + 1, UNSEEN_FRAMES);
 	if (settled_) {
 		return false;
 	}
@@ -148,6 +151,16 @@ void SoftBody2D::place_canvas_item(double p_fraction) {
 		RenderingServer::get_singleton()->canvas_item_set_transform(get_canvas_item(), get_transform());
 	}
 	item_displaced_ = is_ours;
+}
+
+void SoftBody2D::enter_screen() {
+	on_screen_ = true;
+	unseen_frames_ = 0;
+}
+
+// A body that no frame has had a chance to show, as without a screen, is not off-screen.
+bool SoftBody2D::is_off_screen() const {
+	return unseen_frames_ >= UNSEEN_FRAMES;
 }
 
 // Tells the rendering server in which part of the plane the body is drawn: it draws the canvas item, and says that it

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether the node's body moves at all: sleep and freezing.
+// Whether the node's body moves at all: sleep, freezing, and being seen.
 #include "godot/nodes/soft_body_2d.h"
 
 #include "godot/server/body_signals.h"
@@ -49,6 +49,8 @@ void SoftBody2D::bind_sleep() {
 	ClassDB::bind_method(D_METHOD("is_sleeping"), &SoftBody2D::is_sleeping);
 	ClassDB::bind_method(D_METHOD("set_can_sleep", "able_to_sleep"), &SoftBody2D::set_can_sleep);
 	ClassDB::bind_method(D_METHOD("is_able_to_sleep"), &SoftBody2D::is_able_to_sleep);
+	ClassDB::bind_method(D_METHOD("set_simulate_off_screen", "enabled"), &SoftBody2D::set_simulate_off_screen);
+	ClassDB::bind_method(D_METHOD("is_simulating_off_screen"), &SoftBody2D::is_simulating_off_screen);
 	ClassDB::bind_method(D_METHOD("set_freeze_enabled", "freeze"), &SoftBody2D::set_freeze_enabled);
 	ClassDB::bind_method(D_METHOD("is_freeze_enabled"), &SoftBody2D::is_freeze_enabled);
 
@@ -56,6 +58,7 @@ void SoftBody2D::bind_sleep() {
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "sleeping"), "set_sleeping", "is_sleeping");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "can_sleep"), "set_can_sleep", "is_able_to_sleep");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "freeze"), "set_freeze_enabled", "is_freeze_enabled");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "simulate_off_screen"), "set_simulate_off_screen", "is_simulating_off_screen");
 
 	ADD_SIGNAL(MethodInfo("sleeping_state_changed"));
 }
