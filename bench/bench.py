@@ -68,7 +68,8 @@ def measure(name, precision, quick):
     if BENCHES[name].program is None:
         return json.loads(output.read_text(encoding="utf-8"))
     output.unlink(missing_ok=True)
-    command = [BUILD / f"{BENCHES[name].program}_{precision}", name, output] + (["--quick"] if quick else [])
+    priority = machine.priority_command() if BENCHES[name].timed else []
+    command = [*priority, BUILD / f"{BENCHES[name].program}_{precision}", name, output] + (["--quick"] if quick else [])
     subprocess.run(command, check=True, stdout=sys.stderr)
     return json.loads(output.read_text(encoding="utf-8"))
 
@@ -109,6 +110,8 @@ def main():
         measured = list(pool.map(lambda precision: measure(name, precision, quick), bench.precisions))
     program = BUILD / f"{bench.program or name}_{bench.precisions[0]}.program"
     section = machine.head(f"scripts/bench.sh {name}{' --quick' if quick else ''}", program)
+    if bench.timed:
+        section["priority"] = "real-time" if machine.priority_command() else "normal"
     section.update(bench.summarize(dict(zip(bench.precisions, measured))))
     bench.print_table(section)
     file = keep(section, name, quick)

@@ -2,6 +2,7 @@
 """Where and from what a result was measured: the head of every section of a result file."""
 
 import datetime
+import os
 import platform
 import re
 import subprocess
@@ -50,6 +51,11 @@ def build_of(measuring):
     except OSError:
         return "unknown", "unknown"
     return output_of(program, "--version").partition("\n")[0] or program, " ".join(flags)
+
+
+def priority_command():
+    """The words before a timed program that keep others from interrupting it, or none where we may not."""
+    return os.environ.get("BENCH_PRIORITY_COMMAND", "").split()
 
 
 def head(command, measuring):

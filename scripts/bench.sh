@@ -39,6 +39,7 @@ fi
 
 need_packages scons g++ nlohmann-json3-dev
 need_bench_python
+first_in_line
 if [[ $name == engine ]]; then
 	. "$REPO_DIR/scripts/lib/godot.sh"
 	. "$REPO_DIR/scripts/lib/export.sh"

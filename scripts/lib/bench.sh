@@ -1,6 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: MIT
-# The Python of the benchmarks: SciPy for the reference and matplotlib for the charts, in an environment of their own.
+# What benchmarks need: Python with SciPy for the reference and matplotlib for the charts, in an environment of its own; and
+# the processor for themselves.
 #
 # Needs common.sh. After need_bench_python, BENCH_PYTHON is the interpreter to use.
 # shellcheck disable=SC2034 # The scripts that read this one use the interpreter.
@@ -26,4 +27,12 @@ need_bench_python() {
 	) 9>"$BENCH_VENV.lock" && return 0
 	tail -n 5 "$LOG_DIR/bench_venv.log" >&2
 	problem "could not install $BENCH_REQUIREMENTS (see $LOG_DIR/bench_venv.log); with a network, run this again"
+}
+
+# first_in_line: sets BENCH_PRIORITY to the words before a command that let nothing else of this machine run in between, if
+# we may have that: other programs then cost a measurement nothing. Each result says by which priority it was measured.
+first_in_line() {
+	BENCH_PRIORITY=()
+	! chrt -f 1 true 2>/dev/null || BENCH_PRIORITY=(chrt -f 1)
+	export BENCH_PRIORITY_COMMAND="${BENCH_PRIORITY[*]}"
 }

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Measures nodes in an exported game: the release library under the release template, as players get it.
 #
-# Needs common.sh, build.sh, godot.sh and export.sh.
+# Needs common.sh, build.sh, godot.sh, export.sh, and of bench.sh first_in_line.
 
 BENCH_PROJECT=$REPO_DIR/build/engine_bench
 BENCH_GAME=soft_body_2d_bench
@@ -58,9 +58,15 @@ measure_engine() {
 measure_rows() {
 	local limit=$1 log=$2
 	shift 2
-	if ! exported_game "$BENCH_GAME" "$limit" --fixed-fps 60 --audio-driver Dummy "$@" >>"$log" 2>&1 ||
+	if ! with_priority exported_game "$BENCH_GAME" "$limit" --fixed-fps 60 --audio-driver Dummy "$@" >>"$log" 2>&1 ||
 		grep -E '^ *(USER )?(SCRIPT )?ERROR:' -A 2 "$log" >&2; then
 		tail -n 5 "$log" >&2
 		problem "the bench failed (all of its output: $log)"
 	fi
 }
+
+# with_priority COMMAND…: runs one of our functions, and all that it starts, as first_in_line allows.
+with_priority() (
+	[[ ${#BENCH_PRIORITY[@]} -eq 0 ]] || chrt -f -p 1 "$BASHPID" || return 1
+	"$@"
+)
