@@ -172,11 +172,9 @@ void SoftBody2D::_notification(int p_what) {
 // Agreement of node and body.
 
 // Where the node belongs so that its hull, as designed, lies on the body's best-fitting frame.
-Transform2D SoftBody2D::body_transform() const {
-	const softbody::SoftBodyData &data = *body();
-	const softbody::BodyFrame frame = softbody::measure_frame(data);
-	const softbody::Vec2 origin = frame.centre - frame.rotation.apply(data.shape().origin_offset());
-	Transform2D transform = Transform2D(frame.rotation.angle(), Vector2()) * built_scale_;
+Transform2D SoftBody2D::transform_at(const softbody::BodyFrame &p_frame) const {
+	const softbody::Vec2 origin = p_frame.centre - p_frame.rotation.apply(body()->shape().origin_offset());
+	Transform2D transform = Transform2D(p_frame.rotation.angle(), Vector2()) * built_scale_;
 	transform.set_origin(to_godot(origin));
 	return transform;
 }
@@ -261,8 +259,9 @@ void SoftBody2D::follow_body() {
 	if (space_ == nullptr) {
 		return; // the first step in the tree does it
 	}
-	body()->set_rotation_memory(softbody::measure_frame(*body()).rotation); // for a body that may collapse later
-	set_global_transform(body_transform());
+	const softbody::BodyFrame frame = softbody::measure_frame(*body());
+	body()->set_rotation_memory(frame.rotation); // for a body that may collapse later
+	set_global_transform(transform_at(frame));
 	// Read back rather than remembered: under a transformed parent it may differ in the last digit,
 	// and such a digit must not look like a move by the user.
 	known_transform_ = get_global_transform();

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/creator/soft_body_creator.h"
+#include "core/model/body_frame.h"
 #include "core/model/contact.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/world_data.h"
@@ -401,7 +402,7 @@ private:
 	void update_proxy_presence();
 	void apply_exceptions();
 	softbody::Real proxy_inset() const;
-	Transform2D body_transform() const;
+	Transform2D transform_at(const softbody::BodyFrame &p_frame) const;
 	void update_topology();
 
 	// Pins, in soft_body_2d_pins.cpp.
