@@ -89,6 +89,23 @@ std::optional<PointContact> swept_segment(const ConvexCollider &collider, Vec2 f
 	return PointContact{ normal, radius - dot(normal, to - a) };
 }
 
+bool is_inner(const ConvexCollider &collider, std::size_t edge) {
+	return edge < 32 && (collider.inner_edges >> edge & 1) != 0;
+}
+
+// The nearest of the faces that are not against a neighbour. A polygon that has no such face is like any other.
+SurfaceDistance way_out(const ConvexCollider &collider, Vec2 p) {
+	SurfaceDistance nearest{ -std::numeric_limits<Real>::max(), {} };
+	for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
+		const Vec2 normal = face_normal(collider.vertices, i);
+		const Real distance = dot(normal, p - collider.vertices[i]);
+		if (!is_inner(collider, i) && distance > nearest.distance) {
+			nearest = { distance, normal };
+		}
+	}
+	return length_squared(nearest.normal) > 0 ? nearest : polygon_distance(collider, p);
+}
+
 std::optional<PointContact> polygon_contact(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop) {
 	const std::vector<Vec2> &vertices = collider.vertices;
 	Real enter = 0;
@@ -113,6 +130,9 @@ std::optional<PointContact> polygon_contact(const ConvexCollider &collider, Vec2
 			}
 			leave = std::min(leave, in_front / way);
 		} else {
+			if (is_inner(collider, i)) {
+				continue; // who comes this way comes out of the neighbour
+			}
 			if (in_front > 0 && way > 0 && in_front / way >= enter) {
 				enter = in_front / way;
 				entry_distance = after;
@@ -128,7 +148,7 @@ std::optional<PointContact> polygon_contact(const ConvexCollider &collider, Vec2
 		if (best > -std::numeric_limits<Real>::max()) {
 			return PointContact{ best_normal, collider.radius - best };
 		}
-		const SurfaceDistance surface = surface_distance(collider, to);
+		const SurfaceDistance surface = collider.inner_edges != 0 ? way_out(collider, to) : surface_distance(collider, to);
 		return PointContact{ surface.normal, -surface.distance };
 	}
 	if (enter > 0 && enter < leave) {

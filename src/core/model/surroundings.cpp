@@ -73,19 +73,19 @@ Status check_collider(const ConvexCollider &collider) {
 		return check_above("collider.radius", collider.radius, 0, "");
 	}
 	for (std::size_t i = 0; i < count; ++i) {
-		const std::string name = "collider.vertices[" + std::to_string(i) + "]";
+		const auto name = [i] { return "collider.vertices[" + std::to_string(i) + "]"; };
 		if (!is_finite(vertices[i])) {
-			return Error{ name, "non-finite", "must be finite", "check the computation that produced this value" };
+			return Error{ name(), "non-finite", "must be finite", "check the computation that produced this value" };
 		}
 		if (count > 1 && vertices[i] == vertices[(i + 1) % count]) {
-			return Error{ name, "coincides with the next", "must differ from its neighbours", "remove one of the two" };
+			return Error{ name(), "coincides with the next", "must differ from its neighbours", "remove one of the two" };
 		}
 		// Turning the same way everywhere is not enough: a pentagram does, and winds twice. Seen from one
 		// vertex of a convex polygon the others also follow one another in order.
 		const bool wrong_turn = signed_double_area(vertices[i], vertices[(i + 1) % count], vertices[(i + 2) % count]) < 0;
 		const bool out_of_order = signed_double_area(vertices[0], vertices[i], vertices[(i + 1) % count]) < 0;
 		if (count > 2 && !collider.concave && (wrong_turn || out_of_order)) {
-			return Error{ name, "a corner that turns the wrong way",
+			return Error{ name(), "a corner that turns the wrong way",
 				"must be convex and wind from x towards y (positive signed area)", "mark it concave, or split it" };
 		}
 	}

@@ -61,6 +61,10 @@ struct ConvexCollider {
 	/// beside one of them is left to that one, so that nothing stumbles over the round end at the joint.
 	std::optional<Vec2> joined_at_first = {};
 	std::optional<Vec2> joined_at_second = {};
+	/// Of a convex polygon without rounding: bit i is set where the edge from vertex i lies against that of a neighbour, as
+	/// between tiles or the pieces of a larger polygon. No point comes or goes through it, so that none is pushed from one
+	/// piece into the next. Edges from vertex 32 on cannot be named. See `mark_inner_edges`.
+	std::uint32_t inner_edges = 0;
 
 	/// Holds from one side only: the direction out of the side that holds, a unit vector in the frame of the vertices, or
 	/// zero for an ordinary collider. A soft body that comes from the front is held, however fast; one that comes from
