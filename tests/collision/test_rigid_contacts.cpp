@@ -548,3 +548,45 @@ TEST_CASE("any number of threads gives the same bits with rigid bodies pushed by
 		}
 	}
 }
+
+TEST_CASE("what holds a rigid body takes its share of a push, and of none that lifts it") {
+	for (const Real share : { Real(0), Real(0.25), Real(0.5), Real(1) }) {
+		for (const bool is_from_above : { true, false }) {
+			CAPTURE(share);
+			CAPTURE(is_from_above);
+			const Real speed = is_from_above ? Real(10) : Real(-10);
+			WorldData world = particle_world({ 0, is_from_above ? Real(-0.99) : Real(0.99) }, { 0, speed }, 1, 0, 0);
+			RigidBody box = box_body({ 0, 0 }, 2, { 1, 1 });
+			box.support = { 0, -share };
+			const std::uint32_t index = add_rigid(world, box, { box_collider({}, { 1, 1 }) });
+			Simulator(world).simulate(Real(0.001));
+			// Inelastic, against a mass of 2 / (1 - share); the particle weighs a quarter.
+			const double mass = world.soft_bodies()[0].shape().masses()[0];
+			const double held = is_from_above ? double(share) : 0;
+			const double impulse = double(speed) / (1 / mass + (1 - held) / 2);
+			CHECK(double(world.reactions()[index].impulse.y) == doctest::Approx(impulse).epsilon(1e-4));
+			CHECK(double(world.rigid_bodies()[index].linear_velocity.y) == doctest::Approx(impulse * (1 - held) / 2).epsilon(1e-4));
+			CHECK(double(world.soft_bodies()[0].velocities()[0].y) == doctest::Approx(double(speed) - impulse / mass).epsilon(1e-4).scale(10));
+		}
+	}
+}
+
+TEST_CASE("a support takes no push across it, and can keep a body from turning") {
+	for (const Real turn_support : { Real(0), Real(1) }) {
+		WorldData world = particle_world({ Real(-0.99), Real(-0.5) }, { 10, 0 }, 1, 0, 0);
+		RigidBody box = box_body({ 0, 0 }, 2, { 1, 1 });
+		box.support = { Real(-0.6), Real(-0.8) }; // leans against the push with 0.6 of its direction
+		box.turn_support = turn_support;
+		const std::uint32_t index = add_rigid(world, box, { box_collider({}, { 1, 1 }) });
+		Simulator(world).simulate(Real(0.001));
+		const double mass = world.soft_bodies()[0].shape().masses()[0];
+		const double inertia = 1 / double(box.inverse_inertia);
+		const double lever = 0.5;
+		const double impulse = 10 / (1 / mass + (1 - 0.36) / 2 + (1 - double(turn_support)) * lever * lever / inertia);
+		CHECK(double(world.reactions()[index].impulse.x) == doctest::Approx(impulse).epsilon(1e-3));
+		CHECK((world.rigid_bodies()[index].angular_velocity == 0) == (turn_support == 1));
+		// Along the support it has got nothing.
+		const Vec2 velocity = world.rigid_bodies()[index].linear_velocity;
+		CHECK(std::abs(double(dot(velocity, box.support))) < 1e-4);
+	}
+}

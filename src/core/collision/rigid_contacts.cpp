@@ -37,7 +37,7 @@ void RigidContacts::begin_substep(Real h) {
 		RigidBody &rigid = rigid_bodies[i];
 		if (rigid.is_dynamic()) {
 			from_[i] = rigid.pose;
-			rigid.pose = rigid.pose_after(h);
+			rigid.pose = rigid.asleep ? rigid.pose : rigid.pose_after(h);
 			rigid.linear_velocity += rigid.acceleration * h;
 			pull = std::max(pull, length(rigid.acceleration));
 		}
@@ -123,6 +123,13 @@ std::uint64_t RigidContacts::answer(const ParallelFor &parallel_for) {
 	return contacts_.size();
 }
 
+// A held body has less inverse mass along s, the direction in which it is held, by the share a: W = (1 - a s sᵀ) / m. So a
+// contact that presses the body against its support finds it there, where with the mass alone the two would sink together
+// until the engine puts the body back. With h = s sqrt(a), W x = (x - h (h · x)) / m.
+Vec2 RigidContacts::mobility_along(const Contact &contact, Vec2 impulse) const {
+	return (impulse - contact.held * dot(contact.held, impulse)) * world_->rigid_bodies()[contact.rigid_body].inverse_mass;
+}
+
 // An impulse J n on the place and its opposite on the rigid body change their relative normal velocity by J k with
 // k = w + 1/m + (r × n)² / I; w = w_a (1-t)² + w_b t² as in `answer_contact`.
 void RigidContacts::prepare(Contact &contact) {
@@ -136,11 +143,18 @@ void RigidContacts::prepare(Contact &contact) {
 	contact.mobility = std::max(contact.mobility_a * share_a + contact.mobility_b * share_b,
 			LEAST_EDGE_MOBILITY * std::max(inverse_masses[a], inverse_masses[b]));
 	contact.arm = contact.place - rigid.centre();
+	const Real share = length(rigid.support);
+	const bool is_pressed = share > 0 && dot(contact.at.normal, rigid.support) > 0;
+	contact.held = is_pressed ? rigid.support * (1 / std::sqrt(share)) : Vec2{};
+	contact.inverse_inertia = is_pressed ? rigid.inverse_inertia * (1 - rigid.turn_support) : rigid.inverse_inertia;
 	const Real lever = cross(contact.arm, contact.at.normal);
 	const Real side_lever = cross(contact.arm, perpendicular(contact.at.normal));
-	const Real straight = contact.mobility + rigid.inverse_mass;
-	contact.normal_response = straight + rigid.inverse_inertia * lever * lever;
-	contact.tangent_response = straight + rigid.inverse_inertia * side_lever * side_lever;
+	const auto straight = [&](Vec2 direction) {
+		const Real along = dot(contact.held, direction);
+		return contact.mobility + rigid.inverse_mass * (1 - along * along);
+	};
+	contact.normal_response = straight(contact.at.normal) + contact.inverse_inertia * lever * lever;
+	contact.tangent_response = straight(perpendicular(contact.at.normal)) + contact.inverse_inertia * side_lever * side_lever;
 	const Real approach = -dot(relative_velocity(contact), contact.at.normal);
 	contact.wanted = approach > bounce_threshold_ ? contact.restitution * approach : Real(0);
 	// What is about to be reset must not take the rigid body along.
@@ -185,8 +199,8 @@ void RigidContacts::apply(Contact &contact, Vec2 impulse) {
 	RigidBody &rigid = world_->mutable_rigid_bodies()[contact.rigid_body];
 	Reaction &reaction = world_->mutable_reactions()[contact.rigid_body];
 	const Real turning = cross(contact.arm, impulse);
-	rigid.linear_velocity -= impulse * rigid.inverse_mass;
-	rigid.angular_velocity -= turning * rigid.inverse_inertia;
+	rigid.linear_velocity -= mobility_along(contact, impulse);
+	rigid.angular_velocity -= turning * contact.inverse_inertia;
 	reaction.impulse -= impulse;
 	reaction.angular_impulse -= turning;
 }

@@ -32,7 +32,7 @@ public:
 	void add_body(SoftBodyData &body);
 	bool has_bodies() const { return !bodies_.empty(); }
 
-	/// Moves the dynamic bodies by `h` [s], then gives them their acceleration; the contacts of the substep come
+	/// Moves the dynamic bodies that do not sleep by `h` [s], then gives them their acceleration; the contacts of the substep come
 	/// last. In this order a body at rest does not sink by what it gains between two contacts.
 	void begin_substep(Real h);
 	/// Answers every contact of the substep. Returns how many. O(points of the bodies added × colliders near).
@@ -60,6 +60,8 @@ private:
 		Vec2 place; ///< where it was found
 		Vec2 belt; ///< velocity of the collider's surface beyond that of its body [length/s]
 		Vec2 arm; ///< from the rigid body's centre of mass
+		Vec2 held; ///< the direction in which the rigid body is held, times the root of the share that is taken
+		Real inverse_inertia = 0; ///< of the rigid body, as held
 		Real friction = 0;
 		Real restitution = 0;
 		Real mobility_a = 0; ///< share times inverse mass of the ends of the place
@@ -82,6 +84,7 @@ private:
 	void push(Contact &contact);
 	void apply(Contact &contact, Vec2 impulse);
 	Vec2 relative_velocity(const Contact &contact) const;
+	Vec2 mobility_along(const Contact &contact, Vec2 impulse) const;
 	void note(const Contact &contact);
 
 	WorldData *world_ = nullptr;

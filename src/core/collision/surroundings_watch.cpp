@@ -121,9 +121,16 @@ void SurroundingsWatch::update(const SurroundingsIndex &index) {
 // A sum, so that the order of the world's list does not matter.
 std::uint64_t SurroundingsWatch::describe(const SurroundingsIndex &index, const Aabb &box) {
 	std::uint64_t sum = hash_of_borders(index.world());
+	const WorldData &world = index.world();
 	index.collect(box, near_);
 	for (const std::uint32_t i : near_) {
-		sum += hash_in_place(index.world(), index.world().colliders()[i]);
+		sum += hash_in_place(world, world.colliders()[i]);
+	}
+	index.collect_dynamic(box, near_);
+	for (const std::uint32_t i : near_) {
+		if (world.rigid_bodies()[world.colliders()[i].rigid_body].asleep) {
+			sum += hash_in_place(world, world.colliders()[i]);
+		}
 	}
 	return sum;
 }

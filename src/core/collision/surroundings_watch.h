@@ -23,8 +23,8 @@ public:
 	std::span<const Aabb> changed_boxes() const { return changed_; }
 	/// Those of them that move now.
 	std::span<const Aabb> moving_boxes() const { return { changed_.data(), moving_ }; }
-	/// What is around a box now, as a number that stays the same while that does: colliders that stand still or are
-	/// kinematic, and borders. O(colliders near).
+	/// What is around a box now, as a number that stays the same while that does: colliders that stand still,
+	/// are kinematic or belong to rigid bodies that sleep, and borders. O(colliders near).
 	std::uint64_t describe(const SurroundingsIndex &index, const Aabb &box);
 
 private:

@@ -150,7 +150,7 @@ bool JointSolver::wake_joined() {
 			// Who rests on what moves does not rest. A dynamic body would fall, held by one that is not looked at.
 			const RigidBody &rigid = world_->rigid_bodies()[other.rigid];
 			const Vec2 at = rigid.pose.apply(other.position);
-			if (rigid.is_dynamic() || rigid.linear_velocity != Vec2{} || rigid.angular_velocity != 0 ||
+			if ((rigid.is_dynamic() && !rigid.asleep) || rigid.linear_velocity != Vec2{} || rigid.angular_velocity != 0 ||
 					at != last_at_[active.joint]) {
 				wake(side);
 				side.body->wake();

@@ -245,32 +245,49 @@ void Simulator::wake_in(std::span<const Aabb> boxes) {
 	take_over_sleepers(false);
 }
 
-// Which bodies may meet a rigid body that they push back. None of them sleeps: what rests on it would sink in.
+// Which bodies may meet a rigid body that they push back. Beside one that sleeps they may sleep as well, and what is beside
+// the same one sleeps and wakes together; beside one that is awake nobody sleeps, or what rests on it would sink in.
 void Simulator::find_rigid_contacts(Real dt) {
 	rigid_contacts_.begin_step(world_, surroundings_);
 	rigid_contact_count_ = 0;
 	has_rigid_body_.clear();
+	restless_.clear();
+	beside_rigid_.clear();
 	if (!surroundings_.has_dynamic_colliders()) {
 		return;
 	}
 	const std::size_t count = touching_.size();
 	has_rigid_body_.assign(count, 0);
+	restless_.assign(count, 0);
 	run_slices(parallel_for_, count, BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			has_rigid_body_[i] =
 					surroundings_.has_dynamic_collider_in(sweep_box(touching_[i].hull(), touching_[i].velocities, dt));
 		}
 	});
-	for (std::size_t i = 0; sleepers_.count() > 0 && i < count; ++i) {
-		if (has_rigid_body_[i] && sleepers_[i]) {
-			SoftBodyData &body = world_.soft_bodies()[places_[i]];
+	for (std::uint32_t i = 0; i < count; ++i) {
+		if (has_rigid_body_[i] == 0) {
+			continue;
+		}
+		surroundings_.collect_dynamic(sweep_box(touching_[i].hull(), touching_[i].velocities, dt), near_colliders_);
+		for (const std::uint32_t collider : near_colliders_) {
+			const std::uint32_t rigid = world_.colliders()[collider].rigid_body;
+			restless_[i] |= char(!world_.rigid_bodies()[rigid].asleep);
+			beside_rigid_.push_back({ rigid, i });
+		}
+		SoftBodyData &body = world_.soft_bodies()[places_[i]];
+		if (sleepers_[i] && restless_[i] != 0) {
 			body.wake();
-			if (body.is_frozen()) {
-				rigid_contacts_.add_body(body); // it is in no crew that is stepped
-			}
+		}
+		if (body.is_frozen()) {
+			rigid_contacts_.add_body(body); // it is in no crew that is stepped
 		}
 	}
 	take_over_sleepers(false);
+	std::ranges::sort(beside_rigid_);
+	for (const auto &[rigid, row] : beside_rigid_) {
+		world_.mutable_reactions()[rigid].beside_sleeper |= sleepers_[row] && !world_.soft_bodies()[places_[row]].is_frozen();
+	}
 }
 
 StepReport Simulator::simulate(Real dt) {
@@ -505,8 +522,15 @@ void Simulator::take_over_sleepers(bool is_rearranged) {
 }
 
 void Simulator::let_sleep() {
-	sleepers_.let_sleep(world_, places_, pair_contacts_.pairs(), pair_contacts_.touched(), joint_solver_.joined(),
-			has_rigid_body_, [this](std::uint32_t row, bool awake) {
+	joined_.assign(joint_solver_.joined().begin(), joint_solver_.joined().end());
+	for (std::size_t i = 1; i < beside_rigid_.size(); ++i) {
+		const auto &[rigid, row] = beside_rigid_[i];
+		if (rigid == beside_rigid_[i - 1].first && row != beside_rigid_[i - 1].second) {
+			joined_.push_back({ beside_rigid_[i - 1].second, row });
+		}
+	}
+	sleepers_.let_sleep(world_, places_, pair_contacts_.pairs(), pair_contacts_.touched(), joined_, restless_,
+			[this](std::uint32_t row, bool awake) {
 				note_awake(row, awake);
 				world_.soft_bodies()[places_[row]].rest_state().surroundings = watch_.describe(surroundings_, rest_box(row));
 			});

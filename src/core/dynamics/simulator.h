@@ -20,6 +20,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace softbody {
@@ -131,6 +132,10 @@ private:
 	std::vector<Vec2> swept_from_; ///< hull points of all bodies when they last had looked at the surroundings
 	std::vector<std::size_t> first_hull_point_; ///< in the two above
 	std::vector<char> has_rigid_body_; ///< near it; empty when nothing can be pushed
+	std::vector<char> restless_; ///< who is near one that is awake; likewise
+	std::vector<std::pair<std::uint32_t, std::uint32_t>> beside_rigid_; ///< rigid bodies and the rows near them, in order
+	std::vector<std::uint32_t> near_colliders_;
+	std::vector<BodyPair> joined_; ///< who sleeps and wakes together without touching
 	std::vector<std::uint32_t> places_; ///< in the world, ascending
 	std::vector<std::uint32_t> row_of_; ///< the other way round
 	std::vector<std::uint32_t> crew_of_;

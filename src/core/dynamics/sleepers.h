@@ -34,8 +34,8 @@ public:
 	void take_over(WorldData &world, std::span<const std::uint32_t> places, bool is_new, const OnChange &on_change);
 
 	/// After a step: whom somebody awake has touched is woken for the next one, and islands at rest fall asleep. `pairs`
-	/// with `touched` are the contacts of the step, `joined` those that joints hold together. Bodies whose `restless` is set (or nobody, if it is empty) stay awake.
-	/// O(bodies + pairs).
+	/// with `touched` are the contacts of the step, `joined` those that joints hold together or that lie beside one rigid
+	/// body. Bodies whose `restless` is set (or nobody, if it is empty) stay awake. O(bodies + pairs).
 	void let_sleep(WorldData &world, std::span<const std::uint32_t> places, std::span<const BodyPair> pairs,
 			std::span<const char> touched, std::span<const BodyPair> joined, std::span<const char> restless,
 			const OnChange &on_change);

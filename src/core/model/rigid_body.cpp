@@ -68,6 +68,13 @@ Status check_rigid_body(const RigidBody &body) {
 	if (!is_finite(body.acceleration)) {
 		return refuse("rigid_body.acceleration");
 	}
+	if (!(length(body.support) <= Real(1.001))) { // NaN compares false
+		return Error{ "rigid_body.support", "length " + number_text(length(body.support)), "must be a vector of length 0 to 1",
+			"give the share of a push that the support takes, along the direction in which it holds" };
+	}
+	if (Status status = check_between("rigid_body.turn_support", body.turn_support, 0, 1, "")) {
+		return status;
+	}
 	if (Status status = check_at_least("rigid_body.inverse_mass", body.inverse_mass, 0, "")) {
 		return status;
 	}

@@ -27,6 +27,16 @@ struct RigidBody {
 	/// Names the body for joints (JointAnchor::tag), however often the surroundings are made anew. 0: no joint knows it.
 	std::uint64_t tag = 0;
 
+	/// What holds a dynamic body besides soft bodies, such as a floor that only the engine knows: the direction in which it is
+	/// held, as long as the share of a push that is taken, 0..1. Soft bodies that push it against this direction find it so
+	/// much heavier; what they give it is handed back in full. Zero: nothing is known to hold it.
+	Vec2 support;
+	/// The share of such a push that does not turn it, 0..1.
+	Real turn_support = 0;
+	/// The engine that a dynamic body comes from lets it sleep: it stays where it is during the step, and soft bodies may
+	/// fall asleep beside it, or wake with it. What they give it is handed back as ever.
+	bool asleep = false;
+
 	bool is_dynamic() const { return inverse_mass > 0 || inverse_inertia > 0; }
 	/// Centre of mass in the world [length].
 	Vec2 centre() const { return pose.apply(centre_of_mass); }
@@ -42,6 +52,8 @@ struct RigidBody {
 struct Reaction {
 	Vec2 impulse; ///< [mass·length/s]
 	Real angular_impulse = 0; ///< about the centre of mass [mass·length²/s]
+	/// A soft body that sleeps is beside it, which is not looked at: it holds the rigid body as it did when it fell asleep.
+	bool beside_sleeper = false;
 };
 
 /// The kinematic body that goes from one pose to the other in `dt` [s], the shorter way round.
