@@ -71,8 +71,13 @@ func test_the_demo_obeys_mouse_and_key() -> void:
 	var motion := InputEventMouseMotion.new()
 	motion.position = start + Vector2(20, -50)
 	tree.root.push_input(motion, true)
-	await seconds(3)
-	check_near(body.get_center_of_mass_position(), motion.position, 40, "the dragged body and the mouse")
+	await seconds(2)
+	# It hangs on the mouse and wobbles, so its place over a second counts.
+	var sum := Vector2.ZERO
+	for i in 60:
+		await ticks(1)
+		sum += body.get_center_of_mass_position()
+	check_near(sum / 60, motion.position, 40, "the dragged body and the mouse")
 	_push_mouse(motion.position, false)
 	await seconds(1)
 	check_above(body.get_center_of_mass_position().y, start.y, "y of the body that was let go")
