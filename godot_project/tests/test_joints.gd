@@ -51,6 +51,62 @@ func test_a_joint_to_a_rigid_body_follows_it() -> void:
 	check_below(joint.get_anchor_a().distance_to(joint.get_anchor_b()), 15, "gap of the joint")
 
 
+func _add_crate(position: Vector2, mass := 1.0) -> RigidBody2D:
+	var crate := RigidBody2D.new()
+	var shape := CollisionShape2D.new()
+	shape.shape = rectangle(40, 40)
+	crate.add_child(shape)
+	crate.position = position
+	crate.mass = mass
+	crate.linear_damp_mode = RigidBody2D.DAMP_MODE_REPLACE
+	crate.angular_damp_mode = RigidBody2D.DAMP_MODE_REPLACE
+	stage.add_child(crate)
+	return crate
+
+
+func test_a_joint_to_a_rigid_body_pulls_both_ways() -> void:
+	for mass: float in [0.2, 1.0, 5.0]:
+		var body := add_weightless_body(Vector2.ZERO)
+		var crate := _add_crate(Vector2(90, 0), mass)
+		crate.gravity_scale = 0
+		var joint := join(Vector2(60, 0), body, crate)
+		await ticks(5)
+		crate.linear_velocity = Vector2(100, 0)
+		await seconds(2)
+		# Together they go on with what one had.
+		var momentum := crate.linear_velocity * mass + body.linear_velocity * body.mass
+		check_near(momentum.x, 100.0 * mass, 1.0 * mass, "momentum of a pair with a crate of %s kg" % mass)
+		check_near(body.get_center_of_mass_position().x + mass * (crate.position.x - 90), 200.0 * mass, 6.0 * mass,
+				"way of the centre of mass of both, times the mass, with a crate of %s kg" % mass)
+		check_below(joint.get_anchor_a().distance_to(joint.get_anchor_b()), 10 + 2, "gap of the joint to a crate of %s kg" % mass)
+		body.free()
+		crate.free()
+		joint.free()
+
+
+## A crate far below, where no soft body comes near it, on a line.
+func test_a_crate_hangs_on_a_soft_body() -> void:
+	for rigid: bool in [true, false]:
+		var body := add_body(Vector2.ZERO)
+		join(Vector2(0, -50), body, null)
+		var crate := _add_crate(Vector2(0, 1500), 0.5)
+		var joint := join(Vector2(0, 50), body, crate, { "rigid": rigid, "length": 1430.0, "stiffness": 200.0, "damping": 2.0 })
+		joint.position = Vector2(0, 1480)
+		await seconds(10)
+		check_below(crate.linear_velocity.length(), 5, "speed of the hanging crate")
+		# A spring of 200 N/m is stretched by 0.5 * 980 / 200 px.
+		var gap := joint.get_anchor_a().distance_to(joint.get_anchor_b())
+		check_near(gap, 1430.0 if rigid else 1430 + 0.5 * GRAVITY / 200, 2, "length of the line, rigid: %s" % rigid)
+		check_near(crate.global_position.x, 0.0, 2, "x of the hanging crate")
+		_clear()
+		await ticks(2)
+
+
+func _clear() -> void:
+	for node in stage.get_children():
+		node.free()
+
+
 func test_a_joint_that_breaks_says_so_once_and_can_be_mended() -> void:
 	var body := add_body(Vector2.ZERO)
 	var weight := 1.0 * GRAVITY

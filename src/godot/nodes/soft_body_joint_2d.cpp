@@ -8,6 +8,7 @@
 #include "godot/server/soft_body_server_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/rigid_body2d.hpp>
 #include <godot_cpp/classes/world2d.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -47,6 +48,12 @@ JointAnchor nearest_anchor(const softbody::SoftBodyData &p_body, softbody::Vec2 
 		}
 	}
 	return anchor;
+}
+
+// Null for what no joint can move.
+const RigidBody2D *as_free_rigid_body(Object *p_node) {
+	const RigidBody2D *rigid = Object::cast_to<RigidBody2D>(p_node);
+	return rigid != nullptr && rigid->is_inside_tree() && !rigid->is_freeze_enabled() ? rigid : nullptr;
 }
 
 bool same_anchor(const JointAnchor &p_a, const JointAnchor &p_b) {
@@ -160,7 +167,7 @@ std::optional<JointAnchor> SoftBodyJoint2D::present_anchor(const End &p_end) con
 	if (p_end.node == 0) {
 		return JointAnchor::at_place(to_core(p_end.position));
 	}
-	const Node2D *node = Object::cast_to<Node2D>(ObjectDB::get_instance(p_end.node));
+	Node2D *node = Object::cast_to<Node2D>(ObjectDB::get_instance(p_end.node));
 	if (node == nullptr || !node->is_inside_tree()) {
 		return std::nullopt;
 	}
@@ -173,7 +180,19 @@ std::optional<JointAnchor> SoftBodyJoint2D::present_anchor(const End &p_end) con
 		anchor.body = soft->get_body_id();
 		return anchor;
 	}
+	if (as_free_rigid_body(node) != nullptr) {
+		return JointAnchor::on_rigid_body(p_end.node, to_core(p_end.position));
+	}
 	return JointAnchor::at_place(softbody::to_core_pose(node->get_global_transform()).apply(to_core(p_end.position)));
+}
+
+RID SoftBodyJoint2D::get_rigid_body() const {
+	for (const std::optional<End> &end : ends_) {
+		if (const RigidBody2D *rigid = end ? as_free_rigid_body(ObjectDB::get_instance(end->node)) : nullptr) {
+			return rigid->get_rid();
+		}
+	}
+	return RID();
 }
 
 Vector2 SoftBodyJoint2D::place_of(const std::optional<End> &p_end) const {

@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/rid.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -55,6 +56,8 @@ public:
 
 	// For the space.
 	softbody::JointId get_joint_id() const { return id_; }
+	/// The RigidBody2D that it pulls, which must then be among the surroundings; invalid if it pulls none.
+	RID get_rigid_body() const;
 	/// Before a step: makes the joint if its ends have come, follows what was changed.
 	void prepare_step();
 	/// The core's joint is no more.

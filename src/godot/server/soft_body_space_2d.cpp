@@ -13,7 +13,6 @@
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 using namespace godot;
@@ -24,18 +23,6 @@ namespace {
 
 // How many bodies with dents are shown to the engine as they are without need. The others are shown without their dents.
 constexpr int MAX_DETAILED_PROXIES = 16;
-
-// How far a body may get in one step [px]: its fastest point plus what gravity adds, and a margin for
-// points that the springs throw ahead.
-Aabb reach_of(const SoftBodyData &p_body, Vec2 p_gravity, double p_delta) {
-	Real fastest = 0;
-	for (const Vec2 velocity : p_body.velocities()) {
-		fastest = std::max(fastest, length_squared(velocity));
-	}
-	const Real delta = Real(p_delta);
-	const Real way = (std::sqrt(fastest) + length(p_gravity) * delta) * delta;
-	return bounding_box(p_body.hull()).grown(way + p_body.shape().radius() / 2);
-}
 
 // Time since it was made or last asked [µs].
 class Stopwatch {
@@ -61,7 +48,7 @@ StepProfile &StepProfile::operator+=(const StepProfile &p_other) {
 }
 
 SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for) :
-		space_(p_space), simulator_(world_, std::move(p_parallel_for)) {
+		space_(p_space), simulator_(world_, std::move(p_parallel_for)), reader_(p_space) {
 	world_.set_length_unit(PIXELS_PER_METRE); // tolerances of the core scale with it
 	read_gravity(); // a first step that brought it would wake those who start asleep
 }
@@ -130,21 +117,10 @@ void SoftBodySpace2D::read_gravity() {
 }
 
 void SoftBodySpace2D::read_surroundings(double p_delta) {
-	reader_.begin(world_);
 	PhysicsDirectSpaceState2D *state = PhysicsServer2D::get_singleton()->space_get_direct_state(space_);
-	ERR_FAIL_NULL_MSG(state, "SoftBody2D: the physics space cannot be read now; this tick has no surroundings.");
-	if (known_proxies_ != hull_proxies_version()) {
-		known_proxies_ = hull_proxies_version();
-		TypedArray<RID> proxies;
-		for_nodes([&](SoftBody2D &r_node) { proxies.push_back(r_node.get_rid()); });
-		reader_.set_excluded(proxies);
-	}
-	for_nodes([&](SoftBody2D &r_node) {
-		const SoftBodyData *body = world_.find(r_node.get_body_id());
-		if (body != nullptr && body->is_active()) {
-			reader_.read(state, reach_of(*body, world_.gravity(), p_delta), body->settings().collision_mask, r_node.proxy(), world_);
-		}
-	});
+	ERR_FAIL_NULL_MSG(state, "SoftBody2D: the physics space cannot be read now; this tick has the surroundings of the last.");
+	reader_.read(state, joined_, p_delta, world_);
+	tell_proxies();
 }
 
 void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
@@ -152,8 +128,12 @@ void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	read_gravity();
 	stepping_ = true;
 	for_nodes([](SoftBody2D &r_node) { r_node.prepare_step(); });
+	joined_.clear();
 	for (SoftBodyJoint2D *joint : joints_) {
 		joint->prepare_step();
+		if (const RID rigid_body = joint->get_rigid_body(); rigid_body.is_valid()) {
+			joined_.push_back(rigid_body);
+		}
 	}
 	tick_++;
 	for_nodes([&](SoftBody2D &r_node) { r_node.feel_areas(space_effects_, tick_); });
@@ -161,6 +141,7 @@ void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	read_surroundings(p_delta);
 	profile_.surroundings = watch.lap();
 	const StepReport report = simulator_.simulate(Real(p_delta));
+	reader_.give_back(world_, p_delta);
 	profile_.simulate = watch.lap();
 	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
 	awake_body_count_ = count_awake();
@@ -173,6 +154,7 @@ void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });
 	profile_.finish = watch.lap();
 	move_proxies();
+	reader_.keep_asleep();
 	profile_.proxies = watch.lap();
 	stepping_ = false;
 	close_gaps();
@@ -181,6 +163,18 @@ void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	}
 	collect_signals(r_signals);
 	profile_.finish += watch.lap();
+}
+
+void SoftBodySpace2D::tell_proxies() {
+	if (!reader_.has_moving()) {
+		return;
+	}
+	const SoftBodyData *first = world_.soft_bodies().data();
+	for_nodes([&](SoftBody2D &r_node) {
+		if (const SoftBodyData *body = world_.find(r_node.get_body_id())) {
+			reader_.tell(std::size_t(body - first), r_node.proxy());
+		}
+	});
 }
 
 void SoftBodySpace2D::move_proxies() {

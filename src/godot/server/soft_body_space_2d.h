@@ -59,8 +59,8 @@ public:
 	void remove(godot::SoftBody2D *p_node);
 	void add_joint(godot::SoftBodyJoint2D *p_node);
 	void remove_joint(godot::SoftBodyJoint2D *p_node);
-	/// Reads gravity and surroundings, steps the core by `p_delta` [s], hands the result to the nodes. What is to be told
-	/// of it is added to the signals.
+	/// Reads gravity and surroundings, steps the core by `p_delta` [s], hands the result to the nodes and to the rigid
+	/// bodies of the engine. What is to be told of it is added to the signals.
 	void step(double p_delta, BodySignals &r_signals);
 
 private:
@@ -80,6 +80,7 @@ private:
 	void read_gravity();
 	void read_surroundings(double p_delta);
 	void collect_signals(BodySignals &r_signals);
+	void tell_proxies();
 	void move_proxies();
 	godot::SoftBody2D *node_of(BodyId p_id) const;
 
@@ -88,7 +89,7 @@ private:
 	Simulator simulator_;
 	SurroundingsReader reader_;
 	AreaEffects space_effects_; ///< where no area is
-	uint64_t known_proxies_ = 0; ///< `hull_proxies_version` when the reader was last told which they are
+	std::vector<godot::RID> joined_; ///< bodies of the engine at the ends of joints
 	uint64_t tick_ = 0;
 	std::vector<godot::SoftBody2D *> nodes_;
 	std::vector<godot::SoftBodyJoint2D *> joints_;

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
+#include <unordered_map>
 
 using namespace godot;
 
@@ -34,8 +34,8 @@ constexpr int SMOOTH_FOLLOWS = 30;
 constexpr Real SPEED_TOLERANCE = 3;
 constexpr Real SPIN_TOLERANCE = Real(0.05);
 
-std::unordered_set<std::int64_t> proxies;
-std::uint64_t version = 0;
+std::unordered_map<std::int64_t, RID> proxies; // by id
+std::uint64_t made = 0;
 
 // Outward unit normals of a hull's corners: between those of the two edges.
 std::vector<Vec2> corner_normals(std::span<const Vec2> hull) {
@@ -58,8 +58,18 @@ bool is_hull_proxy(const RID &body) {
 	return proxies.contains(body.get_id());
 }
 
-std::uint64_t hull_proxies_version() {
-	return version;
+std::size_t hull_proxy_count() {
+	return proxies.size();
+}
+
+void append_hull_proxies(TypedArray<RID> &list) {
+	for (const auto &[id, proxy] : proxies) {
+		list.push_back(proxy);
+	}
+}
+
+std::uint64_t hull_proxies_made() {
+	return made;
 }
 
 // Exchanged shapes wait in a list that the engine goes through before it steps or moves a body, but not before it is
@@ -74,7 +84,6 @@ HullProxy::~HullProxy() {
 		return;
 	}
 	proxies.erase(rid_.get_id());
-	++version;
 	server->free_rid(rid_);
 	drop_slots(0);
 }
@@ -85,8 +94,8 @@ RID HullProxy::rid() {
 		rid_ = server->body_create();
 		server->body_set_mode(rid_, PhysicsServer2D::BODY_MODE_KINEMATIC);
 		server->body_set_collision_mask(rid_, 0);
-		proxies.insert(rid_.get_id());
-		++version;
+		proxies.emplace(rid_.get_id(), rid_);
+		++made;
 	}
 	return rid_;
 }
@@ -105,7 +114,6 @@ void HullProxy::enter(const RID &space, const SoftBodyData &body, Real inset) {
 	placed_ = false;
 	follow(body, inset, false);
 	PhysicsServer2D::get_singleton()->body_set_space(rid(), space);
-	++version;
 }
 
 void HullProxy::leave() {
@@ -116,7 +124,6 @@ void HullProxy::leave() {
 	PhysicsServer2D::get_singleton()->body_set_space(rid_, RID());
 	begin_near();
 	end_near();
-	++version;
 }
 
 // Slots that are there already are kept, so that areas do not see the body leave and come back as it changes its size.

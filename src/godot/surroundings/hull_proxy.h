@@ -8,7 +8,9 @@
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -116,9 +118,11 @@ private:
 
 /// Whether this body of the physics server is a soft body's proxy: who reads surroundings leaves it out.
 bool is_hull_proxy(const godot::RID &body);
-
-/// Another number whenever a proxy comes or goes.
-std::uint64_t hull_proxies_version();
+/// How many there are, and all of them.
+std::size_t hull_proxy_count();
+void append_hull_proxies(godot::TypedArray<godot::RID> &list);
+/// How many there have ever been.
+std::uint64_t hull_proxies_made();
 
 /// Has the engine take note of all polygons changed since. `any` is the RID of any proxy.
 void flush_hull_proxies(const godot::RID &any);

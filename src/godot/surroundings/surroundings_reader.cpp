@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Reads the static shapes near soft bodies from Godot's physics server.
+// Hands the bodies of Godot's physics server to the core, and what soft bodies did to them back.
 #include "godot/surroundings/surroundings_reader.h"
 
+#include "core/model/inner_edges.h"
 #include "godot/convert.h"
+#include "godot/surroundings/hull_proxy.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/core/error_macros.hpp>
-#include <godot_cpp/core/math.hpp>
-#include <godot_cpp/variant/dictionary.hpp>
-#include <godot_cpp/variant/rect2.hpp>
-#include <godot_cpp/variant/typed_array.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
+#include <unordered_map>
 
 using namespace godot;
 
@@ -21,191 +18,343 @@ namespace softbody {
 
 namespace {
 
-// More shapes than this around one body are ignored; the query needs some bound.
-constexpr int MAX_SHAPES = 256;
+// Shapes that are read again each tick, to notice that one of them, or a material, was changed. More: changes
+// are noticed sooner, for about a microsecond each.
+constexpr int REREAD_SHAPES = 16;
 
-// Points of a half circle where a circle is squeezed by a scale that differs along x and y.
-constexpr int ARC_POINTS = 16;
+// Bodies that are looked at each tick, to notice that one of them is gone or has other shapes. More: that is noticed sooner,
+// for a fifth of a microsecond each.
+constexpr int LOOKS = 160;
 
-Surface read_surface(const RID &p_body, const Transform2D &p_transform) {
-	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
-	// PhysicsMaterial hands "rough" and "absorbent" to the server as a negative sign.
-	const double friction = server->body_get_param(p_body, PhysicsServer2D::BODY_PARAM_FRICTION);
-	const double bounce = server->body_get_param(p_body, PhysicsServer2D::BODY_PARAM_BOUNCE);
-	Surface surface;
-	surface.friction = Real(Math::abs(friction));
-	surface.rough = friction < 0;
-	surface.restitution = Real(std::clamp(Math::abs(bounce), 0.0, 1.0));
-	surface.absorbent = bounce < 0;
-	surface.linear_velocity = to_core(Vector2(server->body_get_state(p_body, PhysicsServer2D::BODY_STATE_LINEAR_VELOCITY)));
-	surface.angular_velocity = Real(double(server->body_get_state(p_body, PhysicsServer2D::BODY_STATE_ANGULAR_VELOCITY)));
-	surface.velocity_origin = to_core(p_transform.get_origin());
-	surface.layer = server->body_get_collision_layer(p_body);
-	surface.tag = server->body_get_object_instance_id(p_body);
-	return surface;
-}
+// Ticks after which bodies that are no longer near are forgotten. Shorter: what goes to and fro is read again and again.
+constexpr int64_t FORGET_INTERVAL = 64;
 
-void add_outline(std::vector<Vector2> p_points, const Transform2D &p_transform, Real p_radius,
-		const Surface &p_surface, WorldData &r_world) {
-	ConvexCollider collider;
-	collider.radius = p_radius;
-	collider.surface = p_surface;
-	for (const Vector2 &point : p_points) {
-		const Vec2 vertex = to_core(p_transform.xform(point));
-		if (collider.vertices.empty() || !(collider.vertices.back() == vertex)) {
-			collider.vertices.push_back(vertex);
-		}
-	}
-	if (collider.vertices.size() > 1 && collider.vertices.front() == collider.vertices.back()) {
-		collider.vertices.pop_back();
-	}
-	if (collider.vertices.size() > 2 && signed_area(collider.vertices) < 0) {
-		std::reverse(collider.vertices.begin(), collider.vertices.end());
-	}
-	if (const Status status = r_world.add_collider(std::move(collider))) {
-		ERR_PRINT_ONCE("SoftBody2D ignores a collision shape: " + to_godot(status->message()));
-	}
-}
+// Bodies that are gone, but may come back, are asked every tick. More of them than this are forgotten.
+constexpr std::size_t MAX_MISSING = 64;
 
-bool has_uniform_scale(const Transform2D &p_transform) {
-	const real_t along = p_transform.columns[0].length();
-	const real_t across = p_transform.columns[1].length();
-	const real_t skew = Math::abs(p_transform.columns[0].dot(p_transform.columns[1]));
-	return Math::abs(along - across) <= 1e-4 * along && skew <= 1e-4 * along * across;
-}
-
-// Circle and capsule are one shape: a core segment of half length `p_half` along y, rounded.
-void add_round(real_t p_radius, real_t p_half, const Transform2D &p_transform, const Surface &p_surface,
-		WorldData &r_world) {
-	if (has_uniform_scale(p_transform)) {
-		std::vector<Vector2> core = { Vector2(0, -p_half) };
-		if (p_half > 0) {
-			core.push_back(Vector2(0, p_half));
-		}
-		add_outline(core, p_transform, Real(p_radius * p_transform.columns[0].length()), p_surface, r_world);
-		return;
-	}
-	std::vector<Vector2> outline;
-	for (int end = 0; end < 2; end++) {
-		for (int i = 0; i <= ARC_POINTS; i++) {
-			const double angle = Math_PI * (end + double(i) / ARC_POINTS);
-			outline.push_back(Vector2(p_radius * std::cos(angle), p_radius * std::sin(angle) + (end == 0 ? p_half : -p_half)));
-		}
-	}
-	add_outline(outline, p_transform, 0, p_surface, r_world);
-}
-
-void add_boundary(const Vector2 &p_normal, real_t p_distance, const Transform2D &p_transform,
-		const Surface &p_surface, WorldData &r_world) {
-	// Under a scale a normal does not transform like a point; two points on the line do.
-	const Vector2 on_line = p_transform.xform(p_normal * p_distance);
-	const Vector2 along = p_transform.basis_xform(p_normal.orthogonal());
-	Vector2 normal = along.orthogonal().normalized();
-	if (normal.dot(p_transform.basis_xform(p_normal)) < 0) {
-		normal = -normal;
-	}
-	if (const Status status = r_world.add_border({ { to_core(on_line), to_core(normal) }, p_surface })) {
-		ERR_PRINT_ONCE("SoftBody2D ignores a world boundary: " + to_godot(status->message()));
-	}
-}
+// How far the corners of two tiles may be apart that lie edge to edge [px]. Larger: gaps are closed that can be seen.
+// Smaller: roundings far from the origin open seams.
+constexpr Real SEAM_TOLERANCE = Real(1) / 16;
 
 } // namespace
 
-SurroundingsReader::SurroundingsReader() {
-	query_shape_ = PhysicsServer2D::get_singleton()->rectangle_shape_create();
-	query_.instantiate();
-	query_->set_shape_rid(query_shape_);
-	query_->set_collide_with_areas(false);
-}
-
 SurroundingsReader::~SurroundingsReader() {
-	query_.unref();
-	if (PhysicsServer2D *server = PhysicsServer2D::get_singleton()) {
-		server->free_rid(query_shape_);
+	if (PhysicsServer2D::get_singleton() != nullptr) {
+		for (auto &[id, body] : bodies_) {
+			body.let_go();
+		}
 	}
 }
 
-void SurroundingsReader::begin(WorldData &r_world) {
+void SurroundingsReader::read(PhysicsDirectSpaceState2D *p_state, const std::vector<RID> &p_joined, double p_delta, WorldData &r_world) {
+	tick_++;
+	search_.follow(r_world, p_delta);
+	take_back();
+	take_joined(p_joined);
+	take_new(p_state);
+	if (tick_ % FORGET_INTERVAL == 0) {
+		forget_far(p_joined);
+	}
+	look_at_some();
+	reread_some();
+	poll(p_delta, r_world);
+	if (!is_handed_over_) {
+		hand_over(p_delta, r_world);
+	}
+	list_moving();
+}
+
+void SurroundingsReader::list_known() {
 	known_.clear();
-	r_world.clear_surroundings();
+	for (const auto &[id, body] : bodies_) {
+		if (body.is_told_by_node()) {
+			known_.push_back(body.rid());
+		}
+	}
+	search_.exclude(known_);
+	missing_.clear();
 }
 
-void SurroundingsReader::read(PhysicsDirectSpaceState2D *p_space, const Aabb &p_box, uint32_t p_mask,
-		HullProxy &r_proxy, WorldData &r_world) {
-	r_proxy.begin_near();
-	if (p_mask == 0) {
-		r_proxy.end_near();
-		return;
+// True if it was not known.
+bool SurroundingsReader::add(const RID &p_body) {
+	if (!bodies_.try_emplace(p_body.get_id(), p_body, space_, tick_).second) {
+		return false;
 	}
-	const Vector2 half = to_godot((p_box.max - p_box.min) * Real(0.5));
-	const Vector2 middle = to_godot((p_box.max + p_box.min) * Real(0.5));
-	PhysicsServer2D::get_singleton()->shape_set_data(query_shape_, half);
-	query_->set_transform(Transform2D(0, middle));
-	query_->set_collision_mask(p_mask);
-	const TypedArray<Dictionary> hits = p_space->intersect_shape(query_, MAX_SHAPES);
-	for (int64_t i = 0; i < hits.size(); i++) {
-		const Dictionary hit = hits[i];
-		const RID body = hit["rid"];
-		if (is_hull_proxy(body)) {
+	are_bodies_listed_ = false;
+	is_handed_over_ = false;
+	return true;
+}
+
+void SurroundingsReader::take_new(PhysicsDirectSpaceState2D *p_state) {
+	if (search_.is_list_due(int64_t(bodies_.size()))) {
+		list_known();
+	}
+	if (search_.is_regrouped() || !are_bodies_listed_) {
+		count_shapes();
+	}
+	found_.clear();
+	search_.find(p_state, found_);
+	int64_t needless = 0;
+	for (const FoundShape &found : found_) {
+		if (is_hull_proxy(found.body)) {
+			needless++;
 			continue;
 		}
-		r_proxy.note_near(body, PhysicsServer2D::get_singleton()->body_get_mode(body));
-		const int shape_index = hit["shape"];
-		if (known_.insert({ body.get_id(), shape_index }).second) {
-			read_shape(body, shape_index, r_world);
+		const bool is_new = add(found.body);
+		BodyRecord &body = bodies_.find(found.body.get_id())->second;
+		needless += int64_t(!is_new && body.is_told_by_node());
+		body.note_seen(found.shape, tick_);
+		if (!body.is_told_by_node() && body.has_other_shapes(tick_)) {
+			body.reread(tick_);
+			is_handed_over_ = false;
+		}
+	}
+	search_.note_needless(needless);
+}
+
+// A body on the list of the known is not found. One that left the space may come back before there is another list.
+void SurroundingsReader::take_back() {
+	for (std::size_t i = 0; i < missing_.size();) {
+		PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+		const bool is_alive = server->body_get_direct_state(missing_[i]) != nullptr;
+		if (is_alive && server->body_get_space(missing_[i]) == space_) {
+			add(missing_[i]);
+			missing_[i] = missing_.back();
+			missing_.pop_back();
+		} else {
+			i++;
+		}
+	}
+}
+
+void SurroundingsReader::take_joined(const std::vector<RID> &p_joined) {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	for (const RID &body : p_joined) {
+		if (!bodies_.contains(body.get_id()) && server->body_get_direct_state(body) != nullptr && server->body_get_space(body) == space_) {
+			add(body);
+		}
+	}
+}
+
+void SurroundingsReader::forget_far(const std::vector<RID> &p_joined) {
+	const std::size_t count = bodies_.size();
+	std::erase_if(bodies_, [&](const auto &p_entry) {
+		const BodyRecord &body = p_entry.second;
+		return !search_.is_near(body.bounds()) && std::ranges::find(p_joined, body.rid()) == p_joined.end();
+	});
+	if (bodies_.size() != count) {
+		are_bodies_listed_ = false;
+		is_handed_over_ = false;
+		search_.forget_list();
+	}
+}
+
+void SurroundingsReader::count_shapes() {
+	search_.clear_counts();
+	for (const auto &[id, body] : bodies_) {
+		search_.count_shapes(body.bounds(), int64_t(body.shapes().size()));
+	}
+}
+
+void SurroundingsReader::list_bodies() {
+	leaders_.clear();
+	followers_.clear();
+	std::unordered_map<uint64_t, std::size_t> leader_of;
+	for (auto &[id, body] : bodies_) {
+		const auto [entry, is_first] = leader_of.try_emplace(body.object_id(), leaders_.size());
+		if (!is_first && body.is_tile()) {
+			followers_[entry->second].push_back(&body);
+		} else {
+			leaders_.push_back(&body);
+			followers_.emplace_back();
+		}
+	}
+	are_bodies_listed_ = true;
+}
+
+// Those of one TileMapLayer come and go together, most of the time.
+void SurroundingsReader::look_at_some() {
+	const std::size_t count = std::min<std::size_t>(bodies_.size(), LOOKS);
+	auto next = bodies_.lower_bound(look_from_);
+	for (std::size_t i = 0; i < count; i++, ++next) {
+		if (next == bodies_.end()) {
+			next = bodies_.begin();
+		}
+		BodyRecord &body = next->second;
+		if (!body.is_there()) {
+			gone_.push_back(body.rid());
+		} else if (body.has_other_shapes(tick_)) {
+			body.reread(tick_);
+			is_handed_over_ = false;
+		}
+	}
+	look_from_ = next == bodies_.end() ? 0 : next->first;
+	drop_gone();
+}
+
+void SurroundingsReader::drop_gone() {
+	for (const RID &body : gone_) {
+		bodies_.erase(body.get_id());
+		missing_.push_back(body);
+		are_bodies_listed_ = false;
+		is_handed_over_ = false; // `movers_` is made anew then
+	}
+	gone_.clear();
+	if (missing_.size() > MAX_MISSING) {
+		search_.forget_list();
+	}
+}
+
+void SurroundingsReader::reread_some() {
+	int count = 0;
+	for (std::size_t i = 0; i < bodies_.size() && count < REREAD_SHAPES; i++) {
+		auto next = bodies_.lower_bound(reread_from_);
+		if (next == bodies_.end()) {
+			next = bodies_.begin();
+		}
+		BodyRecord &body = next->second;
+		reread_from_ = next->first + 1;
+		count += 1 + int(body.shapes().size());
+		if (!body.is_there()) {
+			gone_.push_back(body.rid());
+		} else if (body.reread(tick_)) {
+			is_handed_over_ = false;
+		}
+	}
+	drop_gone();
+}
+
+void SurroundingsReader::poll(BodyRecord &r_body, double p_delta, bool &r_has_moved) {
+	const BodyChange change = r_body.poll(p_delta);
+	r_has_moved |= change != BodyChange::NONE;
+	is_handed_over_ &= change != BodyChange::REBUILT && change != BodyChange::GONE;
+	if (change == BodyChange::GONE) {
+		gone_.push_back(r_body.rid());
+	}
+}
+
+void SurroundingsReader::poll(double p_delta, WorldData &r_world) {
+	if (!are_bodies_listed_) {
+		list_bodies();
+	}
+	for (std::size_t i = 0; i < leaders_.size(); i++) {
+		bool has_moved = false;
+		poll(*leaders_[i], p_delta, has_moved);
+		if (!has_moved) {
+			continue;
+		}
+		for (BodyRecord *follower : followers_[i]) {
+			poll(*follower, p_delta, has_moved);
+		}
+	}
+	drop_gone();
+	if (!are_bodies_listed_) {
+		list_bodies();
+	}
+	if (!is_handed_over_) {
+		return; // all of them are handed over anyway
+	}
+	for (const BodyRecord *body : movers_) {
+		r_world.set_rigid_body(body->rigid_index, body->rigid_body());
+	}
+}
+
+void SurroundingsReader::list_moving() {
+	had_moving_ = !moving_.empty();
+	moving_.clear();
+	for (const BodyRecord *body : leaders_) {
+		if (body->mode() != PhysicsServer2D::BODY_MODE_STATIC) {
+			moving_.push_back({ body->rid(), body->mode(), body->bounds(), body->surface().layer });
+		}
+	}
+	moving_near_.resize(search_.group_count());
+	for (std::size_t group = 0; group < moving_near_.size(); group++) {
+		moving_near_[group].clear();
+		for (uint32_t i = 0; i < moving_.size(); i++) {
+			if (moving_[i].box.overlaps(search_.group_box(group))) {
+				moving_near_[group].push_back(i);
+			}
+		}
+	}
+}
+
+void SurroundingsReader::tell(std::size_t p_row, HullProxy &r_proxy) const {
+	r_proxy.begin_near();
+	const uint32_t group = search_.group_of(p_row);
+	if (group != SurroundingsSearch::NO_GROUP) {
+		for (const uint32_t i : moving_near_[group]) {
+			const Moving &moving = moving_[i];
+			if ((moving.layer & search_.mask(p_row)) != 0 && moving.box.overlaps(search_.reach(p_row))) {
+				r_proxy.note_near(moving.body, moving.mode);
+			}
 		}
 	}
 	r_proxy.end_near();
 }
 
-void SurroundingsReader::read_shape(const RID &p_body, int p_shape_index, WorldData &r_world) {
-	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
-	const PhysicsServer2D::BodyMode mode = server->body_get_mode(p_body);
-	if (mode != PhysicsServer2D::BODY_MODE_STATIC && mode != PhysicsServer2D::BODY_MODE_KINEMATIC) {
-		return;
-	}
-	const Transform2D body_transform = server->body_get_state(p_body, PhysicsServer2D::BODY_STATE_TRANSFORM);
-	const Transform2D transform = body_transform * server->body_get_shape_transform(p_body, p_shape_index);
-	const RID shape = server->body_get_shape(p_body, p_shape_index);
-	const Variant data = server->shape_get_data(shape);
-	const Surface surface = read_surface(p_body, body_transform);
-
-	switch (server->shape_get_type(shape)) {
-		case PhysicsServer2D::SHAPE_WORLD_BOUNDARY: {
-			const Array values = data;
-			add_boundary(values[0], values[1], transform, surface, r_world);
-		} break;
-		case PhysicsServer2D::SHAPE_SEGMENT: {
-			const Rect2 ends = data; // position and "size" are the two ends
-			add_outline({ ends.position, ends.size }, transform, 0, surface, r_world);
-		} break;
-		case PhysicsServer2D::SHAPE_CIRCLE: {
-			add_round(data, 0, transform, surface, r_world);
-		} break;
-		case PhysicsServer2D::SHAPE_CAPSULE: {
-			// Godot's own server takes (radius, height) and returns (height, radius). The height includes
-			// both caps, so it is never the smaller of the two, whatever the order.
-			const Vector2 size = data;
-			const real_t radius = Math::min(size.x, size.y);
-			const real_t height = Math::max(size.x, size.y);
-			add_round(radius, Math::max<real_t>(0, height / 2 - radius), transform, surface, r_world);
-		} break;
-		case PhysicsServer2D::SHAPE_RECTANGLE: {
-			const Vector2 half = data;
-			add_outline({ -half, Vector2(half.x, -half.y), half, Vector2(-half.x, half.y) }, transform, 0, surface, r_world);
-		} break;
-		case PhysicsServer2D::SHAPE_CONVEX_POLYGON: {
-			const PackedVector2Array points = data;
-			add_outline(std::vector<Vector2>(points.ptr(), points.ptr() + points.size()), transform, 0, surface, r_world);
-		} break;
-		case PhysicsServer2D::SHAPE_CONCAVE_POLYGON: {
-			const PackedVector2Array points = data; // pairs of segment ends
-			for (int64_t i = 0; i + 1 < points.size(); i += 2) {
-				add_outline({ points[i], points[i + 1] }, transform, 0, surface, r_world);
+void SurroundingsReader::hand_over_shapes(const BodyRecord &p_body, double p_delta, WorldData &r_world) {
+	for (const ShapeRecord &shape : p_body.shapes()) {
+		for (ConvexCollider collider : shape.translated.colliders) {
+			collider.surface = p_body.surface();
+			collider.rigid_body = p_body.rigid_index;
+			if (!p_body.has_rigid_body()) {
+				collider.surface.velocity_origin = to_core(p_body.origin());
 			}
-		} break;
-		default:
-			break; // a separation ray pushes characters up and has no surface
+			colliders_.push_back(std::move(collider));
+		}
+		if (shape.translated.border) {
+			r_world.add_border(p_body.border_in_world(*shape.translated.border, p_delta));
+		}
+	}
+}
+
+void SurroundingsReader::hand_over(double p_delta, WorldData &r_world) {
+	is_handed_over_ = true;
+	r_world.clear_surroundings();
+	movers_.clear();
+	colliders_.clear();
+	for (auto &[id, body] : bodies_) {
+		body.rigid_index = NO_RIGID_BODY;
+		if (body.has_rigid_body()) {
+			const Result<uint32_t> index = r_world.add_rigid_body(body.rigid_body());
+			if (!index) {
+				ERR_PRINT_ONCE("SoftBody2D ignores a body: " + to_godot(index.error().message()));
+				continue;
+			}
+			body.rigid_index = index.value();
+			movers_.push_back(&body);
+		}
+		hand_over_shapes(body, p_delta, r_world);
+	}
+	mark_inner_edges(colliders_, SEAM_TOLERANCE);
+	for (ConvexCollider &collider : colliders_) {
+		if (const Status status = r_world.add_collider(std::move(collider))) {
+			ERR_PRINT_ONCE("SoftBody2D ignores a collision shape: " + to_godot(status->message()));
+		}
+	}
+}
+
+void SurroundingsReader::keep_asleep() {
+	for (BodyRecord *body : movers_) {
+		if (body->is_rigid()) {
+			body->keep_asleep();
+		}
+	}
+}
+
+void SurroundingsReader::give_back(const WorldData &p_world, double p_delta) {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	for (BodyRecord *body : movers_) {
+		if (!body->is_rigid()) {
+			continue;
+		}
+		const Reaction reaction = body->take_reaction(p_world.reactions()[body->rigid_index], p_delta);
+		if (reaction.impulse != Vec2{}) {
+			server->body_apply_central_impulse(body->rid(), to_godot(reaction.impulse));
+		}
+		if (reaction.angular_impulse != 0) {
+			server->body_apply_torque_impulse(body->rid(), reaction.angular_impulse);
+		}
 	}
 }
 

@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: MIT
+// A body of the engine as it was last read, with its shapes in the core's terms.
+#include "godot/surroundings/body_record.h"
+
+#include "godot/convert.h"
+
+#include <godot_cpp/classes/collision_object2d.hpp>
+#include <godot_cpp/classes/static_body2d.hpp>
+#include <godot_cpp/classes/tile_map_layer.hpp>
+#include <godot_cpp/core/math.hpp>
+#include <godot_cpp/core/object.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace softbody {
+
+namespace {
+
+// Faster than this [px/s], a body that is driven by the game was put elsewhere rather than moved there. Larger: what
+// is teleported a short way hits like a hammer. Smaller: fast pistons pass through.
+constexpr double TELEPORT_SPEED = 6000;
+
+// Ticks after which a driven body that stands still is handed over as a collider that stands still, which costs the core
+// nothing as long as nothing comes near. Shorter: one that stops and goes makes the core's lists anew.
+constexpr int TICKS_TO_SETTLE = 60;
+
+// Cosine of the angle to the weight's opposite up to which what holds a body is taken for a support [1].
+constexpr double LEAST_SUPPORT = 0.2;
+
+// A sleeping body is woken when what acts on it would have given it this speed [px/s] or spin [rad/s]: those below which the
+// engine lets bodies sleep by default. Larger: it stays where it is for longer when what it lies on gives way. Smaller:
+// trembling soft bodies wake it.
+constexpr Real WAKING_SPEED = 2;
+constexpr Real WAKING_SPIN = Real(0.14);
+
+// How much less or more than the weight of a sleeping body soft bodies may carry without waking it, as a part of that. Larger:
+// it hangs in the air when what it lies on gives way little by little. Smaller: bodies that fell asleep on soft ones are woken
+// by what was left of their motion.
+constexpr Real BALANCE_TOLERANCE = Real(0.25);
+constexpr Real SIDEWAYS_TOLERANCE = Real(0.2); // of that
+
+// Turning by soft bodies [rad/s²] below which nothing can be learnt from how the body answers.
+constexpr Real LEAST_TURN = Real(0.1);
+
+// Farther than anything [px]: where the bounds of a border end.
+constexpr Real EVERYWHERE = Real(1e15);
+
+// Ticks for which a shape counts that no query has found since: those of sleeping bodies come every second tick.
+constexpr int64_t SEEN_TICKS = 3;
+
+bool is_same_scale(const Transform2D &p_a, const Transform2D &p_b) {
+	const real_t size = p_a.columns[0].length() + p_a.columns[1].length();
+	return p_a.columns[0].distance_to(p_b.columns[0]) <= 1e-5 * size && p_a.columns[1].distance_to(p_b.columns[1]) <= 1e-5 * size;
+}
+
+bool is_same_surface(const Surface &p_a, const Surface &p_b) {
+	return p_a.friction == p_b.friction && p_a.rough == p_b.rough && p_a.restitution == p_b.restitution &&
+			p_a.absorbent == p_b.absorbent && p_a.linear_velocity == p_b.linear_velocity &&
+			p_a.angular_velocity == p_b.angular_velocity && p_a.layer == p_b.layer;
+}
+
+} // namespace
+
+BodyRecord::BodyRecord(const RID &p_rid, const RID &p_space, int64_t p_tick) : rid_(p_rid), space_(p_space) {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	object_id_ = server->body_get_object_instance_id(rid_);
+	Object *node = ObjectDB::get_instance(object_id_);
+	is_tile_ = Object::cast_to<TileMapLayer>(node) != nullptr;
+	is_told_by_node_ = is_tile_ || Object::cast_to<CollisionObject2D>(node) != nullptr;
+	surface_.tag = object_id_;
+	mode_ = server->body_get_mode(rid_);
+	is_rigid_ = mode_ >= PhysicsServer2D::BODY_MODE_RIGID;
+	transform_ = server->body_get_state(rid_, PhysicsServer2D::BODY_STATE_TRANSFORM);
+	scale_ = scale_and_skew(transform_);
+	rigid_body_.pose = to_core_pose(transform_);
+	rigid_body_.tag = object_id_;
+	reread(p_tick);
+}
+
+Transform2D BodyRecord::frame() const {
+	return has_rigid_body() ? transform_ * scale_.affine_inverse() : Transform2D();
+}
+
+// What surface_in_motion says of a collider, for a plane.
+Border BodyRecord::border_in_world(const Plane &p_border, double p_delta) const {
+	if (!has_rigid_body()) {
+		return { p_border, surface_ };
+	}
+	const Pose end = is_rigid_ ? rigid_body_.pose : rigid_body_.pose_after(Real(p_delta));
+	return { { end.apply(p_border.position), end.rotation.apply(p_border.normal) }, surface_in_motion(surface_, rigid_body_, end) };
+}
+
+Aabb BodyRecord::bounds() const {
+	if (has_border_) {
+		return { { -EVERYWHERE, -EVERYWHERE }, { EVERYWHERE, EVERYWHERE } };
+	}
+	if (!has_rigid_body() || !(bounds_.min.x <= bounds_.max.x)) {
+		return bounds_;
+	}
+	const Transform2D to_world = frame();
+	const Vector2 middle = to_world.xform(to_godot((bounds_.min + bounds_.max) * Real(0.5)));
+	const Vector2 half = to_godot((bounds_.max - bounds_.min) * Real(0.5));
+	const Vector2 extent = to_world.columns[0].abs() * half.x + to_world.columns[1].abs() * half.y;
+	return { to_core(middle - extent), to_core(middle + extent) };
+}
+
+void BodyRecord::measure_bounds() {
+	bounds_ = {};
+	has_border_ = false;
+	for (const ShapeRecord &shape : shapes_) {
+		has_border_ |= shape.translated.border.has_value();
+		for (const ConvexCollider &collider : shape.translated.colliders) {
+			const Aabb box = collider.bounds();
+			bounds_.include(box.min);
+			bounds_.include(box.max);
+		}
+	}
+}
+
+bool BodyRecord::read_surface() {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	// PhysicsMaterial hands "rough" and "absorbent" to the server as a negative sign.
+	const double friction = server->body_get_param(rid_, PhysicsServer2D::BODY_PARAM_FRICTION);
+	const double bounce = server->body_get_param(rid_, PhysicsServer2D::BODY_PARAM_BOUNCE);
+	Surface surface = surface_;
+	surface.layer = server->body_get_collision_layer(rid_);
+	surface.friction = Real(Math::abs(friction));
+	surface.rough = friction < 0;
+	surface.restitution = Real(std::clamp(Math::abs(bounce), 0.0, 1.0));
+	surface.absorbent = bounce < 0;
+	// How the surface moves while the body stays in place. The server adds the body's own motion to it where that is
+	// driven, so there the node is asked.
+	surface.linear_velocity = {};
+	surface.angular_velocity = 0;
+	if (StaticBody2D *node = Object::cast_to<StaticBody2D>(ObjectDB::get_instance(object_id_))) {
+		surface.linear_velocity = to_core(node->get_constant_linear_velocity());
+		surface.angular_velocity = Real(node->get_constant_angular_velocity());
+	} else if (mode_ == PhysicsServer2D::BODY_MODE_STATIC) {
+		surface.linear_velocity = to_core(Vector2(server->body_get_state(rid_, PhysicsServer2D::BODY_STATE_LINEAR_VELOCITY)));
+		surface.angular_velocity = Real(double(server->body_get_state(rid_, PhysicsServer2D::BODY_STATE_ANGULAR_VELOCITY)));
+	}
+	const bool is_different = !is_same_surface(surface, surface_);
+	surface_ = surface;
+	return is_different;
+}
+
+bool BodyRecord::is_enabled(const ShapeRecord &p_shape, int64_t p_tick) const {
+	return is_told_by_node_ ? !p_shape.traits.disabled : p_tick - p_shape.seen <= SEEN_TICKS;
+}
+
+// Up is out of the side of a one-way shape that holds, by its own transform.
+void BodyRecord::translate(ShapeRecord &r_shape) const {
+	const Transform2D to_frame = (has_rigid_body() ? scale_ : transform_) * r_shape.transform;
+	r_shape.translated = r_shape.traits.disabled ? TranslatedShape() : translate_shape(r_shape.type, r_shape.data, to_frame);
+	if (r_shape.traits.one_way_margin) {
+		for (ConvexCollider &collider : r_shape.translated.colliders) {
+			collider.one_way = to_core(-to_frame.columns[1].normalized());
+			collider.one_way_margin = Real(*r_shape.traits.one_way_margin);
+		}
+	}
+}
+
+void BodyRecord::translate_all() {
+	for (ShapeRecord &shape : shapes_) {
+		translate(shape);
+	}
+	measure_bounds();
+}
+
+void BodyRecord::read_shape(int32_t p_index, const ShapeTraits &p_traits, ShapeRecord &r_shape) {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	r_shape.shape = server->body_get_shape(rid_, p_index);
+	r_shape.type = server->shape_get_type(r_shape.shape);
+	r_shape.data = server->shape_get_data(r_shape.shape);
+	r_shape.transform = server->body_get_shape_transform(rid_, p_index);
+	r_shape.traits = p_traits;
+	if (is_tile_) {
+		r_shape.traits.one_way_margin.reset();
+	}
+	translate(r_shape);
+	if (is_tile_ && !r_shape.translated.colliders.empty()) {
+		const Aabb box = r_shape.translated.colliders.front().bounds();
+		const Vector2 middle = frame().xform(to_godot((box.min + box.max) * Real(0.5)));
+		r_shape.traits.one_way_margin = find_tile_margin(ObjectDB::get_instance(object_id_), rid_, middle);
+		if (r_shape.traits.one_way_margin) {
+			translate(r_shape);
+		}
+	}
+}
+
+void BodyRecord::note_seen(int32_t p_shape, int64_t p_tick) {
+	if (std::size_t(p_shape) < shapes_.size()) {
+		shapes_[std::size_t(p_shape)].seen = p_tick;
+	}
+}
+
+bool BodyRecord::is_there() const {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	return server->body_get_direct_state(rid_) != nullptr && server->body_get_space(rid_) == space_;
+}
+
+bool BodyRecord::has_other_shapes(int64_t p_tick) const {
+	if (PhysicsServer2D::get_singleton()->body_get_shape_count(rid_) != int32_t(shapes_.size())) {
+		return true;
+	}
+	if (is_told_by_node_) {
+		return !is_tile_ && describe_shape_owners(ObjectDB::get_instance(object_id_)) != owners_;
+	}
+	return std::ranges::any_of(shapes_, [&](const ShapeRecord &p_shape) { return is_enabled(p_shape, p_tick) == p_shape.traits.disabled; });
+}
+
+bool BodyRecord::reread(int64_t p_tick) {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	Object *node = ObjectDB::get_instance(object_id_);
+	const int count = server->body_get_shape_count(rid_);
+	bool is_different = read_surface() || std::size_t(count) != shapes_.size();
+	const std::size_t known = shapes_.size();
+	shapes_.resize(std::size_t(count));
+	if (!is_tile_) {
+		owners_ = describe_shape_owners(node);
+	}
+	const std::vector<ShapeTraits> all_traits = read_shape_traits(node, count);
+	for (std::size_t i = 0; i < shapes_.size(); i++) {
+		ShapeRecord &shape = shapes_[i];
+		ShapeTraits traits = all_traits[i];
+		if (is_tile_) {
+			traits.one_way_margin = shape.traits.one_way_margin;
+		}
+		if (!is_told_by_node_) {
+			traits.disabled = !is_enabled(shape, p_tick);
+		}
+		const RID rid = server->body_get_shape(rid_, int(i));
+		if (i < known && rid == shape.shape && traits == shape.traits &&
+				server->body_get_shape_transform(rid_, int(i)) == shape.transform && server->shape_get_data(rid) == shape.data) {
+			continue;
+		}
+		read_shape(int32_t(i), traits, shape);
+		is_different = true;
+	}
+	if (is_different) {
+		measure_bounds();
+	}
+	return is_different;
+}
+
+// Whether the shapes had to be translated anew.
+bool BodyRecord::take_transform(const Transform2D &p_transform) {
+	transform_ = p_transform;
+	const Transform2D scale = scale_and_skew(p_transform);
+	if (is_same_scale(scale, scale_) && has_rigid_body()) {
+		return false;
+	}
+	scale_ = scale;
+	translate_all();
+	return true;
+}
+
+BodyChange BodyRecord::poll(double p_delta) {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	PhysicsDirectBodyState2D *state = server->body_get_direct_state(rid_);
+	if (state == nullptr || server->body_get_space(rid_) != space_) {
+		return BodyChange::GONE;
+	}
+	BodyChange change = BodyChange::NONE;
+	const uint32_t layer = server->body_get_collision_layer(rid_);
+	if (layer != surface_.layer) {
+		surface_.layer = layer;
+		change = BodyChange::REBUILT;
+	}
+	const PhysicsServer2D::BodyMode mode = server->body_get_mode(rid_);
+	if (mode != mode_) {
+		mode_ = mode;
+		const bool had_rigid_body = has_rigid_body();
+		is_rigid_ = mode >= PhysicsServer2D::BODY_MODE_RIGID;
+		is_mover_ = !is_rigid_ && had_rigid_body; // what is frozen in flight may be moved on
+		still_ticks_ = 0;
+		last_reaction_ = {};
+		was_rigid_ = false;
+		translate_all();
+		change = BodyChange::REBUILT;
+	}
+	const Transform2D transform = state->get_transform();
+	if (!is_rigid_) {
+		change = std::max(change, transform == transform_ ? settle() : poll_driven(transform, p_delta));
+	} else {
+		if (transform != transform_ && take_transform(transform)) {
+			change = BodyChange::REBUILT;
+		}
+		poll_rigid(state, p_delta);
+		change = std::max(change, BodyChange::MOVED);
+	}
+	// Borders belong to no rigid body of the core.
+	return change == BodyChange::MOVED && has_border_ ? BodyChange::REBUILT : change;
+}
+
+BodyChange BodyRecord::settle() {
+	if (!is_mover_) {
+		return BodyChange::NONE;
+	}
+	rigid_body_ = {};
+	rigid_body_.tag = object_id_;
+	rigid_body_.pose = to_core_pose(transform_);
+	if (++still_ticks_ < TICKS_TO_SETTLE) {
+		return BodyChange::MOVED;
+	}
+	is_mover_ = false;
+	translate_all();
+	return BodyChange::REBUILT;
+}
+
+// The engine moves a driven body within its own step, which comes after ours: where it is now is where that step left it.
+// So its way in our step is the one that it has just gone, one tick late, and at the end it is where everybody sees it.
+BodyChange BodyRecord::poll_driven(const Transform2D &p_transform, double p_delta) {
+	const Pose from = to_core_pose(transform_);
+	const Pose to = to_core_pose(p_transform);
+	const bool is_jump = !(length(to.position - from.position) <= Real(TELEPORT_SPEED * p_delta));
+	const bool was_mover = is_mover_;
+	still_ticks_ = 0;
+	is_mover_ = was_mover || !is_jump;
+	const bool is_retranslated = take_transform(p_transform) || !was_mover;
+	if (is_retranslated && is_mover_ && !was_mover) {
+		translate_all(); // from the world's frame into its own
+	}
+	if (is_jump) {
+		rigid_body_ = {};
+		rigid_body_.pose = to;
+	} else {
+		rigid_body_ = kinematic_between(from, to, Real(p_delta));
+	}
+	rigid_body_.tag = object_id_;
+	return is_retranslated ? BodyChange::REBUILT : BodyChange::MOVED;
+}
+
+void BodyRecord::poll_rigid(PhysicsDirectBodyState2D *p_state, double p_delta) {
+	RigidBody body;
+	body.tag = object_id_;
+	body.pose = to_core_pose(transform_);
+	body.centre_of_mass = to_core(scale_.xform(p_state->get_center_of_mass_local()));
+	body.inverse_mass = Real(p_state->get_inverse_mass());
+	body.inverse_inertia = Real(p_state->get_inverse_inertia());
+	weight_ = to_core(p_state->get_total_gravity() + p_state->get_constant_force() * p_state->get_inverse_mass());
+	body.acceleration = weight_;
+	is_sleeping_ = p_state->is_sleeping();
+	body.asleep = is_sleeping_;
+	if (is_sleeping_ && was_rigid_) { // held by what held it when it fell asleep
+		body.support = rigid_body_.support;
+		body.turn_support = rigid_body_.turn_support;
+	} else if (is_sleeping_) { // it would fall if nothing held it
+		const Real pull = length(weight_);
+		body.support = pull > 0 ? weight_ * (-1 / pull) : Vec2{};
+		body.turn_support = pull > 0 ? Real(1) : Real(0);
+	} else {
+		body.linear_velocity = to_core(p_state->get_linear_velocity());
+		body.angular_velocity = Real(p_state->get_angular_velocity());
+		if (was_rigid_) {
+			estimate_support(p_state, p_delta, body);
+		}
+	}
+	// What the support takes of its weight; the rest makes it fall.
+	const Real share = length(body.support);
+	if (share > 0) {
+		body.acceleration -= body.support * (std::min(dot(body.acceleration, body.support), Real(0)) / share);
+	}
+	rigid_body_ = body;
+	was_rigid_ = true;
+}
+
+Reaction BodyRecord::take_reaction(const Reaction &p_reaction, double p_delta) {
+	const auto is_touch = [](const Reaction &p_any) { return p_any.impulse != Vec2{} || p_any.angular_impulse != 0; };
+	const bool has_touched = is_touch(p_reaction) || is_touch(last_reaction_) || is_touch(withheld_) || last_reaction_.beside_sleeper;
+	last_reaction_ = p_reaction;
+	if (!is_sleeping_ || !(rigid_body_.inverse_mass > 0)) {
+		withheld_ = {};
+		return p_reaction;
+	}
+	if (p_reaction.beside_sleeper || !has_touched) {
+		return {};
+	}
+	Vec2 load = p_reaction.impulse + weight_ * (Real(p_delta) / rigid_body_.inverse_mass);
+	const Real share = length(rigid_body_.support);
+	if (share > 0) {
+		load -= rigid_body_.support * (std::min(dot(load, rigid_body_.support), Real(0)) / share);
+	}
+	Real turn = p_reaction.angular_impulse * (1 - rigid_body_.turn_support);
+	// It fell asleep slow, not in balance to the last bit.
+	const Real tolerance = BALANCE_TOLERANCE * length(weight_) * Real(p_delta) / rigid_body_.inverse_mass;
+	const Real pull = length(weight_);
+	const Vec2 down = pull > 0 ? weight_ * (1 / pull) : Vec2{};
+	const Real along = dot(load, down);
+	if (std::abs(along) < tolerance && length(load - down * along) < tolerance * SIDEWAYS_TOLERANCE) {
+		load = {};
+	}
+	if (std::abs(turn) * std::sqrt(rigid_body_.inverse_inertia / rigid_body_.inverse_mass) < tolerance) {
+		turn = 0;
+	}
+	const Reaction before = withheld_;
+	withheld_.impulse += load;
+	withheld_.angular_impulse += turn;
+	if (length(withheld_.impulse) * rigid_body_.inverse_mass < WAKING_SPEED &&
+			std::abs(withheld_.angular_impulse) * rigid_body_.inverse_inertia < WAKING_SPIN) {
+		return {};
+	}
+	// Awake again, it feels its weight and its support in the engine's step.
+	withheld_ = {};
+	is_sleeping_ = false;
+	PhysicsServer2D::get_singleton()->body_set_state(rid_, PhysicsServer2D::BODY_STATE_SLEEPING, false);
+	return { before.impulse + p_reaction.impulse, before.angular_impulse + p_reaction.angular_impulse };
+}
+
+// The engine wakes what is near a body whose shapes change, though the two do not collide.
+void BodyRecord::keep_asleep() {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	if (is_sleeping_ && is_there() && !bool(server->body_get_state(rid_, PhysicsServer2D::BODY_STATE_SLEEPING))) {
+		server->body_set_state(rid_, PhysicsServer2D::BODY_STATE_SLEEPING, true);
+	}
+}
+
+void BodyRecord::let_go() {
+	const bool is_held = last_reaction_.beside_sleeper || last_reaction_.impulse != Vec2{} || last_reaction_.angular_impulse != 0;
+	if (is_sleeping_ && is_held && is_there()) {
+		PhysicsServer2D::get_singleton()->body_set_state(rid_, PhysicsServer2D::BODY_STATE_SLEEPING, false);
+	}
+}
+
+// The engine does not tell what a body rests on. But what it should have gained in the last tick by its weight and by soft
+// bodies is known, and what it has gained; the difference is what something else did. As far as that cancels the load, it is
+// taken for a support that will do so again. Only what holds against the weight counts: a second crate on top of
+// one that lies on a soft body presses too, and is no support.
+void BodyRecord::estimate_support(PhysicsDirectBodyState2D *p_state, double p_delta, RigidBody &r_body) const {
+	const Real delta = Real(p_delta);
+	const Vec2 weight = r_body.acceleration * delta;
+	const Vec2 load = weight + last_reaction_.impulse * r_body.inverse_mass;
+	const Real kept = std::max(Real(0), 1 - delta * Real(p_state->get_total_linear_damp()));
+	const Vec2 free = (rigid_body_.linear_velocity + last_reaction_.impulse * r_body.inverse_mass) * kept + weight;
+	const Vec2 help = r_body.linear_velocity - free;
+	const Real strength = length(help);
+	const Real pull = length(weight);
+	if (!(strength > 0) || !(dot(help, weight) < Real(LEAST_SUPPORT) * -strength * pull)) {
+		return;
+	}
+	const Vec2 direction = help * (1 / strength);
+	const Real pressing = -dot(load, direction);
+	if (!(pressing > 0)) {
+		return;
+	}
+	const Real share = std::min(strength / pressing, Real(1));
+	r_body.support = direction * share;
+	// Of its turning the same, where soft bodies have tried to turn it; else it is held in this too until that is seen.
+	const Real turn = last_reaction_.angular_impulse * r_body.inverse_inertia;
+	r_body.turn_support = share;
+	if (std::abs(turn) > LEAST_TURN * delta) {
+		const Real kept_turn = std::max(Real(0), 1 - delta * Real(p_state->get_total_angular_damp()));
+		const Real help_turn = r_body.angular_velocity - (rigid_body_.angular_velocity + turn) * kept_turn;
+		r_body.turn_support = std::clamp(-help_turn / turn, Real(0), Real(1));
+	}
+}
+
+} // namespace softbody

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What the physics server does not tell of a shape, but its node does.
+#pragma once
+
+#include <godot_cpp/core/object.hpp>
+#include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/vector2.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace softbody {
+
+/// What a node says of one of its shapes.
+struct ShapeTraits {
+	bool disabled = false;
+	std::optional<double> one_way_margin; ///< [px]; nothing for an ordinary shape
+
+	friend bool operator==(const ShapeTraits &, const ShapeTraits &) = default;
+};
+
+/// The traits of the shapes [0, `p_count`) of a CollisionObject2D, by their index in its body; those that it does not know
+/// are ordinary. O(shapes).
+std::vector<ShapeTraits> read_shape_traits(godot::Object *p_owner, int p_count);
+
+/// A number that is another when shapes of the CollisionObject2D were added, removed, enabled or disabled. O(shape owners).
+uint64_t describe_shape_owners(godot::Object *p_owner);
+
+/// The one-way margin of the tile whose collision polygon has its middle at `p_middle` in the world; nothing if it is
+/// ordinary. O(polygons of the tile).
+std::optional<double> find_tile_margin(godot::Object *p_layer, const godot::RID &p_body, const godot::Vector2 &p_middle);
+
+} // namespace softbody

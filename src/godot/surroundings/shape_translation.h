@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What a shape of Godot's physics server is to the core.
+#pragma once
+
+#include "core/geometry/plane.h"
+#include "core/model/surroundings.h"
+
+#include <godot_cpp/classes/physics_server2d.hpp>
+#include <godot_cpp/variant/transform2d.hpp>
+#include <godot_cpp/variant/variant.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace softbody {
+
+/// A shape in the core's terms, without a surface.
+struct TranslatedShape {
+	std::vector<ConvexCollider> colliders;
+	std::optional<Plane> border; ///< of a world boundary
+};
+
+/// Translates a shape of any kind, with any transform: turned, scaled, skewed, mirrored. `p_data` is what
+/// `PhysicsServer2D.shape_get_data()` gives, `p_to_frame` leads from the shape to the frame of the result. Round shapes stay
+/// round under a uniform scale, and become polygons under another. Segments of a concave shape that share an end with one
+/// other are joined as a chain. A separation ray has no surface and gives nothing; what the core refuses is left out with an
+/// error.
+TranslatedShape translate_shape(godot::PhysicsServer2D::ShapeType p_type, const godot::Variant &p_data,
+		const godot::Transform2D &p_to_frame);
+
+} // namespace softbody
