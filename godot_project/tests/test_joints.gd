@@ -84,6 +84,26 @@ func test_a_joint_to_a_rigid_body_pulls_both_ways() -> void:
 		joint.free()
 
 
+func test_a_joined_rigid_body_does_not_collide_unless_told_to() -> void:
+	for collides: bool in [false, true]:
+		var body := add_weightless_body(Vector2.ZERO)
+		var crate := _add_crate(Vector2(60, 0))
+		crate.gravity_scale = 0
+		# On a line, so that the two may part.
+		var joint := join(Vector2(60, 0), body, crate, { "disable_collision": not collides, "rigid": false, "stiffness": 0.0 })
+		await seconds(2)
+		var distance := crate.position.x - body.get_center_of_mass_position().x
+		if collides:
+			check_above(distance, 65, "distance of a crate that overlapped the body, colliding")
+		else:
+			check_near(distance, 60.0, 0.1, "distance of a crate that overlaps the body")
+			joint.free()
+			await seconds(2)
+			check_above(crate.position.x - body.get_center_of_mass_position().x, 65, "distance without the joint")
+		_clear()
+		await ticks(2)
+
+
 ## A crate far below, where no soft body comes near it, on a line.
 func test_a_crate_hangs_on_a_soft_body() -> void:
 	for rigid: bool in [true, false]:

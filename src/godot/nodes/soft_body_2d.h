@@ -308,6 +308,9 @@ public:
 	/// After the step: moves the proxy along. True when `flush_hull_proxies` must follow.
 	bool follow_with_proxy(bool p_may_detail);
 	softbody::HullProxy &proxy() { return proxy_; }
+	/// For joints: it passes through what has this instance id, which is no soft body, until it is removed as often.
+	void add_joined(uint64_t p_id);
+	void remove_joined(uint64_t p_id);
 
 protected:
 	static void _bind_methods();
@@ -459,6 +462,7 @@ private:
 	bool collision_proxy_enabled_ = true;
 	double collision_proxy_margin_ = -1;
 	std::vector<uint64_t> collision_exceptions_; ///< instance ids
+	std::vector<uint64_t> joined_; ///< instance ids of other bodies that joints keep from colliding with it, one a joint
 	std::vector<uint64_t> excepted_by_; ///< instance ids of soft bodies that have this one among theirs
 	DampMode linear_damp_mode_ = DAMP_MODE_COMBINE;
 	double linear_damp_ = 0;

@@ -122,14 +122,27 @@ TypedArray<Node2D> SoftBody2D::get_collision_exceptions() const {
 	return found;
 }
 
+void SoftBody2D::add_joined(uint64_t p_id) {
+	joined_.push_back(p_id);
+	apply_exceptions();
+}
+
+void SoftBody2D::remove_joined(uint64_t p_id) {
+	const auto found = std::find(joined_.begin(), joined_.end(), p_id); // one of several joints
+	if (found != joined_.end()) {
+		joined_.erase(found);
+		apply_exceptions();
+	}
+}
+
 // Brings the core's exceptions of this body up to date.
 void SoftBody2D::apply_exceptions() {
 	softbody::SoftBodyData *found = body();
-	if (found == nullptr || (collision_exceptions_.empty() && excepted_by_.empty() && found->ignored_tags().empty())) {
+	if (found == nullptr || (collision_exceptions_.empty() && excepted_by_.empty() && joined_.empty() && found->ignored_tags().empty())) {
 		return;
 	}
 	std::vector<uint64_t> tags;
-	for (const std::vector<uint64_t> *list : { &collision_exceptions_, &excepted_by_ }) {
+	for (const std::vector<uint64_t> *list : { &collision_exceptions_, &excepted_by_, &joined_ }) {
 		for (const uint64_t id : *list) {
 			const SoftBody2D *soft = Object::cast_to<SoftBody2D>(ObjectDB::get_instance(id));
 			if (soft == nullptr) {

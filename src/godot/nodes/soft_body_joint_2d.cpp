@@ -7,6 +7,7 @@
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/server/soft_body_server_2d.h"
 
+#include <godot_cpp/classes/collision_object2d.hpp>
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rigid_body2d.hpp>
 #include <godot_cpp/classes/world2d.hpp>
@@ -129,6 +130,7 @@ PackedStringArray SoftBodyJoint2D::get_warnings() const {
 // Ends.
 
 void SoftBodyJoint2D::forget_ends() {
+	update_exception(false);
 	ends_[0].reset();
 	ends_[1].reset();
 	complained_ = false;
@@ -251,6 +253,7 @@ void SoftBodyJoint2D::enter_space() {
 }
 
 void SoftBodyJoint2D::leave_space() {
+	update_exception(false);
 	if (space_ != nullptr) {
 		space_->world().remove_joint(id_);
 		space_ = nullptr;
@@ -288,6 +291,7 @@ void SoftBodyJoint2D::prepare_step() {
 	const std::optional<JointAnchor> first = present_anchor(*ends_[0]);
 	const std::optional<JointAnchor> second = present_anchor(*ends_[1]);
 	const bool exists = space_->world().find_joint(id_) != nullptr;
+	update_exception(first && second);
 	if (!first || !second) {
 		if (exists) {
 			space_->world().remove_joint(id_);
@@ -315,9 +319,32 @@ void SoftBodyJoint2D::prepare_step() {
 	}
 }
 
+// Two soft bodies are kept apart by the core, which knows the joint.
+void SoftBodyJoint2D::update_exception(bool p_joins) {
+	std::pair<uint64_t, uint64_t> wanted{ 0, 0 };
+	if (p_joins && disable_collision_) {
+		const bool is_first = Object::cast_to<SoftBody2D>(ObjectDB::get_instance(ends_[0]->node)) != nullptr;
+		wanted = { ends_[is_first ? 0 : 1]->node, ends_[is_first ? 1 : 0]->node };
+		if (Object::cast_to<CollisionObject2D>(ObjectDB::get_instance(wanted.second)) == nullptr) {
+			wanted = { 0, 0 };
+		}
+	}
+	if (wanted == excepted_) {
+		return;
+	}
+	if (SoftBody2D *soft = Object::cast_to<SoftBody2D>(ObjectDB::get_instance(excepted_.first))) {
+		soft->remove_joined(excepted_.second);
+	}
+	if (SoftBody2D *soft = Object::cast_to<SoftBody2D>(ObjectDB::get_instance(wanted.first))) {
+		soft->add_joined(wanted.second);
+	}
+	excepted_ = wanted;
+}
+
 void SoftBodyJoint2D::note_break() {
 	id_ = {};
 	broken_ = true;
+	update_exception(false);
 }
 
 void SoftBodyJoint2D::mend() {

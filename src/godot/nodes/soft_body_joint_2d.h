@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace softbody {
 class SoftBodySpace2D;
@@ -84,6 +85,7 @@ private:
 	void enter_space();
 	void leave_space();
 	void forget_ends();
+	void update_exception(bool p_joins);
 	softbody::Joint make_joint(const softbody::JointAnchor &p_first, const softbody::JointAnchor &p_second) const;
 
 	NodePath node_a_;
@@ -100,6 +102,7 @@ private:
 	std::optional<End> ends_[2];
 	double bound_length_ = 0; ///< distance of the ends when they were found
 	softbody::Joint known_; ///< as the core has it
+	std::pair<uint64_t, uint64_t> excepted_{ 0, 0 }; ///< instance ids of the soft body and of what it passes through
 	bool broken_ = false;
 	bool complained_ = false; ///< about a refused joint, until something changes
 };
