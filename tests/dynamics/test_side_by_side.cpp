@@ -74,26 +74,37 @@ TEST_CASE("bodies side by side end in the same bits as each of them alone, with 
 			settings.substeps = method == 0 ? 0 : 12;
 			CAPTURE(method);
 			Random random(method);
-			const std::vector<SoftBodyData> bodies = loners(6, settings, random); // a crew and two that are left over
+			// Two crews that may go at once, a third, and two that are left over.
+			const std::vector<SoftBodyData> bodies = loners(14, settings, random);
 			WorldData together;
 			prepare(together);
 			for (const SoftBodyData &body : bodies) {
 				together.add_soft_body(body);
 			}
 			Simulator simulator(together);
+			StepReport sums;
 			for (int i = 0; i < 60; ++i) {
-				CHECK(simulator.simulate(Real(1) / 60).reset_bodies.empty());
+				const StepReport report = simulator.simulate(Real(1) / 60);
+				CHECK(report.reset_bodies.empty());
+				sums.contacts += report.contacts;
+				sums.substeps += report.substeps;
 			}
+			StepReport alone_sums;
 			for (std::size_t i = 0; i < bodies.size(); ++i) {
 				WorldData alone;
 				prepare(alone);
 				alone.add_soft_body(bodies[i]);
 				Simulator single(alone);
 				for (int step = 0; step < 60; ++step) {
-					single.simulate(Real(1) / 60);
+					const StepReport report = single.simulate(Real(1) / 60);
+					alone_sums.contacts += report.contacts;
+					alone_sums.substeps += report.substeps;
 				}
 				CHECK(same_state(alone.soft_bodies()[0], together.soft_bodies()[i]));
 			}
+			CHECK(sums.contacts > 0);
+			CHECK(sums.contacts == alone_sums.contacts);
+			CHECK(sums.substeps == alone_sums.substeps);
 		}
 	}
 }

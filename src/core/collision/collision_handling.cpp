@@ -246,7 +246,7 @@ RealPack CollisionHandling::handle_borders_side_by_side(const BodyLanes<RealPack
 		std::span<const Border> borders, Real h, std::span<const std::uint32_t> places, std::uint32_t monitored) {
 	BasicContactLoad<RealPack> load;
 	for (std::uint32_t i = 0; i < borders.size(); ++i) {
-		if ((bodies.model.settings.collision_mask & borders[i].surface.layer) == 0) {
+		if (!is_noticed(bodies.model.settings, borders[i].surface)) {
 			continue;
 		}
 		const RealPack contacts = load.contacts;

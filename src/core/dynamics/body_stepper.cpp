@@ -4,6 +4,7 @@
 
 #include "core/base/constants.h"
 #include "core/dynamics/rigid_damping.h"
+#include "core/dynamics/soundness.h"
 #include "core/model/body_frame.h"
 #include "core/model/rigid_motion.h"
 
@@ -15,26 +16,7 @@ namespace softbody {
 
 namespace {
 
-template <class T>
-T zero_if_finite(BasicVec2<T> x, BasicVec2<T> v) {
-	return ((x.x + v.x) + (x.y + v.y)) * T(0);
-}
-
-// Whether all is finite and no point farther from the first than any body is stretched. A blow-up is noticed by its
-// size long before it overflows: by then rounding has swamped the body's centre. A sum of zeros is zero unless one of
-// them came from what is not finite: one test instead of four a point.
-template <class T>
-MaskOf<T> is_sound(std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities, Real reach) {
-	T sum = T(0);
-	T farthest = T(0);
-	for (std::size_t i = 0; i < positions.size(); ++i) {
-		sum += zero_if_finite(positions[i], velocities[i]);
-		farthest = greater(farthest, length_squared(positions[i] - positions[0]));
-	}
-	return both(sum < T(1), !(farthest > T(reach * reach)));
-}
-
-// The same question without the reach, of one body.
+// As `is_sound`, without the reach, of one body.
 bool is_finite(std::span<const Vec2> positions, std::span<const Vec2> velocities) {
 	RealPack sum(0);
 	for (std::size_t i = 0; i < packs_for(positions.size()); ++i) {
@@ -93,9 +75,31 @@ void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &pl
 		int substeps, const SweptFrom &swept_from, bool are_coupled) {
 	if (can_go_side_by_side(crew, lanes, plan, duration)) {
 		advance_side_by_side(crew, plan, duration, substeps);
-		counts_.substeps += std::uint64_t(substeps) * crew.count;
+	} else {
+		advance_one_by_one(crew, lanes, plan, elapsed, duration, substeps, swept_from, are_coupled);
+	}
+}
+
+void BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed,
+		Real duration, int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled) {
+	std::array<bool, 2> can{};
+	for (std::size_t i = 0; i < crews.size(); ++i) {
+		can[i] = can_go_side_by_side(*crews[i], ALL_LANES, plan, duration);
+	}
+	if (can[0] && can[1] && advance_wide(crews, plan, duration, substeps)) {
 		return;
 	}
+	for (std::size_t i = 0; i < crews.size(); ++i) {
+		if (can[i]) {
+			advance_side_by_side(*crews[i], plan, duration, substeps);
+		} else {
+			advance_one_by_one(*crews[i], ALL_LANES, plan, elapsed, duration, substeps, swept_from[i], are_coupled);
+		}
+	}
+}
+
+void BodyStepper::advance_one_by_one(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed,
+		Real duration, int substeps, const SweptFrom &swept_from, bool are_coupled) {
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		if (lanes >> lane & 1) {
 			advance_alone(crew.bodies[lane], plan, elapsed, duration, substeps, swept_from[lane], are_coupled);
@@ -174,6 +178,7 @@ BodyLanes<RealPack> BodyStepper::gather_lanes(const Crew &crew) {
 }
 
 void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps) {
+	counts_.substeps += std::uint64_t(substeps) * PACK_WIDTH;
 	const SoftBodyShape &shape = *crew.shape;
 	const std::size_t count = shape.point_count();
 	const BodyLanes<RealPack> lanes = gather_lanes(crew);
@@ -212,6 +217,32 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 		scatter(lanes.positions[i], crew.positions, i);
 		scatter(lanes.velocities[i], crew.velocities, i);
 	}
+}
+
+// What is monitored writes a log, and what is ruined is reset, by the narrower code alone.
+bool BodyStepper::advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration,
+		int substeps) {
+	if (wide_ == nullptr || (crews[0]->monitored | crews[1]->monitored) != 0) {
+		return false;
+	}
+	WideStretch stretch;
+	stretch.crews = { crews[0], crews[1] };
+	stretch.borders = world_->borders();
+	stretch.integrator = plan.integrator;
+	stretch.gravity = world_->gravity();
+	stretch.h = duration / Real(substeps);
+	stretch.substeps = substeps;
+	stretch.reach = credible_reach(*crews[0]->shape, plan);
+	for (std::size_t lane = 0; crews[0]->settings->matches_shape() && lane < WIDE_WIDTH; ++lane) {
+		stretch.rotation_memories[lane] = body(crews[lane / PACK_WIDTH]->bodies[lane % PACK_WIDTH]).rotation_memory();
+	}
+	const std::optional<std::uint64_t> contacts = wide_->advance(stretch);
+	if (!contacts) {
+		return false;
+	}
+	counts_.contacts += *contacts;
+	counts_.substeps += std::uint64_t(substeps) * WIDE_WIDTH;
+	return true;
 }
 
 void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,

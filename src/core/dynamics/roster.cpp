@@ -80,6 +80,10 @@ private:
 
 } // namespace
 
+bool move_alike(const Crew &a, const Crew &b) {
+	return a.count == PACK_WIDTH && b.count == PACK_WIDTH && a.shape == b.shape && move_alike(*a.settings, *b.settings);
+}
+
 void Roster::update(WorldData &world) {
 	if (version_ > 0 && seen_arrangement_ == world.change_counts().arrangement) {
 		return;

@@ -29,6 +29,9 @@ struct Crew {
 	std::array<Vec2 *, PACK_WIDTH> velocities{};
 };
 
+/// Whether two crews are full, of one shape, and have settings by which they move alike.
+bool move_alike(const Crew &a, const Crew &b);
+
 /// Divides the active bodies of a world into crews. Thousands of like bodies are the common scene, and side by
 /// side they take a third of the time; what does not fit (another shape, pins) is stepped alone, with the same
 /// result. Made anew only when an arrangement of `WorldData::change_counts()` is counted.

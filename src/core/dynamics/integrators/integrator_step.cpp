@@ -2,6 +2,8 @@
 // The table of integrators.
 #include "core/dynamics/integrators/integrator_step.h"
 
+#include "core/dynamics/integrators/lane_steps.h"
+
 #include <array>
 #include <limits>
 #include <numbers>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The explicit midpoint method.
+#pragma once
+
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include "core/dynamics/forces.h"
@@ -28,8 +30,5 @@ void step_midpoint(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, 
 		v[i] += forces[i] * (w[i] * input.h);
 	}
 }
-
-template void step_midpoint(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
-template void step_midpoint(const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
 
 } // namespace softbody
