@@ -14,8 +14,8 @@
 #include "core/model/body_frame_lanes.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -29,36 +29,67 @@ using Lanes = std::array<Vec2 *, WIDE_WIDTH>;
 
 typedef float Floats __attribute__((vector_size(16)));
 typedef float WideFloats __attribute__((vector_size(32)));
-typedef std::uint64_t WideVectors __attribute__((vector_size(32)));
 
-Floats two_vectors(const Vec2 &a, const Vec2 &b) {
-	const detail::VectorPair pair = { detail::bits_of(a), detail::bits_of(b) };
-	return std::bit_cast<Floats>(pair);
+// Two vectors each of lanes l and l + 4, in the two halves of a register: shuffles work within each half.
+WideFloats load_two(const Lanes &lanes, std::size_t lane, std::size_t i) {
+	Floats low;
+	Floats high;
+	std::memcpy(&low, lanes[lane] + i, sizeof(low));
+	std::memcpy(&high, lanes[lane + 4] + i, sizeof(high));
+	return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-// Shuffles work within each half of a register: lanes 0, 1 and 4, 5 in one register, 2, 3 and 6, 7 in the other.
-WideVec2 gather_wide(const Lanes &lanes, std::size_t i) {
-	const WideFloats a = __builtin_shufflevector(two_vectors(lanes[0][i], lanes[1][i]),
-			two_vectors(lanes[4][i], lanes[5][i]), 0, 1, 2, 3, 4, 5, 6, 7);
-	const WideFloats b = __builtin_shufflevector(two_vectors(lanes[2][i], lanes[3][i]),
-			two_vectors(lanes[6][i], lanes[7][i]), 0, 1, 2, 3, 4, 5, 6, 7);
-	return { WidePack::of_lanes(__builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14)),
-		WidePack::of_lanes(__builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15)) };
+void store_two(WideFloats two, const Lanes &lanes, std::size_t lane, std::size_t i) {
+	const Floats low = __builtin_shufflevector(two, two, 0, 1, 2, 3);
+	const Floats high = __builtin_shufflevector(two, two, 4, 5, 6, 7);
+	std::memcpy(static_cast<void *>(lanes[lane] + i), &low, sizeof(low));
+	std::memcpy(static_cast<void *>(lanes[lane + 4] + i), &high, sizeof(high));
 }
 
-void scatter_wide(const WideVec2 &pack, const Lanes &lanes, std::size_t i) {
-	const auto a = std::bit_cast<WideVectors>(
-			__builtin_shufflevector(pack.x.lanes(), pack.y.lanes(), 0, 8, 1, 9, 4, 12, 5, 13));
-	const auto b = std::bit_cast<WideVectors>(
-			__builtin_shufflevector(pack.x.lanes(), pack.y.lanes(), 2, 10, 3, 11, 6, 14, 7, 15));
-	lanes[0][i] = std::bit_cast<Vec2>(a[0]);
-	lanes[1][i] = std::bit_cast<Vec2>(a[1]);
-	lanes[2][i] = std::bit_cast<Vec2>(b[0]);
-	lanes[3][i] = std::bit_cast<Vec2>(b[1]);
-	lanes[4][i] = std::bit_cast<Vec2>(a[2]);
-	lanes[5][i] = std::bit_cast<Vec2>(a[3]);
-	lanes[6][i] = std::bit_cast<Vec2>(b[2]);
-	lanes[7][i] = std::bit_cast<Vec2>(b[3]);
+// Of each pair of halves the first or last two numbers: singly in turn, or as pairs one after the other.
+WideFloats first_in_turn(WideFloats a, WideFloats b) {
+	return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+}
+WideFloats last_in_turn(WideFloats a, WideFloats b) {
+	return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+}
+WideFloats first_pairs(WideFloats a, WideFloats b) {
+	return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+}
+WideFloats last_pairs(WideFloats a, WideFloats b) {
+	return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+
+// Moving the state in and out of lanes is a third of a step of explicit Euler: two points at a time, by transposing. Of
+// an odd number the last but one goes twice.
+void gather_all(const Lanes &lanes, std::span<WideVec2> all) {
+	for (std::size_t next = 0; next < all.size(); next += 2) {
+		const std::size_t i = std::min(next, all.size() - 2);
+		const WideFloats r0 = load_two(lanes, 0, i);
+		const WideFloats r1 = load_two(lanes, 1, i);
+		const WideFloats r2 = load_two(lanes, 2, i);
+		const WideFloats r3 = load_two(lanes, 3, i);
+		const WideFloats first01 = first_in_turn(r0, r1);
+		const WideFloats first23 = first_in_turn(r2, r3);
+		const WideFloats last01 = last_in_turn(r0, r1);
+		const WideFloats last23 = last_in_turn(r2, r3);
+		all[i] = { WidePack::of_lanes(first_pairs(first01, first23)), WidePack::of_lanes(last_pairs(first01, first23)) };
+		all[i + 1] = { WidePack::of_lanes(first_pairs(last01, last23)), WidePack::of_lanes(last_pairs(last01, last23)) };
+	}
+}
+
+void scatter_all(std::span<const WideVec2> all, const Lanes &lanes) {
+	for (std::size_t next = 0; next < all.size(); next += 2) {
+		const std::size_t i = std::min(next, all.size() - 2);
+		const WideFloats a01 = first_in_turn(all[i].x.lanes(), all[i].y.lanes());
+		const WideFloats a23 = last_in_turn(all[i].x.lanes(), all[i].y.lanes());
+		const WideFloats b01 = first_in_turn(all[i + 1].x.lanes(), all[i + 1].y.lanes());
+		const WideFloats b23 = last_in_turn(all[i + 1].x.lanes(), all[i + 1].y.lanes());
+		store_two(first_pairs(a01, b01), lanes, 0, i);
+		store_two(last_pairs(a01, b01), lanes, 1, i);
+		store_two(first_pairs(a23, b23), lanes, 2, i);
+		store_two(last_pairs(a23, b23), lanes, 3, i);
+	}
 }
 
 class Avx2Stepper final : public WideStepper {
@@ -85,10 +116,8 @@ public:
 				bodies.model.rotation_memory.s.set(lane, stretch.rotation_memories[lane].s);
 			}
 		}
-		for (std::size_t i = 0; i < count; ++i) {
-			bodies.positions[i] = gather_wide(to_positions, i);
-			bodies.velocities[i] = gather_wide(to_velocities, i);
-		}
+		gather_all(to_positions, bodies.positions);
+		gather_all(to_velocities, bodies.velocities);
 		const LaneStep<WidePack> step = lane_step<WidePack>(stretch.integrator);
 		WidePack contacts(0);
 		for (int i = 0; i < stretch.substeps; ++i) {
@@ -105,10 +134,8 @@ public:
 		if (any(!is_sound<WidePack>(bodies.positions, bodies.velocities, stretch.reach))) {
 			return std::nullopt;
 		}
-		for (std::size_t i = 0; i < count; ++i) {
-			scatter_wide(bodies.positions[i], to_positions, i);
-			scatter_wide(bodies.velocities[i], to_velocities, i);
-		}
+		scatter_all(bodies.positions, to_positions);
+		scatter_all(bodies.velocities, to_velocities);
 		std::uint64_t all_contacts = 0;
 		for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
 			all_contacts += std::uint64_t(contacts[lane]);
