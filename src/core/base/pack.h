@@ -26,7 +26,8 @@ template <std::size_t WIDTH>
 struct PackTypes {
 	typedef Real Reals __attribute__((vector_size(WIDTH * sizeof(Real))));
 	// As wide as a `Real`, as comparisons answer.
-	typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits __attribute__((vector_size(WIDTH * sizeof(Real))));
+	typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bit;
+	typedef Bit Bits __attribute__((vector_size(WIDTH * sizeof(Real))));
 };
 #else
 template <std::size_t WIDTH>
@@ -99,8 +100,12 @@ public:
 	friend BasicPack operator*(BasicPack a, BasicPack b) { return each(a, b, [](Real x, Real y) { return x * y; }); }
 	friend BasicPack operator/(BasicPack a, BasicPack b) { return each(a, b, [](Real x, Real y) { return x / y; }); }
 	friend BasicPack operator-(BasicPack a) { return each(a, a, [](Real x, Real) { return -x; }); }
-	friend BasicPackMask<WIDTH> operator<(BasicPack a, BasicPack b) { return compare(a, b, [](Real x, Real y) { return x < y; }); }
-	friend BasicPackMask<WIDTH> operator>(BasicPack a, BasicPack b) { return compare(a, b, [](Real x, Real y) { return x > y; }); }
+	friend BasicPackMask<WIDTH> operator<(BasicPack a, BasicPack b) {
+		return compare(a, b, [](Real x, Real y) { return x < y; });
+	}
+	friend BasicPackMask<WIDTH> operator>(BasicPack a, BasicPack b) {
+		return compare(a, b, [](Real x, Real y) { return x > y; });
+	}
 	friend BasicPack select(BasicPackMask<WIDTH> mask, BasicPack yes, BasicPack no) {
 		for (std::size_t i = 0; i < WIDTH; ++i) {
 			no.lanes_[i] = mask.lanes[i] ? yes.lanes_[i] : no.lanes_[i];
