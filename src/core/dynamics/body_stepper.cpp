@@ -73,8 +73,9 @@ void BodyStepper::begin(const Crew &crew) {
 
 void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
 		int substeps, const SweptFrom &swept_from, bool are_coupled) {
-	if (can_go_side_by_side(crew, lanes, plan, duration)) {
-		advance_side_by_side(crew, plan, duration, substeps);
+	if (can_go_side_by_side(crew, lanes, plan)) {
+		const std::uint32_t alone = lanes_answered_alone(crew, elapsed, duration);
+		advance_side_by_side(crew, alone, plan, duration, substeps, swept_from);
 	} else {
 		advance_one_by_one(crew, lanes, plan, elapsed, duration, substeps, swept_from, are_coupled);
 	}
@@ -82,19 +83,24 @@ void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &pl
 
 void BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed,
 		Real duration, int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled) {
-	std::array<bool, 2> can{};
-	for (std::size_t i = 0; i < crews.size(); ++i) {
-		can[i] = can_go_side_by_side(*crews[i], ALL_LANES, plan, duration);
-	}
-	if (can[0] && can[1] && advance_wide(crews, plan, duration, substeps)) {
+	const auto advance_one = [&](std::size_t i) {
+		advance(*crews[i], ALL_LANES, plan, elapsed, duration, substeps, swept_from[i], are_coupled);
+	};
+	if (!can_go_side_by_side(*crews[0], ALL_LANES, plan) || !can_go_side_by_side(*crews[1], ALL_LANES, plan)) {
+		advance_one(0);
+		advance_one(1);
 		return;
 	}
-	for (std::size_t i = 0; i < crews.size(); ++i) {
-		if (can[i]) {
-			advance_side_by_side(*crews[i], plan, duration, substeps);
-		} else {
-			advance_one_by_one(*crews[i], ALL_LANES, plan, elapsed, duration, substeps, swept_from[i], are_coupled);
-		}
+	const std::uint32_t alone = lanes_answered_alone(*crews[0], elapsed, duration);
+	if (alone != 0) {
+		advance_side_by_side(*crews[0], alone, plan, duration, substeps, swept_from[0]);
+		advance_one(1);
+		return;
+	}
+	const std::uint32_t other_alone = lanes_answered_alone(*crews[1], elapsed, duration);
+	if (other_alone != 0 || !advance_wide(crews, plan, duration, substeps)) {
+		advance_side_by_side(*crews[0], alone, plan, duration, substeps, swept_from[0]);
+		advance_side_by_side(*crews[1], other_alone, plan, duration, substeps, swept_from[1]);
 	}
 }
 
@@ -139,21 +145,23 @@ void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
 	}
 }
 
-bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan,
-		Real duration) const {
-	if (crew.count < PACK_WIDTH || lanes != ALL_LANES || crew.touching != 0 || borders_bounce_ || !integrator_traits(plan.integrator).step_side_by_side) {
-		return false; // each body remembers its own bounce
+bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan) const {
+	if (crew.count < PACK_WIDTH || lanes != ALL_LANES || !integrator_traits(plan.integrator).step_side_by_side) {
+		return false;
 	}
 	// Thousands of bodies are many megabytes: what need not be read is left where it is.
-	if (has_forces_ || surroundings_->has_colliders()) {
-		for (const std::uint32_t place : crew.bodies) {
-			const SoftBodyData &data = body(place);
-			if (data.is_pushed() || surroundings_->has_collider_in(sweep_box(data.hull(), data.velocities(), duration))) {
-				return false;
-			}
-		}
+	return !has_forces_ ||
+			std::ranges::none_of(crew.bodies, [&](std::uint32_t place) { return body(place).is_pushed(); });
+}
+
+std::uint32_t BodyStepper::lanes_answered_alone(const Crew &crew, Real elapsed, Real duration) {
+	std::uint32_t lanes = borders_bounce_ ? ALL_LANES : crew.touching; // each body remembers its own bounce
+	for (std::uint32_t lane = 0; lane < PACK_WIDTH && (surroundings_->has_colliders() || lanes != 0); ++lane) {
+		const bool is_near = collision_.begin_body(*surroundings_, body(crew.bodies[lane]), elapsed, duration, lane);
+		lanes |= std::uint32_t(is_near) << lane;
 	}
-	return true;
+	// Borders are answered for all lanes at once, or for each alone.
+	return lanes == 0 || world_->borders().empty() ? lanes : ALL_LANES;
 }
 
 // The rotations of the last step only where shape matching asks for them: what need not be read is left where it is.
@@ -177,11 +185,16 @@ BodyLanes<RealPack> BodyStepper::gather_lanes(const Crew &crew) {
 	return lanes;
 }
 
-void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps) {
+void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t answered_alone, const SubstepPlan &plan,
+		Real duration, int substeps, const SweptFrom &swept_from) {
 	counts_.substeps += std::uint64_t(substeps) * PACK_WIDTH;
 	const SoftBodyShape &shape = *crew.shape;
 	const std::size_t count = shape.point_count();
 	const BodyLanes<RealPack> lanes = gather_lanes(crew);
+	if (answered_alone != 0) {
+		pack_start_.assign(lanes.positions.begin(), lanes.positions.end());
+		pack_start_.insert(pack_start_.end(), lanes.velocities.begin(), lanes.velocities.end());
+	}
 	pack_workspace_.begin_body(count);
 	const LaneStep<RealPack> step = integrator_traits(plan.integrator).step_side_by_side;
 	const Real h = duration / Real(substeps);
@@ -190,14 +203,15 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 		if (crew.settings->has_damp()) {
 			damp_rigid_motion<RealPack>(lanes, h);
 		}
-		if (!world_->borders().empty()) {
-			const RealPack contacts = collision_.handle_borders_side_by_side(lanes, world_->borders(), h,
-					crew.bodies, crew.monitored);
-			pack_workspace_.forces_are_current =
-					both(pack_workspace_.forces_are_current, !(contacts > RealPack(0)));
-			for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-				counts_.contacts += std::uint64_t(contacts[lane]);
-			}
+		RealPack contacts(0);
+		if (answered_alone != 0) {
+			contacts = answer_alone(crew, answered_alone, lanes, h, i == 0 ? swept_from : SweptFrom{});
+		} else if (!world_->borders().empty()) {
+			contacts = collision_.handle_borders_side_by_side(lanes, world_->borders(), h, crew.bodies, crew.monitored);
+		}
+		pack_workspace_.forces_are_current = both(pack_workspace_.forces_are_current, !(contacts > RealPack(0)));
+		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+			counts_.contacts += std::uint64_t(contacts[lane]);
 		}
 	}
 	const PackMask sound = is_sound<RealPack>(lanes.positions, lanes.velocities, credible_reach(shape, plan));
@@ -205,6 +219,10 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 		// Bodies keep what they started from until here; those that are ruined fall back on it.
 		for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
 			if (!sound[lane]) {
+				for (std::size_t i = 0; answered_alone != 0 && i < count; ++i) {
+					crew.positions[lane][i] = lane_of(pack_start_[i], lane);
+					crew.velocities[lane][i] = lane_of(pack_start_[count + i], lane);
+				}
 				reset(crew.bodies[lane], duration);
 				for (std::size_t i = 0; i < count; ++i) {
 					set_lane(lanes.positions[i], lane, crew.positions[lane][i]);
@@ -217,6 +235,39 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 		scatter(lanes.positions[i], crew.positions, i);
 		scatter(lanes.velocities[i], crew.velocities, i);
 	}
+	for (std::uint32_t lane = 0; answered_alone != 0 && lane < PACK_WIDTH; ++lane) {
+		const std::uint32_t is_touching = body(crew.bodies[lane]).touch_memory().touching;
+		crew.touching = (crew.touching & ~(1u << lane)) | is_touching << lane;
+	}
+}
+
+// Springs and integrators are most of what a body costs: a body on the ground keeps nobody from going side by side.
+RealPack BodyStepper::answer_alone(const Crew &crew, std::uint32_t answered_alone, const BodyLanes<RealPack> &lanes, Real h,
+		const SweptFrom &swept_from) {
+	const std::size_t hull_count = crew.shape->hull_count();
+	before_.resize(std::max(before_.size(), PACK_WIDTH * hull_count));
+	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+		if (answered_alone >> lane & 1) {
+			std::copy_n(swept_from[lane] != nullptr ? swept_from[lane] : crew.positions[lane], hull_count, &before_[lane * hull_count]);
+		}
+	}
+	for (std::size_t i = 0; i < lanes.positions.size(); ++i) {
+		scatter(lanes.positions[i], crew.positions, i);
+		scatter(lanes.velocities[i], crew.velocities, i);
+	}
+	RealPack contacts(0);
+	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+		if (answered_alone >> lane & 1) {
+			SoftBodyData &data = body(crew.bodies[lane]);
+			const std::span<const Vec2> before(&before_[lane * hull_count], hull_count);
+			contacts.set(lane, Real(collision_.handle(data, before, data.total_acceleration(world_->gravity()), h, lane)));
+		}
+	}
+	for (std::size_t i = 0; i < lanes.positions.size(); ++i) {
+		lanes.positions[i] = gather(crew.positions, i);
+		lanes.velocities[i] = gather(crew.velocities, i);
+	}
+	return contacts;
 }
 
 // What is monitored writes a log, and what is ruined is reset, by the narrower code alone.
