@@ -60,7 +60,8 @@ std::optional<std::uint64_t> advance(WideStepper &stepper, WorldData &world, Int
 	stretch.h = H;
 	stretch.substeps = 3;
 	stretch.reach = 50;
-	return stepper.advance(stretch);
+	StateAhead ahead;
+	return stepper.advance(stretch, ahead);
 }
 
 } // namespace

@@ -82,23 +82,26 @@ void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &pl
 }
 
 void BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed,
-		Real duration, int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled) {
+		Real duration, int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled, StateAhead &ahead) {
 	const auto advance_one = [&](std::size_t i) {
 		advance(*crews[i], ALL_LANES, plan, elapsed, duration, substeps, swept_from[i], are_coupled);
 	};
 	if (!can_go_side_by_side(*crews[0], ALL_LANES, plan) || !can_go_side_by_side(*crews[1], ALL_LANES, plan)) {
+		ahead.ask_all();
 		advance_one(0);
 		advance_one(1);
 		return;
 	}
 	const std::uint32_t alone = lanes_answered_alone(*crews[0], elapsed, duration);
 	if (alone != 0) {
+		ahead.ask_all();
 		advance_side_by_side(*crews[0], alone, plan, duration, substeps, swept_from[0]);
 		advance_one(1);
 		return;
 	}
 	const std::uint32_t other_alone = lanes_answered_alone(*crews[1], elapsed, duration);
-	if (other_alone != 0 || !advance_wide(crews, plan, duration, substeps)) {
+	if (other_alone != 0 || !advance_wide(crews, plan, duration, substeps, ahead)) {
+		ahead.ask_all();
 		advance_side_by_side(*crews[0], alone, plan, duration, substeps, swept_from[0]);
 		advance_side_by_side(*crews[1], other_alone, plan, duration, substeps, swept_from[1]);
 	}
@@ -272,7 +275,7 @@ RealPack BodyStepper::answer_alone(const Crew &crew, std::uint32_t answered_alon
 
 // What is monitored writes a log, and what is ruined is reset, by the narrower code alone.
 bool BodyStepper::advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration,
-		int substeps) {
+		int substeps, StateAhead &ahead) {
 	if (wide_ == nullptr || (crews[0]->monitored | crews[1]->monitored) != 0) {
 		return false;
 	}
@@ -287,7 +290,7 @@ bool BodyStepper::advance_wide(const std::array<Crew *, 2> &crews, const Substep
 	for (std::size_t lane = 0; crews[0]->settings->matches_shape() && lane < WIDE_WIDTH; ++lane) {
 		stretch.rotation_memories[lane] = body(crews[lane / PACK_WIDTH]->bodies[lane % PACK_WIDTH]).rotation_memory();
 	}
-	const std::optional<std::uint64_t> contacts = wide_->advance(stretch);
+	const std::optional<std::uint64_t> contacts = wide_->advance(stretch, ahead);
 	if (!contacts) {
 		return false;
 	}

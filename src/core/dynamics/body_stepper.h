@@ -7,6 +7,7 @@
 #include "core/collision/self_collision.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/roster.h"
+#include "core/dynamics/state_ahead.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/dynamics/wide_stepper.h"
 #include "core/model/body_frame.h"
@@ -48,9 +49,9 @@ public:
 	/// too, unless `are_coupled`: then other bodies have yet to push them.
 	void advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
 			const SweptFrom &swept_from = {}, bool are_coupled = false);
-	/// The same for all bodies of two crews that `move_alike`, both at once where that can be done.
+	/// The same for all bodies of two crews that `move_alike`, both at once where that can be done. Asks for `ahead` meanwhile.
 	void advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed, Real duration,
-			int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled);
+			int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled, StateAhead &ahead);
 	/// Answers the contacts of a body with itself, after other bodies have pushed it in a substep of `h` [s] that started
 	/// with its hull at `before`.
 	void answer_self_contacts(std::uint32_t place, std::span<const Vec2> before, Real h);
@@ -83,7 +84,8 @@ private:
 	/// Which lanes have more to do with the surroundings than lie on borders that do not bounce: near these, in a touch.
 	std::uint32_t lanes_answered_alone(const Crew &crew, Real elapsed, Real duration);
 	/// False, and nothing has changed, where it cannot be done.
-	bool advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration, int substeps);
+	bool advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration, int substeps,
+			StateAhead &ahead);
 	void advance_one_by_one(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
 			int substeps, const SweptFrom &swept_from, bool are_coupled);
 	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan) const;

@@ -98,7 +98,7 @@ private:
 		bool is_coupled = false;
 	};
 	void advance(BodyStepper &stepper, std::uint32_t crew, const Stretch &stretch);
-	void advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const Stretch &stretch);
+	void advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const Stretch &stretch, StateAhead &ahead);
 	bool move_alike_now(std::uint32_t a, std::uint32_t b) const;
 	SweptFrom swept_from(std::uint32_t crew, const Stretch &stretch) const;
 	void step_coupled(Real dt);

@@ -4,6 +4,7 @@
 
 #include "core/base/pack.h"
 #include "core/dynamics/roster.h"
+#include "core/dynamics/state_ahead.h"
 #include "core/model/integrator.h"
 #include "core/model/surroundings.h"
 
@@ -36,7 +37,8 @@ class WideStepper {
 public:
 	virtual ~WideStepper() = default;
 	/// How many contacts with borders it answered. Nothing, and nothing has changed, if a body would have ended unsound.
-	virtual std::optional<std::uint64_t> advance(const WideStretch &stretch) = 0;
+	/// Meanwhile it asks for all of `ahead`.
+	virtual std::optional<std::uint64_t> advance(const WideStretch &stretch, StateAhead &ahead) = 0;
 };
 
 /// Null where the compiler or the processor offers no registers of that width, and in double precision.

@@ -94,7 +94,7 @@ void scatter_all(std::span<const WideVec2> all, const Lanes &lanes) {
 
 class Avx2Stepper final : public WideStepper {
 public:
-	std::optional<std::uint64_t> advance(const WideStretch &stretch) override {
+	std::optional<std::uint64_t> advance(const WideStretch &stretch, StateAhead &ahead) override {
 		const SoftBodyShape &shape = *stretch.crews[0]->shape;
 		const BodySettings &settings = *stretch.crews[0]->settings;
 		const std::size_t count = shape.point_count();
@@ -116,12 +116,17 @@ public:
 				bodies.model.rotation_memory.s.set(lane, stretch.rotation_memories[lane].s);
 			}
 		}
+		// A body or two at a time, as evenly as the work lets them be spread.
+		ahead.ask(1);
 		gather_all(to_positions, bodies.positions);
+		ahead.ask(1);
 		gather_all(to_velocities, bodies.velocities);
 		const LaneStep<WidePack> step = lane_step<WidePack>(stretch.integrator);
 		WidePack contacts(0);
 		for (int i = 0; i < stretch.substeps; ++i) {
+			ahead.ask(2);
 			step(bodies, { stretch.gravity, {}, stretch.h }, workspace_);
+			ahead.ask(2);
 			if (settings.has_damp()) {
 				damp_rigid_motion<WidePack>(bodies, stretch.h);
 			}
@@ -131,6 +136,7 @@ public:
 				contacts += answered;
 			}
 		}
+		ahead.ask_all();
 		if (any(!is_sound<WidePack>(bodies.positions, bodies.velocities, stretch.reach))) {
 			return std::nullopt;
 		}
