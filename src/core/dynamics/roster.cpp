@@ -107,6 +107,9 @@ void Roster::update(WorldData &world) {
 		Crew &crew = openings.find(body);
 		join(crew, i, body);
 		if (crew.count == PACK_WIDTH) {
+			if (!crews_.empty() && move_alike(crews_.back(), crew)) {
+				crew.settings = crews_.back().settings; // one place to read for all of them, which stays in the cache
+			}
 			crews_.push_back(std::exchange(crew, {}));
 		}
 	}

@@ -24,7 +24,8 @@ struct Crew {
 	std::uint32_t touching = 0;
 	// Of the bodies, as long as nothing is rearranged: the step then need not read the bodies themselves.
 	const SoftBodyShape *shape = nullptr;
-	const BodySettings *settings = nullptr; ///< of the first body
+	/// Of the first body, or of the first crew in a row that `move_alike`.
+	const BodySettings *settings = nullptr;
 	std::array<Vec2 *, PACK_WIDTH> positions{};
 	std::array<Vec2 *, PACK_WIDTH> velocities{};
 };
