@@ -6,6 +6,8 @@ namespace softbody {
 
 namespace {
 
+bool are_allowed = true;
+
 bool has_avx2() {
 #if (defined(__GNUC__) || defined(__clang__)) && (defined(__x86_64__) || defined(__i386__))
 	return __builtin_cpu_supports("avx2");
@@ -17,7 +19,11 @@ bool has_avx2() {
 } // namespace
 
 std::unique_ptr<WideStepper> make_wide_stepper() {
-	return detail::make_avx2_stepper != nullptr && has_avx2() ? detail::make_avx2_stepper() : nullptr;
+	return are_allowed && detail::make_avx2_stepper != nullptr && has_avx2() ? detail::make_avx2_stepper() : nullptr;
+}
+
+void allow_wide_steppers(bool allowed) {
+	are_allowed = allowed;
 }
 
 } // namespace softbody

@@ -41,8 +41,12 @@ public:
 	virtual std::optional<std::uint64_t> advance(const WideStretch &stretch, StateAhead &ahead) = 0;
 };
 
-/// Null where the compiler or the processor offers no registers of that width, and in double precision.
+/// Null where the compiler or the processor offers no registers of that width, in double precision, and while
+/// `allow_wide_steppers` says no.
 std::unique_ptr<WideStepper> make_wide_stepper();
+/// Whether simulators made from now on may use registers of that width. For tests, which compare: the bits are the same.
+/// Not to be called while another thread makes one. Default true.
+void allow_wide_steppers(bool allowed);
 
 namespace detail {
 /// Makes one, whatever the processor. Null where the program was compiled without. It lies in the one file that is

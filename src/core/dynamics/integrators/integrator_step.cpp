@@ -10,6 +10,25 @@
 
 namespace softbody {
 
+// For whoever calls them by name.
+template void step_explicit_euler(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_semi_implicit_euler(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_midpoint(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_heun(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_runge_kutta_4(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_velocity_verlet(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_explicit_euler(
+		const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+template void step_semi_implicit_euler(
+		const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+template void step_midpoint(
+		const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+template void step_heun(const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+template void step_runge_kutta_4(
+		const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+template void step_velocity_verlet(
+		const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+
 namespace {
 
 template <LaneStep<Real> step>
