@@ -2,6 +2,7 @@
 // A scene with nearly everything in it ends in the same bits: on any number of threads, in every run, by every compiler.
 #include "core/base/constants.h"
 #include "core/dynamics/simulator.h"
+#include "core/dynamics/wide_stepper.h"
 #include "scenes/mixed.h"
 #include "support/threads.h"
 
@@ -56,6 +57,15 @@ TEST_CASE("a mixed scene ends in the same bits on 1, 2, 3 and 8 threads and in a
 		CHECK(alone.resets == 0);
 		CHECK(alone.events > 50);
 	}
+}
+
+TEST_CASE("a mixed scene ends in the same bits with the widest registers of the processor and without") {
+	const Outcome wide = run(0, {});
+	allow_wide_steppers(false);
+	CHECK(make_wide_stepper() == nullptr);
+	const Outcome narrow = run(0, {});
+	allow_wide_steppers(true);
+	CHECK(narrow == wide);
 }
 
 // Sums of squares, roots, products and comparisons round alike everywhere, as long as nothing is contracted and vectors are

@@ -74,26 +74,37 @@ TEST_CASE("bodies side by side end in the same bits as each of them alone, with 
 			settings.substeps = method == 0 ? 0 : 12;
 			CAPTURE(method);
 			Random random(method);
-			const std::vector<SoftBodyData> bodies = loners(6, settings, random); // a crew and two that are left over
+			// Two crews that may go at once, a third, and two that are left over.
+			const std::vector<SoftBodyData> bodies = loners(14, settings, random);
 			WorldData together;
 			prepare(together);
 			for (const SoftBodyData &body : bodies) {
 				together.add_soft_body(body);
 			}
 			Simulator simulator(together);
+			StepReport sums;
 			for (int i = 0; i < 60; ++i) {
-				CHECK(simulator.simulate(Real(1) / 60).reset_bodies.empty());
+				const StepReport report = simulator.simulate(Real(1) / 60);
+				CHECK(report.reset_bodies.empty());
+				sums.contacts += report.contacts;
+				sums.substeps += report.substeps;
 			}
+			StepReport alone_sums;
 			for (std::size_t i = 0; i < bodies.size(); ++i) {
 				WorldData alone;
 				prepare(alone);
 				alone.add_soft_body(bodies[i]);
 				Simulator single(alone);
 				for (int step = 0; step < 60; ++step) {
-					single.simulate(Real(1) / 60);
+					const StepReport report = single.simulate(Real(1) / 60);
+					alone_sums.contacts += report.contacts;
+					alone_sums.substeps += report.substeps;
 				}
 				CHECK(same_state(alone.soft_bodies()[0], together.soft_bodies()[i]));
 			}
+			CHECK(sums.contacts > 0);
+			CHECK(sums.contacts == alone_sums.contacts);
+			CHECK(sums.substeps == alone_sums.substeps);
 		}
 	}
 }
@@ -140,6 +151,79 @@ TEST_CASE("what bodies feel apart from their crew reaches only them: a force, an
 	}
 	Random random(4);
 	CHECK_FALSE(same_state(together[0], loners(4, {}, random)[0]));
+}
+
+TEST_CASE("bodies of a crew end in the same bits as alone where some of them lie on colliders of every kind") {
+	for (const Integrator integrator : { Integrator::AUTOMATIC, Integrator::EXPLICIT_EULER, Integrator::MIDPOINT,
+				 Integrator::RUNGE_KUTTA_4, Integrator::VELOCITY_VERLET }) {
+		for (const bool has_ground : { false, true }) {
+			CAPTURE(int(integrator));
+			CAPTURE(has_ground);
+			BodySettings settings;
+			settings.integrator = integrator;
+			settings.substeps = integrator == Integrator::AUTOMATIC ? 0 : 12;
+			settings.rolling_resistance = Real(0.03);
+			settings.shape_stiffness = 50;
+			settings.linear_damp = Real(0.2);
+			Random random(21);
+			// Bodies 2 apart from x = 0 on. Over a floor, over a moving plate, over nothing, over a platform that holds from one
+			// side, over a ball that bounces, over a chain; and as many again over nothing or the ground.
+			const std::vector<SoftBodyData> bodies = loners(12, settings, random);
+			const auto prepare_colliders = [&](WorldData &world) {
+				world.set_gravity({ 0, Real(-9.81) });
+				if (has_ground) {
+					prepare(world);
+				}
+				CHECK_FALSE(world.add_collider({ { { -1, -1 }, { 1, -1 }, { 1, 0 }, { -1, 0 } }, 0, {} }));
+				RigidBody plate;
+				plate.pose.position = { 2, Real(-0.2) };
+				plate.linear_velocity = { Real(0.1), Real(0.3) };
+				ConvexCollider on_plate{ { { Real(-0.8), -1 }, { Real(0.8), -1 }, { Real(0.8), 0 }, { Real(-0.8), 0 } }, 0, {} };
+				on_plate.rigid_body = world.add_rigid_body(plate).value();
+				CHECK_FALSE(world.add_collider(on_plate));
+				ConvexCollider platform{ { { 5, -1 }, { 7, -1 } }, Real(0.02), {} };
+				platform.one_way = { 0, 1 };
+				CHECK_FALSE(world.add_collider(platform));
+				ConvexCollider ball{ { { 8, Real(-0.3) } }, Real(0.5), {} };
+				ball.surface.restitution = Real(0.5);
+				CHECK_FALSE(world.add_collider(ball));
+				const std::vector<Vec2> chain = { { 9, Real(0.2) }, { 10, 0 }, { 11, Real(0.3) } };
+				CHECK_FALSE(world.add_chain(chain, false));
+			};
+			WorldData together;
+			prepare_colliders(together);
+			for (const SoftBodyData &body : bodies) {
+				together.add_soft_body(body);
+			}
+			Simulator simulator(together);
+			StepReport sums;
+			for (int i = 0; i < 90; ++i) {
+				const StepReport report = simulator.simulate(Real(1) / 60);
+				CHECK(report.reset_bodies.empty());
+				sums.contacts += report.contacts;
+				sums.substeps += report.substeps;
+			}
+			StepReport alone_sums;
+			for (std::size_t i = 0; i < bodies.size(); ++i) {
+				CAPTURE(i);
+				WorldData alone;
+				prepare_colliders(alone);
+				alone.add_soft_body(bodies[i]);
+				Simulator single(alone);
+				std::uint64_t contacts = 0;
+				for (int step = 0; step < 90; ++step) {
+					const StepReport report = single.simulate(Real(1) / 60);
+					contacts += report.contacts;
+					alone_sums.substeps += report.substeps;
+				}
+				CHECK((contacts > 0 || i == 2 || i > 5)); // or else nothing is tested
+				alone_sums.contacts += contacts;
+				CHECK(same_state(alone.soft_bodies()[0], together.soft_bodies()[i]));
+			}
+			CHECK(sums.contacts == alone_sums.contacts);
+			CHECK(sums.substeps == alone_sums.substeps);
+		}
+	}
 }
 
 TEST_CASE("any number of threads gives the same bits") {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace softbody {
 
@@ -21,31 +22,41 @@ namespace detail {
 
 #if defined(__GNUC__) || defined(__clang__)
 #define SOFTBODY_VECTOR_EXTENSION
-typedef Real PackReals __attribute__((vector_size(PACK_WIDTH * sizeof(Real))));
-typedef decltype(PackReals{} < PackReals{}) PackBits;
+template <std::size_t WIDTH>
+struct PackTypes {
+	typedef Real Reals __attribute__((vector_size(WIDTH * sizeof(Real))));
+	// As wide as a `Real`, as comparisons answer.
+	typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bit;
+	typedef Bit Bits __attribute__((vector_size(WIDTH * sizeof(Real))));
+};
 #else
-using PackReals = std::array<Real, PACK_WIDTH>;
-using PackBits = std::array<bool, PACK_WIDTH>;
+template <std::size_t WIDTH>
+struct PackTypes {
+	using Reals = std::array<Real, WIDTH>;
+	using Bits = std::array<bool, WIDTH>;
+};
 #endif
+using PackReals = typename PackTypes<PACK_WIDTH>::Reals;
 
 } // namespace detail
 
 /// The answer of a comparison for every lane of a pack.
-struct PackMask {
-	detail::PackBits lanes;
+template <std::size_t WIDTH>
+struct BasicPackMask {
+	typename detail::PackTypes<WIDTH>::Bits lanes;
 
 	bool operator[](std::size_t lane) const { return lanes[lane]; }
 #ifdef SOFTBODY_VECTOR_EXTENSION
-	friend PackMask both(PackMask a, PackMask b) { return { a.lanes & b.lanes }; }
-	friend PackMask operator!(PackMask a) { return { ~a.lanes }; }
+	friend BasicPackMask both(BasicPackMask a, BasicPackMask b) { return { a.lanes & b.lanes }; }
+	friend BasicPackMask operator!(BasicPackMask a) { return { ~a.lanes }; }
 #else
-	friend PackMask both(PackMask a, PackMask b) {
-		for (std::size_t i = 0; i < PACK_WIDTH; ++i) {
+	friend BasicPackMask both(BasicPackMask a, BasicPackMask b) {
+		for (std::size_t i = 0; i < WIDTH; ++i) {
 			a.lanes[i] = a.lanes[i] && b.lanes[i];
 		}
 		return a;
 	}
-	friend PackMask operator!(PackMask a) {
+	friend BasicPackMask operator!(BasicPackMask a) {
 		for (bool &lane : a.lanes) {
 			lane = !lane;
 		}
@@ -53,89 +64,100 @@ struct PackMask {
 	}
 #endif
 };
+using PackMask = BasicPackMask<PACK_WIDTH>;
 
-/// PACK_WIDTH scalars, each of which goes through the same operations as a single `Real` would, with the
+/// WIDTH scalars, each of which goes through the same operations as a single `Real` would, with the
 /// same roundings: code written for any scalar type T gives the same bits for `Real` as for a lane of this.
 /// A `Real` converts to a pack of equal lanes.
-class RealPack {
+template <std::size_t WIDTH>
+class BasicPack {
 public:
-	RealPack() = default;
-	RealPack(Real value) { set_all(value); }
+	using Reals = typename detail::PackTypes<WIDTH>::Reals;
+	using Bits = typename detail::PackTypes<WIDTH>::Bits;
+
+	BasicPack() = default;
+	BasicPack(Real value) { set_all(value); }
 
 	Real operator[](std::size_t lane) const { return lanes_[lane]; }
 	void set(std::size_t lane, Real value) { lanes_[lane] = value; }
-	const detail::PackReals &lanes() const { return lanes_; }
-	static RealPack of_lanes(detail::PackReals lanes) { return RealPack(lanes); }
+	const Reals &lanes() const { return lanes_; }
+	static BasicPack of_lanes(Reals lanes) { return BasicPack(lanes); }
 
 #ifdef SOFTBODY_VECTOR_EXTENSION
-	friend RealPack operator+(RealPack a, RealPack b) { return RealPack(a.lanes_ + b.lanes_); }
-	friend RealPack operator-(RealPack a, RealPack b) { return RealPack(a.lanes_ - b.lanes_); }
-	friend RealPack operator*(RealPack a, RealPack b) { return RealPack(a.lanes_ * b.lanes_); }
-	friend RealPack operator/(RealPack a, RealPack b) { return RealPack(a.lanes_ / b.lanes_); }
-	friend RealPack operator-(RealPack a) { return RealPack(-a.lanes_); }
-	friend PackMask operator<(RealPack a, RealPack b) { return { a.lanes_ < b.lanes_ }; }
-	friend PackMask operator>(RealPack a, RealPack b) { return { a.lanes_ > b.lanes_ }; }
-	friend RealPack select(PackMask mask, RealPack yes, RealPack no) {
-		return RealPack(mask.lanes ? yes.lanes_ : no.lanes_);
+	friend BasicPack operator+(BasicPack a, BasicPack b) { return BasicPack(a.lanes_ + b.lanes_); }
+	friend BasicPack operator-(BasicPack a, BasicPack b) { return BasicPack(a.lanes_ - b.lanes_); }
+	friend BasicPack operator*(BasicPack a, BasicPack b) { return BasicPack(a.lanes_ * b.lanes_); }
+	friend BasicPack operator/(BasicPack a, BasicPack b) { return BasicPack(a.lanes_ / b.lanes_); }
+	friend BasicPack operator-(BasicPack a) { return BasicPack(-a.lanes_); }
+	friend BasicPackMask<WIDTH> operator<(BasicPack a, BasicPack b) { return { Bits(a.lanes_ < b.lanes_) }; }
+	friend BasicPackMask<WIDTH> operator>(BasicPack a, BasicPack b) { return { Bits(a.lanes_ > b.lanes_) }; }
+	friend BasicPack select(BasicPackMask<WIDTH> mask, BasicPack yes, BasicPack no) {
+		return BasicPack(mask.lanes ? yes.lanes_ : no.lanes_);
 	}
 #else
-	friend RealPack operator+(RealPack a, RealPack b) { return each(a, b, [](Real x, Real y) { return x + y; }); }
-	friend RealPack operator-(RealPack a, RealPack b) { return each(a, b, [](Real x, Real y) { return x - y; }); }
-	friend RealPack operator*(RealPack a, RealPack b) { return each(a, b, [](Real x, Real y) { return x * y; }); }
-	friend RealPack operator/(RealPack a, RealPack b) { return each(a, b, [](Real x, Real y) { return x / y; }); }
-	friend RealPack operator-(RealPack a) { return each(a, a, [](Real x, Real) { return -x; }); }
-	friend PackMask operator<(RealPack a, RealPack b) { return compare(a, b, [](Real x, Real y) { return x < y; }); }
-	friend PackMask operator>(RealPack a, RealPack b) { return compare(a, b, [](Real x, Real y) { return x > y; }); }
-	friend RealPack select(PackMask mask, RealPack yes, RealPack no) {
-		for (std::size_t i = 0; i < PACK_WIDTH; ++i) {
+	friend BasicPack operator+(BasicPack a, BasicPack b) { return each(a, b, [](Real x, Real y) { return x + y; }); }
+	friend BasicPack operator-(BasicPack a, BasicPack b) { return each(a, b, [](Real x, Real y) { return x - y; }); }
+	friend BasicPack operator*(BasicPack a, BasicPack b) { return each(a, b, [](Real x, Real y) { return x * y; }); }
+	friend BasicPack operator/(BasicPack a, BasicPack b) { return each(a, b, [](Real x, Real y) { return x / y; }); }
+	friend BasicPack operator-(BasicPack a) { return each(a, a, [](Real x, Real) { return -x; }); }
+	friend BasicPackMask<WIDTH> operator<(BasicPack a, BasicPack b) {
+		return compare(a, b, [](Real x, Real y) { return x < y; });
+	}
+	friend BasicPackMask<WIDTH> operator>(BasicPack a, BasicPack b) {
+		return compare(a, b, [](Real x, Real y) { return x > y; });
+	}
+	friend BasicPack select(BasicPackMask<WIDTH> mask, BasicPack yes, BasicPack no) {
+		for (std::size_t i = 0; i < WIDTH; ++i) {
 			no.lanes_[i] = mask.lanes[i] ? yes.lanes_[i] : no.lanes_[i];
 		}
 		return no;
 	}
 #endif
-	friend RealPack sqrt(RealPack a) {
-		for (std::size_t i = 0; i < PACK_WIDTH; ++i) {
+	friend BasicPack sqrt(BasicPack a) {
+		for (std::size_t i = 0; i < WIDTH; ++i) {
 			a.lanes_[i] = std::sqrt(a.lanes_[i]);
 		}
 		return a;
 	}
 
-	RealPack &operator+=(RealPack other) { return *this = *this + other; }
-	RealPack &operator-=(RealPack other) { return *this = *this - other; }
-	RealPack &operator*=(RealPack other) { return *this = *this * other; }
+	BasicPack &operator+=(BasicPack other) { return *this = *this + other; }
+	BasicPack &operator-=(BasicPack other) { return *this = *this - other; }
+	BasicPack &operator*=(BasicPack other) { return *this = *this * other; }
 
 private:
-	explicit RealPack(detail::PackReals lanes) : lanes_(lanes) {}
+	explicit BasicPack(Reals lanes) : lanes_(lanes) {}
 #ifdef SOFTBODY_VECTOR_EXTENSION
-	void set_all(Real value) { lanes_ = value - detail::PackReals{}; } // minus, as -0 + 0 would lose the sign
+	void set_all(Real value) { lanes_ = value - Reals{}; } // minus, as -0 + 0 would lose the sign
 #else
 	void set_all(Real value) { lanes_.fill(value); }
 	template <class F>
-	static RealPack each(RealPack a, RealPack b, F f) {
-		for (std::size_t i = 0; i < PACK_WIDTH; ++i) {
+	static BasicPack each(BasicPack a, BasicPack b, F f) {
+		for (std::size_t i = 0; i < WIDTH; ++i) {
 			a.lanes_[i] = f(a.lanes_[i], b.lanes_[i]);
 		}
 		return a;
 	}
 	template <class F>
-	static PackMask compare(RealPack a, RealPack b, F f) {
-		PackMask mask;
-		for (std::size_t i = 0; i < PACK_WIDTH; ++i) {
+	static BasicPackMask<WIDTH> compare(BasicPack a, BasicPack b, F f) {
+		BasicPackMask<WIDTH> mask;
+		for (std::size_t i = 0; i < WIDTH; ++i) {
 			mask.lanes[i] = f(a.lanes_[i], b.lanes_[i]);
 		}
 		return mask;
 	}
 #endif
 
-	detail::PackReals lanes_;
+	Reals lanes_;
 };
+using RealPack = BasicPack<PACK_WIDTH>;
 
 /// What comparing two T gives: `bool`, or an answer for every lane.
 template <class T>
 using MaskOf = decltype(T() < T());
 
 /// Whether the answer is yes in any lane.
-inline bool any(PackMask mask) {
+template <std::size_t WIDTH>
+bool any(BasicPackMask<WIDTH> mask) {
 #ifdef SOFTBODY_VECTOR_EXTENSION
 	const auto words = std::bit_cast<std::array<std::uint64_t, sizeof(mask.lanes) / 8>>(mask.lanes);
 #else

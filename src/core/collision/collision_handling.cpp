@@ -33,39 +33,44 @@ Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Rea
 	return std::isfinite(way) ? box.grown(way + std::max(size.x, size.y) / 16) : box;
 }
 
-void CollisionHandling::begin_body(const SurroundingsIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt) {
+bool CollisionHandling::begin_body(const SurroundingsIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt,
+		std::size_t lane) {
 	surroundings_ = &surroundings;
-	elapsed_ = elapsed;
-	nearby_.clear();
+	lane_ = lane;
+	near().elapsed = elapsed;
+	near().colliders.clear();
 	if (surroundings.has_colliders()) {
-		margin_ = fastest(body.velocities()) * dt + body.shape().radius() / 4;
-		gather(body, margin_);
+		near().margin = fastest(body.velocities()) * dt + body.shape().radius() / 4;
+		gather(body, near().margin);
 	}
 	if (!body.one_ways().empty()) {
 		forget_one_ways(body);
 	}
+	return !near().colliders.empty();
 }
 
 // What is not near any more.
 void CollisionHandling::forget_one_ways(SoftBodyData &body) const {
 	const std::vector<ConvexCollider> &colliders = surroundings_->world().colliders();
 	std::erase_if(body.one_ways(), [&](const OneWayMemory &memory) {
-		return std::ranges::none_of(nearby_, [&](std::uint32_t i) {
+		return std::ranges::none_of(near().colliders, [&](std::uint32_t i) {
 			return colliders[i].is_one_way() && one_way_name(colliders[i]) == memory.collider;
 		});
 	});
 }
 
 void CollisionHandling::gather(const SoftBodyData &body, Real margin) {
-	reach_ = bounding_box(body.hull()).grown(margin);
-	surroundings_->collect(reach_, nearby_);
-	std::erase_if(nearby_, [&](std::uint32_t i) {
+	near().reach = bounding_box(body.hull()).grown(margin);
+	surroundings_->collect(near().reach, near().colliders);
+	std::erase_if(near().colliders, [&](std::uint32_t i) {
 		return !notices(body, surroundings_->world().colliders()[i].surface);
 	});
-	has_one_way_ = std::ranges::any_of(nearby_, [&](std::uint32_t i) { return surroundings_->world().colliders()[i].is_one_way(); });
+	near().has_one_way = std::ranges::any_of(near().colliders, [&](std::uint32_t i) { return surroundings_->world().colliders()[i].is_one_way(); });
 }
 
-std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h) {
+std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h,
+		std::size_t lane) {
+	lane_ = lane;
 	bounce_threshold_ = RESTITUTION_SUBSTEPS * length(gravity) * h;
 	h_ = h;
 	load_ = {};
@@ -73,7 +78,7 @@ std::size_t CollisionHandling::handle(SoftBodyData &body, std::span<const Vec2> 
 	if (surroundings_->has_colliders()) {
 		handle_colliders(body, before);
 	}
-	elapsed_ += h;
+	near().elapsed += h;
 	resist_rolling<Real>(lanes_of(body), load_);
 	give_back_bounce(body, load_, bounce_threshold_, h);
 	return std::size_t(load_.contacts);
@@ -84,18 +89,18 @@ void CollisionHandling::handle_colliders(SoftBodyData &body, std::span<const Vec
 	for (std::size_t i = 0; i < body.shape().hull_count(); ++i) {
 		swept.include(before[i]);
 	}
-	if (!reach_.contains(swept)) {
+	if (!near().reach.contains(swept)) {
 		// Gather around the whole way of this substep, which may already have left the old box.
 		const Vec2 way = swept.max - swept.min;
-		gather(body, margin_ + std::max(way.x, way.y));
+		gather(body, near().margin + std::max(way.x, way.y));
 	}
-	if (has_one_way_) {
+	if (near().has_one_way) {
 		begin_one_ways(body, before, swept);
 	}
 	// Points first, of all colliders: an edge between a point that has been moved out and one that has not dips into the
 	// seam of two colliders and would be pushed back from it.
 	for (const bool corners : { false, true }) {
-		for (const std::uint32_t i : nearby_) {
+		for (const std::uint32_t i : near().colliders) {
 			handle_collider(body, before, swept, i, corners);
 		}
 	}
@@ -117,7 +122,7 @@ void CollisionHandling::handle_collider(SoftBodyData &body, std::span<const Vec2
 		return;
 	}
 	const RigidBody &mover = world.rigid_bodies()[collider.rigid_body];
-	const ColliderMotion motion{ mover.pose_after(elapsed_), mover.pose_after(elapsed_ + h_), false };
+	const ColliderMotion motion{ mover.pose_after(near().elapsed), mover.pose_after(near().elapsed + h_), false };
 	const Surface surface = surface_in_motion(collider.surface, mover, motion.to);
 	Aabb box = collider.bounds().grown(slop);
 	if (corners) {
@@ -154,7 +159,7 @@ bool CollisionHandling::is_beside_passed(const SoftBodyData &body, const ConvexC
 	}
 	const WorldData &world = surroundings_->world();
 	const Aabb box = collider.bounds().grown(LINEAR_SLOP * world.length_unit());
-	return std::ranges::any_of(nearby_, [&](std::uint32_t i) {
+	return std::ranges::any_of(near().colliders, [&](std::uint32_t i) {
 		const ConvexCollider &other = world.colliders()[i];
 		return &other != &collider && other.rigid_body == collider.rigid_body && other.one_way == collider.one_way &&
 				box.overlaps(other.bounds()) && is_passing(body, other);
@@ -164,12 +169,12 @@ bool CollisionHandling::is_beside_passed(const SoftBodyData &body, const ConvexC
 void CollisionHandling::begin_one_ways(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept) {
 	const WorldData &world = surroundings_->world();
 	const Real slop = LINEAR_SLOP * world.length_unit();
-	for (const std::uint32_t i : nearby_) {
+	for (const std::uint32_t i : near().colliders) {
 		const ConvexCollider &collider = world.colliders()[i];
 		if (collider.is_one_way() && swept.overlaps(surroundings_->bounds(i).grown(slop))) {
 			ColliderMotion motion;
 			if (collider.rigid_body != NO_RIGID_BODY) {
-				motion = { world.rigid_bodies()[collider.rigid_body].pose_after(elapsed_), {}, false };
+				motion = { world.rigid_bodies()[collider.rigid_body].pose_after(near().elapsed), {}, false };
 			}
 			OneWay(body, collider, motion, world.length_unit()).begin_substep(before.first(body.hull().size()), own_hull_);
 		}
@@ -246,7 +251,7 @@ RealPack CollisionHandling::handle_borders_side_by_side(const BodyLanes<RealPack
 		std::span<const Border> borders, Real h, std::span<const std::uint32_t> places, std::uint32_t monitored) {
 	BasicContactLoad<RealPack> load;
 	for (std::uint32_t i = 0; i < borders.size(); ++i) {
-		if ((bodies.model.settings.collision_mask & borders[i].surface.layer) == 0) {
+		if (!is_noticed(bodies.model.settings, borders[i].surface)) {
 			continue;
 		}
 		const RealPack contacts = load.contacts;

@@ -11,6 +11,7 @@
 #include "core/geometry/polygon.h"
 #include "core/model/world_data.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,14 +25,14 @@ namespace softbody {
 /// velocity is felt; dynamic ones are left to `RigidContacts`. One object serves one thread.
 class CollisionHandling {
 public:
-	/// Broad phase for one body and the coming `dt` [s], which begins `elapsed` [s] after the step did. O(colliders near
-	/// the body).
-	void begin_body(const SurroundingsIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt);
-	/// Answers every contact of the body after a substep of `h` [s] that started at `before` (one
-	/// position a point), under the acceleration `gravity`, and resists rolling. Returns how many it
+	/// Broad phase for one body and the coming `dt` [s], which begins `elapsed` [s] after the step did. False where no
+	/// collider is near. Of bodies side by side each is begun in a lane of its own, < PACK_WIDTH. O(colliders near the body).
+	bool begin_body(const SurroundingsIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt, std::size_t lane = 0);
+	/// Answers every contact of the body begun in that lane after a substep of `h` [s] that started at `before` (one
+	/// position a hull point), under the acceleration `gravity`, and resists rolling. Returns how many it
 	/// answered.
 	/// O(hull points × colliders nearby).
-	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h);
+	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h, std::size_t lane = 0);
 	/// Contacts of bodies side by side with borders alone: the same as `handle` where nothing bounces and no collider is
 	/// near. `places` are the bodies' in the world; a bit of `monitored` tells whose contacts are logged. Returns how
 	/// many it answered in each lane.
@@ -59,17 +60,25 @@ private:
 	void forget_one_ways(SoftBodyData &body) const;
 
 	const SurroundingsIndex *surroundings_ = nullptr;
-	std::vector<std::uint32_t> nearby_; ///< colliders the current body may meet
-	Aabb reach_; ///< box for which `nearby_` is complete
-	Real margin_ = 0;
-	Real elapsed_ = 0; ///< since the step began, at the start of the coming substep [s]
+	/// What is near a body.
+	struct Near {
+		std::vector<std::uint32_t> colliders; ///< that it may meet
+		Aabb reach; ///< box for which they are complete
+		Real margin = 0;
+		Real elapsed = 0; ///< since the step began, at the start of the coming substep [s]
+		bool has_one_way = false; ///< among the colliders
+	};
+	Near &near() { return near_[lane_]; }
+	const Near &near() const { return near_[lane_]; }
+
+	std::array<Near, PACK_WIDTH> near_;
+	std::size_t lane_ = 0; ///< of the current body
 	// Of the current body and substep.
 	Real bounce_threshold_ = 0;
 	Real h_ = 0;
 	ContactLoad load_;
 	std::uint32_t collider_ = 0; ///< which is being answered
 	ContactLog log_;
-	bool has_one_way_ = false; ///< among `nearby_`
 	std::vector<Vec2> own_hull_; ///< in the frame of a one-way collider
 	std::vector<Vec2> starts_; ///< of the hull's points, as a one-way collider sees them
 	std::vector<BasicPointAnswer<Real>> answers_; ///< of a border at the hull's points

@@ -68,7 +68,8 @@ bool HullEdges::contains(Vec2 p) const {
 std::optional<HullContact> HullEdges::find(Vec2 p, Vec2 outward) const {
 	const std::size_t packs = packs_for(count_);
 	// Of a few edges both questions are asked at once: most points that come here are inside.
-	if (packs > FEW_PACKS && !contains(p)) {
+	const bool asks_both = packs <= FEW_PACKS;
+	if (!asks_both && !contains(p)) {
 		return {};
 	}
 	constexpr Real FAR = std::numeric_limits<Real>::max();
@@ -90,14 +91,16 @@ std::optional<HullContact> HullEdges::find(Vec2 p, Vec2 outward) const {
 	int winding = 0;
 	for (std::size_t i = 0; i < packs; ++i) {
 		const Edges &edges = edges_[i];
-		winding += winding_of(edges, point);
+		if (asks_both) {
+			winding += winding_of(edges, point);
+		}
 		const BasicVec2<RealPack> way = edges.end - edges.start;
 		const BasicVec2<RealPack> offset = point - edges.start;
 		// The outward normal of an edge is its way turned by -90 degrees; its product with `out` is cross(out, way).
 		// Where p lies beyond an edge, the way to it leads through others first.
 		consider(i, distance_of(way, offset), both(cross(out, way) < RealPack(0), !(cross(way, offset) < RealPack(0))));
 	}
-	if (winding == 0) {
+	if (asks_both && winding == 0) {
 		return {};
 	}
 	Real least = least_lane(nearest);

@@ -34,9 +34,14 @@ struct SurfaceContact {
 	Real depth = 0; ///< [length], >= 0
 };
 
+/// Whether a body of these settings meets the surface, by layer; a body may ignore it all the same, see `notices`.
+inline bool is_noticed(const BodySettings &settings, const Surface &surface) {
+	return (settings.collision_mask & surface.layer) != 0;
+}
+
 /// Whether a part of the surroundings is there for a body: by layer, and not among the tags that it ignores.
 inline bool notices(const SoftBodyData &body, const Surface &surface) {
-	return (body.settings().collision_mask & surface.layer) != 0 && !body.ignores_tag(surface.tag);
+	return is_noticed(body.settings(), surface) && !body.ignores_tag(surface.tag);
 }
 
 /// Friction coefficient and restitution of a body on a surface, by Godot's rule (see `Surface`).

@@ -4,6 +4,7 @@
 
 #include "core/base/constants.h"
 #include "core/dynamics/rigid_damping.h"
+#include "core/dynamics/soundness.h"
 #include "core/model/body_frame.h"
 #include "core/model/rigid_motion.h"
 
@@ -15,26 +16,7 @@ namespace softbody {
 
 namespace {
 
-template <class T>
-T zero_if_finite(BasicVec2<T> x, BasicVec2<T> v) {
-	return ((x.x + v.x) + (x.y + v.y)) * T(0);
-}
-
-// Whether all is finite and no point farther from the first than any body is stretched. A blow-up is noticed by its
-// size long before it overflows: by then rounding has swamped the body's centre. A sum of zeros is zero unless one of
-// them came from what is not finite: one test instead of four a point.
-template <class T>
-MaskOf<T> is_sound(std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities, Real reach) {
-	T sum = T(0);
-	T farthest = T(0);
-	for (std::size_t i = 0; i < positions.size(); ++i) {
-		sum += zero_if_finite(positions[i], velocities[i]);
-		farthest = greater(farthest, length_squared(positions[i] - positions[0]));
-	}
-	return both(sum < T(1), !(farthest > T(reach * reach)));
-}
-
-// The same question without the reach, of one body.
+// As `is_sound`, without the reach, of one body.
 bool is_finite(std::span<const Vec2> positions, std::span<const Vec2> velocities) {
 	RealPack sum(0);
 	for (std::size_t i = 0; i < packs_for(positions.size()); ++i) {
@@ -91,11 +73,42 @@ void BodyStepper::begin(const Crew &crew) {
 
 void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
 		int substeps, const SweptFrom &swept_from, bool are_coupled) {
-	if (can_go_side_by_side(crew, lanes, plan, duration)) {
-		advance_side_by_side(crew, plan, duration, substeps);
-		counts_.substeps += std::uint64_t(substeps) * crew.count;
+	if (can_go_side_by_side(crew, lanes, plan)) {
+		const std::uint32_t alone = lanes_answered_alone(crew, elapsed, duration);
+		advance_side_by_side(crew, alone, plan, duration, substeps, swept_from);
+	} else {
+		advance_one_by_one(crew, lanes, plan, elapsed, duration, substeps, swept_from, are_coupled);
+	}
+}
+
+void BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed,
+		Real duration, int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled, StateAhead &ahead) {
+	const auto advance_one = [&](std::size_t i) {
+		advance(*crews[i], ALL_LANES, plan, elapsed, duration, substeps, swept_from[i], are_coupled);
+	};
+	if (!can_go_side_by_side(*crews[0], ALL_LANES, plan) || !can_go_side_by_side(*crews[1], ALL_LANES, plan)) {
+		ahead.ask_all();
+		advance_one(0);
+		advance_one(1);
 		return;
 	}
+	const std::uint32_t alone = lanes_answered_alone(*crews[0], elapsed, duration);
+	if (alone != 0) {
+		ahead.ask_all();
+		advance_side_by_side(*crews[0], alone, plan, duration, substeps, swept_from[0]);
+		advance_one(1);
+		return;
+	}
+	const std::uint32_t other_alone = lanes_answered_alone(*crews[1], elapsed, duration);
+	if (other_alone != 0 || !advance_wide(crews, plan, duration, substeps, ahead)) {
+		ahead.ask_all();
+		advance_side_by_side(*crews[0], alone, plan, duration, substeps, swept_from[0]);
+		advance_side_by_side(*crews[1], other_alone, plan, duration, substeps, swept_from[1]);
+	}
+}
+
+void BodyStepper::advance_one_by_one(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed,
+		Real duration, int substeps, const SweptFrom &swept_from, bool are_coupled) {
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		if (lanes >> lane & 1) {
 			advance_alone(crew.bodies[lane], plan, elapsed, duration, substeps, swept_from[lane], are_coupled);
@@ -135,21 +148,23 @@ void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
 	}
 }
 
-bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan,
-		Real duration) const {
-	if (crew.count < PACK_WIDTH || lanes != ALL_LANES || crew.touching != 0 || borders_bounce_ || !integrator_traits(plan.integrator).step_side_by_side) {
-		return false; // each body remembers its own bounce
+bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan) const {
+	if (crew.count < PACK_WIDTH || lanes != ALL_LANES || !integrator_traits(plan.integrator).step_side_by_side) {
+		return false;
 	}
 	// Thousands of bodies are many megabytes: what need not be read is left where it is.
-	if (has_forces_ || surroundings_->has_colliders()) {
-		for (const std::uint32_t place : crew.bodies) {
-			const SoftBodyData &data = body(place);
-			if (data.is_pushed() || surroundings_->has_collider_in(sweep_box(data.hull(), data.velocities(), duration))) {
-				return false;
-			}
-		}
+	return !has_forces_ ||
+			std::ranges::none_of(crew.bodies, [&](std::uint32_t place) { return body(place).is_pushed(); });
+}
+
+std::uint32_t BodyStepper::lanes_answered_alone(const Crew &crew, Real elapsed, Real duration) {
+	std::uint32_t lanes = borders_bounce_ ? ALL_LANES : crew.touching; // each body remembers its own bounce
+	for (std::uint32_t lane = 0; lane < PACK_WIDTH && (surroundings_->has_colliders() || lanes != 0); ++lane) {
+		const bool is_near = collision_.begin_body(*surroundings_, body(crew.bodies[lane]), elapsed, duration, lane);
+		lanes |= std::uint32_t(is_near) << lane;
 	}
-	return true;
+	// Borders are answered for all lanes at once, or for each alone.
+	return lanes == 0 || world_->borders().empty() ? lanes : ALL_LANES;
 }
 
 // The rotations of the last step only where shape matching asks for them: what need not be read is left where it is.
@@ -173,10 +188,16 @@ BodyLanes<RealPack> BodyStepper::gather_lanes(const Crew &crew) {
 	return lanes;
 }
 
-void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps) {
+void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t answered_alone, const SubstepPlan &plan,
+		Real duration, int substeps, const SweptFrom &swept_from) {
+	counts_.substeps += std::uint64_t(substeps) * PACK_WIDTH;
 	const SoftBodyShape &shape = *crew.shape;
 	const std::size_t count = shape.point_count();
 	const BodyLanes<RealPack> lanes = gather_lanes(crew);
+	if (answered_alone != 0) {
+		pack_start_.assign(lanes.positions.begin(), lanes.positions.end());
+		pack_start_.insert(pack_start_.end(), lanes.velocities.begin(), lanes.velocities.end());
+	}
 	pack_workspace_.begin_body(count);
 	const LaneStep<RealPack> step = integrator_traits(plan.integrator).step_side_by_side;
 	const Real h = duration / Real(substeps);
@@ -185,14 +206,15 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 		if (crew.settings->has_damp()) {
 			damp_rigid_motion<RealPack>(lanes, h);
 		}
-		if (!world_->borders().empty()) {
-			const RealPack contacts = collision_.handle_borders_side_by_side(lanes, world_->borders(), h,
-					crew.bodies, crew.monitored);
-			pack_workspace_.forces_are_current =
-					both(pack_workspace_.forces_are_current, !(contacts > RealPack(0)));
-			for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-				counts_.contacts += std::uint64_t(contacts[lane]);
-			}
+		RealPack contacts(0);
+		if (answered_alone != 0) {
+			contacts = answer_alone(crew, answered_alone, lanes, h, i == 0 ? swept_from : SweptFrom{});
+		} else if (!world_->borders().empty()) {
+			contacts = collision_.handle_borders_side_by_side(lanes, world_->borders(), h, crew.bodies, crew.monitored);
+		}
+		pack_workspace_.forces_are_current = both(pack_workspace_.forces_are_current, !(contacts > RealPack(0)));
+		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+			counts_.contacts += std::uint64_t(contacts[lane]);
 		}
 	}
 	const PackMask sound = is_sound<RealPack>(lanes.positions, lanes.velocities, credible_reach(shape, plan));
@@ -200,6 +222,10 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 		// Bodies keep what they started from until here; those that are ruined fall back on it.
 		for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
 			if (!sound[lane]) {
+				for (std::size_t i = 0; answered_alone != 0 && i < count; ++i) {
+					crew.positions[lane][i] = lane_of(pack_start_[i], lane);
+					crew.velocities[lane][i] = lane_of(pack_start_[count + i], lane);
+				}
 				reset(crew.bodies[lane], duration);
 				for (std::size_t i = 0; i < count; ++i) {
 					set_lane(lanes.positions[i], lane, crew.positions[lane][i]);
@@ -212,6 +238,65 @@ void BodyStepper::advance_side_by_side(const Crew &crew, const SubstepPlan &plan
 		scatter(lanes.positions[i], crew.positions, i);
 		scatter(lanes.velocities[i], crew.velocities, i);
 	}
+	for (std::uint32_t lane = 0; answered_alone != 0 && lane < PACK_WIDTH; ++lane) {
+		const std::uint32_t is_touching = body(crew.bodies[lane]).touch_memory().touching;
+		crew.touching = (crew.touching & ~(1u << lane)) | is_touching << lane;
+	}
+}
+
+// Springs and integrators are most of what a body costs: a body on the ground keeps nobody from going side by side.
+RealPack BodyStepper::answer_alone(const Crew &crew, std::uint32_t answered_alone, const BodyLanes<RealPack> &lanes, Real h,
+		const SweptFrom &swept_from) {
+	const std::size_t hull_count = crew.shape->hull_count();
+	before_.resize(std::max(before_.size(), PACK_WIDTH * hull_count));
+	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+		if (answered_alone >> lane & 1) {
+			std::copy_n(swept_from[lane] != nullptr ? swept_from[lane] : crew.positions[lane], hull_count, &before_[lane * hull_count]);
+		}
+	}
+	for (std::size_t i = 0; i < lanes.positions.size(); ++i) {
+		scatter(lanes.positions[i], crew.positions, i);
+		scatter(lanes.velocities[i], crew.velocities, i);
+	}
+	RealPack contacts(0);
+	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
+		if (answered_alone >> lane & 1) {
+			SoftBodyData &data = body(crew.bodies[lane]);
+			const std::span<const Vec2> before(&before_[lane * hull_count], hull_count);
+			contacts.set(lane, Real(collision_.handle(data, before, data.total_acceleration(world_->gravity()), h, lane)));
+		}
+	}
+	for (std::size_t i = 0; i < lanes.positions.size(); ++i) {
+		lanes.positions[i] = gather(crew.positions, i);
+		lanes.velocities[i] = gather(crew.velocities, i);
+	}
+	return contacts;
+}
+
+// What is monitored writes a log, and what is ruined is reset, by the narrower code alone.
+bool BodyStepper::advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration,
+		int substeps, StateAhead &ahead) {
+	if (wide_ == nullptr || (crews[0]->monitored | crews[1]->monitored) != 0) {
+		return false;
+	}
+	WideStretch stretch;
+	stretch.crews = { crews[0], crews[1] };
+	stretch.borders = world_->borders();
+	stretch.integrator = plan.integrator;
+	stretch.gravity = world_->gravity();
+	stretch.h = duration / Real(substeps);
+	stretch.substeps = substeps;
+	stretch.reach = credible_reach(*crews[0]->shape, plan);
+	for (std::size_t lane = 0; crews[0]->settings->matches_shape() && lane < WIDE_WIDTH; ++lane) {
+		stretch.rotation_memories[lane] = body(crews[lane / PACK_WIDTH]->bodies[lane % PACK_WIDTH]).rotation_memory();
+	}
+	const std::optional<std::uint64_t> contacts = wide_->advance(stretch, ahead);
+	if (!contacts) {
+		return false;
+	}
+	counts_.contacts += *contacts;
+	counts_.substeps += std::uint64_t(substeps) * WIDE_WIDTH;
+	return true;
 }
 
 void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,

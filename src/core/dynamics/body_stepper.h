@@ -7,12 +7,15 @@
 #include "core/collision/self_collision.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/roster.h"
+#include "core/dynamics/state_ahead.h"
 #include "core/dynamics/substep_plan.h"
+#include "core/dynamics/wide_stepper.h"
 #include "core/model/body_frame.h"
 #include "core/model/world_data.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -46,6 +49,9 @@ public:
 	/// too, unless `are_coupled`: then other bodies have yet to push them.
 	void advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
 			const SweptFrom &swept_from = {}, bool are_coupled = false);
+	/// The same for all bodies of two crews that `move_alike`, both at once where that can be done. Asks for `ahead` meanwhile.
+	void advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed, Real duration,
+			int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled, StateAhead &ahead);
 	/// Answers the contacts of a body with itself, after other bodies have pushed it in a substep of `h` [s] that started
 	/// with its hull at `before`.
 	void answer_self_contacts(std::uint32_t place, std::span<const Vec2> before, Real h);
@@ -69,8 +75,20 @@ private:
 			const Vec2 *swept_from, bool is_coupled);
 	/// A full crew's bodies side by side, in scratch memory that the next call overwrites.
 	BodyLanes<RealPack> gather_lanes(const Crew &crew);
-	void advance_side_by_side(const Crew &crew, const SubstepPlan &plan, Real duration, int substeps);
-	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real duration) const;
+	/// Lanes of `answered_alone` meet the surroundings one after the other in each substep.
+	void advance_side_by_side(Crew &crew, std::uint32_t answered_alone, const SubstepPlan &plan, Real duration,
+			int substeps, const SweptFrom &swept_from);
+	/// Between two substeps: each of those lanes as it is in `lanes`, and back. How many contacts each had.
+	RealPack answer_alone(const Crew &crew, std::uint32_t answered_alone, const BodyLanes<RealPack> &lanes, Real h,
+			const SweptFrom &swept_from);
+	/// Which lanes have more to do with the surroundings than lie on borders that do not bounce: near these, in a touch.
+	std::uint32_t lanes_answered_alone(const Crew &crew, Real elapsed, Real duration);
+	/// False, and nothing has changed, where it cannot be done.
+	bool advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration, int substeps,
+			StateAhead &ahead);
+	void advance_one_by_one(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
+			int substeps, const SweptFrom &swept_from, bool are_coupled);
+	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan) const;
 	void reset(std::uint32_t place, Real dt);
 	SoftBodyData &body(std::uint32_t place) const { return world_->soft_bodies()[place]; }
 
@@ -90,6 +108,8 @@ private:
 	BasicWorkspace<RealPack> pack_workspace_;
 	std::vector<BasicVec2<RealPack>> pack_positions_;
 	std::vector<BasicVec2<RealPack>> pack_velocities_;
+	std::vector<BasicVec2<RealPack>> pack_start_; ///< positions, then velocities, where bodies do not keep them
+	std::unique_ptr<WideStepper> wide_ = make_wide_stepper();
 };
 
 } // namespace softbody

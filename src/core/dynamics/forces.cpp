@@ -2,75 +2,9 @@
 // The forces on a body's points.
 #include "core/dynamics/forces.h"
 
-#include "core/base/constants.h"
-#include "core/dynamics/pressure.h"
-#include "core/model/body_frame.h"
+#include "core/dynamics/forces_lanes.h"
 
 namespace softbody {
-
-template <class T>
-void add_spring_forces(const SoftBodyShape &shape, std::span<const BasicVec2<T>> positions,
-		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {
-	for (const Spring2D &spring : shape.springs()) {
-		const BasicVec2<T> d = positions[spring.b] - positions[spring.a];
-		const T current = length(d);
-		const auto has_direction = current > T(DEGENERATE_LENGTH * spring.rest_length);
-		const BasicVec2<T> e = d * (T(1) / current);
-		const T rate = dot(velocities[spring.b] - velocities[spring.a], e);
-		const T size = T(spring.stiffness) * (current - T(spring.rest_length)) + T(spring.damping) * rate;
-		const BasicVec2<T> force = select(has_direction, e * size, BasicVec2<T>{});
-		forces[spring.a] += force;
-		forces[spring.b] -= force;
-	}
-}
-
-template <class T>
-void add_shape_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,
-		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {
-	const SoftBodyShape &shape = body.shape;
-	const Real per_mass = Real(shape.point_count()) / shape.total_mass();
-	const T stiffness(body.settings.shape_stiffness * per_mass);
-	const T damping(body.settings.shape_damping * per_mass);
-	const BasicBodyFrame<T> frame = measure_frame<T>(shape, body.rotation_memory, positions, velocities);
-	const auto pull_on = [&](std::size_t i) {
-		const BasicVec2<T> arm = positions[i] - frame.centre;
-		const BasicVec2<T> strain = frame.rotation.apply(in_all_lanes<T>(shape.rest_positions()[i])) - arm;
-		const BasicVec2<T> drift = frame.velocity + perpendicular(arm) * frame.angular_velocity - velocities[i];
-		return strain * stiffness + drift * damping;
-	};
-	// The mean pull is zero but for the rounding of the centre and of the rest positions. That rest turns with
-	// the body and drives it like a motor (5 mm in 10 s at k = 1e4 in float), so it is taken away.
-	BasicVec2<T> mean;
-	for (std::size_t i = 0; i < positions.size(); ++i) {
-		mean += pull_on(i) * shape.masses()[i];
-	}
-	mean *= 1 / shape.total_mass();
-	for (std::size_t i = 0; i < positions.size(); ++i) {
-		forces[i] += (pull_on(i) - mean) * shape.masses()[i];
-	}
-}
-
-template <class T>
-void evaluate_forces(const BodyModel<T> &body, Vec2 gravity, std::span<const BasicVec2<T>> external,
-		std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities,
-		std::span<BasicVec2<T>> forces) {
-	const SoftBodyShape &shape = body.shape;
-	const BodySettings &settings = body.settings;
-	const Vec2 acceleration = gravity * settings.gravity_scale;
-	for (std::size_t i = 0; i < forces.size(); ++i) {
-		forces[i] = in_all_lanes<T>(acceleration * shape.masses()[i]);
-	}
-	for (std::size_t i = 0; i < external.size(); ++i) {
-		forces[i] += external[i];
-	}
-	add_spring_forces<T>(shape, positions, velocities, forces);
-	if (settings.pressure_stiffness > 0) {
-		add_pressure_forces<T>(shape, settings, positions, forces);
-	}
-	if (settings.matches_shape()) {
-		add_shape_forces<T>(body, positions, velocities, forces);
-	}
-}
 
 #define SOFTBODY_INSTANTIATE(T)                                                                                      \
 	template void add_spring_forces<T>(const SoftBodyShape &, std::span<const BasicVec2<T>>,                         \

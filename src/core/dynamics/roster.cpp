@@ -80,6 +80,10 @@ private:
 
 } // namespace
 
+bool move_alike(const Crew &a, const Crew &b) {
+	return a.count == PACK_WIDTH && b.count == PACK_WIDTH && a.shape == b.shape && move_alike(*a.settings, *b.settings);
+}
+
 void Roster::update(WorldData &world) {
 	if (version_ > 0 && seen_arrangement_ == world.change_counts().arrangement) {
 		return;
@@ -103,6 +107,9 @@ void Roster::update(WorldData &world) {
 		Crew &crew = openings.find(body);
 		join(crew, i, body);
 		if (crew.count == PACK_WIDTH) {
+			if (!crews_.empty() && move_alike(crews_.back(), crew)) {
+				crew.settings = crews_.back().settings; // one place to read for all of them, which stays in the cache
+			}
 			crews_.push_back(std::exchange(crew, {}));
 		}
 	}

@@ -24,10 +24,14 @@ struct Crew {
 	std::uint32_t touching = 0;
 	// Of the bodies, as long as nothing is rearranged: the step then need not read the bodies themselves.
 	const SoftBodyShape *shape = nullptr;
-	const BodySettings *settings = nullptr; ///< of the first body
+	/// Of the first body, or of the first crew in a row that `move_alike`.
+	const BodySettings *settings = nullptr;
 	std::array<Vec2 *, PACK_WIDTH> positions{};
 	std::array<Vec2 *, PACK_WIDTH> velocities{};
 };
+
+/// Whether two crews are full, of one shape, and have settings by which they move alike.
+bool move_alike(const Crew &a, const Crew &b);
 
 /// Divides the active bodies of a world into crews. Thousands of like bodies are the common scene, and side by
 /// side they take a third of the time; what does not fit (another shape, pins) is stepped alone, with the same

@@ -77,6 +77,7 @@ private:
 		SubstepPlan plan;
 		std::array<std::uint32_t, PACK_WIDTH> rows{}; ///< of `touching_`
 		std::uint32_t awake = 0; ///< a bit a lane
+		std::uint32_t kind = 0; ///< the same for crews in a row that `move_alike`
 		std::uint32_t own_plans = NO_OWN_PLANS; ///< place in `own_plans_` where lanes differ in this step
 		const SubstepPlan &plan_of(std::uint32_t lane, const auto &all) const {
 			return own_plans == NO_OWN_PLANS ? plan : all[own_plans][lane];
@@ -90,7 +91,17 @@ private:
 	void move_rigid_bodies_alone(Real dt);
 	void divide_crews(Real dt);
 	PairBodies pair_bodies() { return { touching_, sleepers_.flags(), places_, world_ }; }
-	void advance(BodyStepper &stepper, std::uint32_t crew, Real elapsed, Real duration, int parts, bool is_coupled);
+	/// One of `parts` equal stretches of the step, each body in its share of the substeps that it needs.
+	struct Stretch {
+		Real elapsed = 0; ///< since the step began [s]
+		Real duration = 0; ///< [s]
+		int parts = 1;
+		bool is_coupled = false;
+	};
+	void advance(BodyStepper &stepper, std::uint32_t crew, const Stretch &stretch);
+	void advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const Stretch &stretch, StateAhead &ahead);
+	bool move_alike_now(std::uint32_t a, std::uint32_t b) const;
+	SweptFrom swept_from(std::uint32_t crew, const Stretch &stretch) const;
 	void step_coupled(Real dt);
 	void measure_frames();
 	void answer_self_contacts(Real h);
@@ -107,6 +118,10 @@ private:
 	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
 	template <class Work>
 	void for_crews(std::span<const std::uint32_t> crews, const Work &work);
+	/// The same, with every crew advanced between `before(stepper, crew index)` and `after`, likewise.
+	template <class Before, class After>
+	void advance_crews(std::span<const std::uint32_t> crews, const Stretch &stretch, const Before &before,
+			const After &after);
 	void report_contacts(Real dt);
 	void collect(StepReport &report);
 

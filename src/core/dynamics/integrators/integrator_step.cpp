@@ -2,11 +2,32 @@
 // The table of integrators.
 #include "core/dynamics/integrators/integrator_step.h"
 
+#include "core/dynamics/integrators/lane_steps.h"
+
 #include <array>
 #include <limits>
 #include <numbers>
 
 namespace softbody {
+
+// For whoever calls them by name.
+template void step_explicit_euler(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_semi_implicit_euler(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_midpoint(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_heun(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_runge_kutta_4(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_velocity_verlet(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
+template void step_explicit_euler(
+		const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+template void step_semi_implicit_euler(
+		const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+template void step_midpoint(
+		const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+template void step_heun(const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+template void step_runge_kutta_4(
+		const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
+template void step_velocity_verlet(
+		const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
 
 namespace {
 

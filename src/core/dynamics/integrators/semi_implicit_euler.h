@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The default integrator: velocity first, then position with the new velocity.
+#pragma once
+
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include "core/dynamics/forces.h"
@@ -20,8 +22,5 @@ void step_semi_implicit_euler(const BodyLanes<T> &body, const BasicSubstepInput<
 		x[i] += v[i] * input.h;
 	}
 }
-
-template void step_semi_implicit_euler(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
-template void step_semi_implicit_euler(const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
 
 } // namespace softbody

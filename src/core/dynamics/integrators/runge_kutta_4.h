@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The classical fourth-order Runge-Kutta method on the joint state (x, v).
+#pragma once
+
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include "core/dynamics/forces.h"
@@ -46,8 +48,5 @@ void step_runge_kutta_4(const BodyLanes<T> &body, const BasicSubstepInput<T> &in
 		v[i] += sum_v[i] * input.h;
 	}
 }
-
-template void step_runge_kutta_4(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
-template void step_runge_kutta_4(const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
 
 } // namespace softbody

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Heun's method: what the thesis's "midpoint" formulas mean.
+#pragma once
+
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include "core/dynamics/forces.h"
@@ -28,8 +30,5 @@ void step_heun(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, Basi
 		v[i] += (first_forces[i] + forces[i]) * (w[i] * input.h / 2);
 	}
 }
-
-template void step_heun(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
-template void step_heun(const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
 
 } // namespace softbody

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The explicit midpoint method.
+#pragma once
+
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include "core/dynamics/forces.h"
@@ -7,7 +9,7 @@
 namespace softbody {
 
 // Half an Euler step to (x, v) at t + h/2, then a whole step with the slopes found there. The thesis's
-// eq. 3.26 to 3.35 carry this name but average the slopes of both ends (see heun.cpp), and double-count
+// eq. 3.26 to 3.35 carry this name but average the slopes of both ends (see heun.h), and double-count
 // as printed. Energy of an undamped oscillator grows by 1 + (hω)⁴/4 a step.
 template <class T>
 void step_midpoint(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace) {
@@ -28,8 +30,5 @@ void step_midpoint(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, 
 		v[i] += forces[i] * (w[i] * input.h);
 	}
 }
-
-template void step_midpoint(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
-template void step_midpoint(const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
 
 } // namespace softbody

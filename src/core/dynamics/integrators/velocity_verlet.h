@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Velocity Verlet (leapfrog): kick, drift, kick.
+#pragma once
+
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include "core/dynamics/forces.h"
@@ -36,8 +38,5 @@ void step_velocity_verlet(const BodyLanes<T> &body, const BasicSubstepInput<T> &
 	}
 	workspace.forces_are_current = T(0) < T(1);
 }
-
-template void step_velocity_verlet(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
-template void step_velocity_verlet(const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
 
 } // namespace softbody

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The thesis's Euler integrator, kept for comparison.
+#pragma once
+
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include "core/dynamics/forces.h"
@@ -20,8 +22,5 @@ void step_explicit_euler(const BodyLanes<T> &body, const BasicSubstepInput<T> &i
 		v[i] += forces[i] * (w[i] * input.h);
 	}
 }
-
-template void step_explicit_euler(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
-template void step_explicit_euler(const BodyLanes<RealPack> &, const BasicSubstepInput<RealPack> &, BasicWorkspace<RealPack> &);
 
 } // namespace softbody

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Two crews at once, where the processor has registers twice as wide.
+#pragma once
+
+#include "core/base/pack.h"
+#include "core/dynamics/roster.h"
+#include "core/dynamics/state_ahead.h"
+#include "core/model/integrator.h"
+#include "core/model/surroundings.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace softbody {
+
+/// How many bodies two full crews hold.
+inline constexpr std::size_t WIDE_WIDTH = 2 * PACK_WIDTH;
+
+/// Two full crews of one shape and equal settings that have a stretch of the step to themselves: no colliders near, no
+/// external forces, nothing that bounces, nobody monitored.
+struct WideStretch {
+	std::array<const Crew *, 2> crews{};
+	std::array<Rotation, WIDE_WIDTH> rotation_memories; ///< read where shapes are matched
+	std::span<const Border> borders;
+	Integrator integrator = Integrator::SEMI_IMPLICIT_EULER; ///< not XPBD, not AUTOMATIC
+	Vec2 gravity; ///< [length/s²]
+	Real h = 0; ///< of a substep [s]
+	int substeps = 1;
+	Real reach = 0; ///< how far apart points may be at the end [length], see `is_sound`
+};
+
+/// Advances two crews side by side, with the bits that each would get alone. Serves one thread.
+class WideStepper {
+public:
+	virtual ~WideStepper() = default;
+	/// How many contacts with borders it answered. Nothing, and nothing has changed, if a body would have ended unsound.
+	/// Meanwhile it asks for all of `ahead`.
+	virtual std::optional<std::uint64_t> advance(const WideStretch &stretch, StateAhead &ahead) = 0;
+};
+
+/// Null where the compiler or the processor offers no registers of that width, in double precision, and while
+/// `allow_wide_steppers` says no.
+std::unique_ptr<WideStepper> make_wide_stepper();
+/// Whether simulators made from now on may use registers of that width. For tests, which compare: the bits are the same.
+/// Not to be called while another thread makes one. Default true.
+void allow_wide_steppers(bool allowed);
+
+namespace detail {
+/// Makes one, whatever the processor. Null where the program was compiled without. It lies in the one file that is
+/// compiled for AVX2, and must not be called where that is missing.
+extern std::unique_ptr<WideStepper> (*const make_avx2_stepper)();
+} // namespace detail
+
+} // namespace softbody

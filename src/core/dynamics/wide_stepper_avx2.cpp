@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Two crews at once in registers of 32 bytes. This file alone is compiled for AVX2, and linked last (see SConstruct).
+#include "core/dynamics/wide_stepper.h"
+
+// GCC cannot align the stack to 32 bytes on Windows (its bug 54412). SOFTBODY_SHUFFLES implies single precision.
+#if defined(__AVX2__) && defined(SOFTBODY_SHUFFLES) && !(defined(_WIN32) && !defined(__clang__))
+
+#include "core/collision/surface_response_lanes.h"
+#include "core/dynamics/forces_lanes.h"
+#include "core/dynamics/integrators/lane_steps.h"
+#include "core/dynamics/pressure_lanes.h"
+#include "core/dynamics/rigid_damping_lanes.h"
+#include "core/dynamics/soundness.h"
+#include "core/model/body_frame_lanes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace softbody {
+
+namespace {
+
+using WidePack = BasicPack<WIDE_WIDTH>;
+using WideVec2 = BasicVec2<WidePack>;
+using Lanes = std::array<Vec2 *, WIDE_WIDTH>;
+
+typedef float Floats __attribute__((vector_size(16)));
+typedef float WideFloats __attribute__((vector_size(32)));
+
+// Two vectors each of lanes l and l + 4, in the two halves of a register: shuffles work within each half.
+WideFloats load_two(const Lanes &lanes, std::size_t lane, std::size_t i) {
+	Floats low;
+	Floats high;
+	std::memcpy(&low, lanes[lane] + i, sizeof(low));
+	std::memcpy(&high, lanes[lane + 4] + i, sizeof(high));
+	return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+void store_two(WideFloats two, const Lanes &lanes, std::size_t lane, std::size_t i) {
+	const Floats low = __builtin_shufflevector(two, two, 0, 1, 2, 3);
+	const Floats high = __builtin_shufflevector(two, two, 4, 5, 6, 7);
+	std::memcpy(static_cast<void *>(lanes[lane] + i), &low, sizeof(low));
+	std::memcpy(static_cast<void *>(lanes[lane + 4] + i), &high, sizeof(high));
+}
+
+// Of each pair of halves the first or last two numbers: singly in turn, or as pairs one after the other.
+WideFloats first_in_turn(WideFloats a, WideFloats b) {
+	return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+}
+WideFloats last_in_turn(WideFloats a, WideFloats b) {
+	return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+}
+WideFloats first_pairs(WideFloats a, WideFloats b) {
+	return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+}
+WideFloats last_pairs(WideFloats a, WideFloats b) {
+	return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+
+// Moving the state in and out of lanes is a third of a step of explicit Euler: two points at a time, by transposing. Of
+// an odd number the last but one goes twice.
+void gather_all(const Lanes &lanes, std::span<WideVec2> all) {
+	for (std::size_t next = 0; next < all.size(); next += 2) {
+		const std::size_t i = std::min(next, all.size() - 2);
+		const WideFloats r0 = load_two(lanes, 0, i);
+		const WideFloats r1 = load_two(lanes, 1, i);
+		const WideFloats r2 = load_two(lanes, 2, i);
+		const WideFloats r3 = load_two(lanes, 3, i);
+		const WideFloats first01 = first_in_turn(r0, r1);
+		const WideFloats first23 = first_in_turn(r2, r3);
+		const WideFloats last01 = last_in_turn(r0, r1);
+		const WideFloats last23 = last_in_turn(r2, r3);
+		all[i] = { WidePack::of_lanes(first_pairs(first01, first23)), WidePack::of_lanes(last_pairs(first01, first23)) };
+		all[i + 1] = { WidePack::of_lanes(first_pairs(last01, last23)), WidePack::of_lanes(last_pairs(last01, last23)) };
+	}
+}
+
+void scatter_all(std::span<const WideVec2> all, const Lanes &lanes) {
+	for (std::size_t next = 0; next < all.size(); next += 2) {
+		const std::size_t i = std::min(next, all.size() - 2);
+		const WideFloats a01 = first_in_turn(all[i].x.lanes(), all[i].y.lanes());
+		const WideFloats a23 = last_in_turn(all[i].x.lanes(), all[i].y.lanes());
+		const WideFloats b01 = first_in_turn(all[i + 1].x.lanes(), all[i + 1].y.lanes());
+		const WideFloats b23 = last_in_turn(all[i + 1].x.lanes(), all[i + 1].y.lanes());
+		store_two(first_pairs(a01, b01), lanes, 0, i);
+		store_two(last_pairs(a01, b01), lanes, 1, i);
+		store_two(first_pairs(a23, b23), lanes, 2, i);
+		store_two(last_pairs(a23, b23), lanes, 3, i);
+	}
+}
+
+class Avx2Stepper final : public WideStepper {
+public:
+	std::optional<std::uint64_t> advance(const WideStretch &stretch, StateAhead &ahead) override {
+		const SoftBodyShape &shape = *stretch.crews[0]->shape;
+		const BodySettings &settings = *stretch.crews[0]->settings;
+		const std::size_t count = shape.point_count();
+		positions_.resize(std::max(positions_.size(), count));
+		velocities_.resize(std::max(velocities_.size(), count));
+		workspace_.begin_body(count);
+		BodyLanes<WidePack> bodies{ { shape, settings, {} }, shape.inverse_masses(), { positions_.data(), count },
+			{ velocities_.data(), count } };
+		Lanes to_positions;
+		Lanes to_velocities;
+		for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
+			const Crew &crew = *stretch.crews[lane / PACK_WIDTH];
+			to_positions[lane] = crew.positions[lane % PACK_WIDTH];
+			to_velocities[lane] = crew.velocities[lane % PACK_WIDTH];
+		}
+		if (settings.matches_shape()) {
+			for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
+				bodies.model.rotation_memory.c.set(lane, stretch.rotation_memories[lane].c);
+				bodies.model.rotation_memory.s.set(lane, stretch.rotation_memories[lane].s);
+			}
+		}
+		// A body or two at a time, as evenly as the work lets them be spread.
+		ahead.ask(1);
+		gather_all(to_positions, bodies.positions);
+		ahead.ask(1);
+		gather_all(to_velocities, bodies.velocities);
+		const LaneStep<WidePack> step = lane_step<WidePack>(stretch.integrator);
+		WidePack contacts(0);
+		for (int i = 0; i < stretch.substeps; ++i) {
+			ahead.ask(2);
+			step(bodies, { stretch.gravity, {}, stretch.h }, workspace_);
+			ahead.ask(2);
+			if (settings.has_damp()) {
+				damp_rigid_motion<WidePack>(bodies, stretch.h);
+			}
+			if (!stretch.borders.empty()) {
+				const WidePack answered = answer_borders(bodies, stretch);
+				workspace_.forces_are_current = both(workspace_.forces_are_current, !(answered > WidePack(0)));
+				contacts += answered;
+			}
+		}
+		ahead.ask_all();
+		if (any(!is_sound<WidePack>(bodies.positions, bodies.velocities, stretch.reach))) {
+			return std::nullopt;
+		}
+		scatter_all(bodies.positions, to_positions);
+		scatter_all(bodies.velocities, to_velocities);
+		std::uint64_t all_contacts = 0;
+		for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
+			all_contacts += std::uint64_t(contacts[lane]);
+		}
+		return all_contacts;
+	}
+
+private:
+	// As `CollisionHandling::handle_borders_side_by_side` does.
+	static WidePack answer_borders(const BodyLanes<WidePack> &bodies, const WideStretch &stretch) {
+		BasicContactLoad<WidePack> load;
+		for (const Border &border : stretch.borders) {
+			if (is_noticed(bodies.model.settings, border.surface)) {
+				answer_border<WidePack>(bodies, border, std::numeric_limits<Real>::infinity(), stretch.h, load);
+			}
+		}
+		resist_rolling<WidePack>(bodies, load);
+		return load.contacts;
+	}
+
+	BasicWorkspace<WidePack> workspace_;
+	std::vector<WideVec2> positions_;
+	std::vector<WideVec2> velocities_;
+};
+
+std::unique_ptr<WideStepper> make() {
+	return std::make_unique<Avx2Stepper>();
+}
+
+} // namespace
+
+std::unique_ptr<WideStepper> (*const detail::make_avx2_stepper)() = make;
+
+} // namespace softbody
+
+#else
+
+namespace softbody {
+
+std::unique_ptr<WideStepper> (*const detail::make_avx2_stepper)() = nullptr;
+
+} // namespace softbody
+
+#endif

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Two crews at once, where the processor can.
+#include "core/dynamics/rigid_damping.h"
+#include "core/dynamics/roster.h"
+#include "core/dynamics/simulator.h"
+#include "core/dynamics/wide_stepper.h"
+#include "scenes/thesis_body.h"
+#include "support/random.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+constexpr Real H = Real(1) / 600; // s
+
+// Two crews above, at and below the ground at y = 0; `ruined` (if not too many) has a point that moves too fast to be true.
+void fill(WorldData &world, std::size_t ruined, const BodySettings &settings = {}) {
+	Random random(11);
+	world.add_border({ { { 0, 0 }, { 0, 1 } }, {} });
+	const auto shape = thesis_shape_with_ratio(300, Real(0.05));
+	for (std::size_t i = 0; i < WIDE_WIDTH; ++i) {
+		SoftBodyData body = thesis_body(shape, settings, { { Real(3 * i), random.real(0.2, 1) }, Rotation::from_angle(Real(i)) });
+		for (std::uint32_t point = 0; point < body.point_count(); ++point) {
+			body.set_point(point, body.positions()[point] + random.vector(0.1), random.vector(3));
+		}
+		if (i == ruined) {
+			body.set_point(2, body.positions()[2], { std::numeric_limits<Real>::max() / 2, 0 });
+		}
+		world.add_soft_body(std::move(body));
+	}
+}
+
+std::vector<Vec2> state_of(WorldData &world) {
+	std::vector<Vec2> all;
+	for (const SoftBodyData &body : world.soft_bodies()) {
+		all.insert(all.end(), body.positions().begin(), body.positions().end());
+		all.insert(all.end(), body.velocities().begin(), body.velocities().end());
+	}
+	return all;
+}
+
+std::optional<std::uint64_t> advance(WideStepper &stepper, WorldData &world, Integrator integrator) {
+	Roster roster;
+	roster.update(world);
+	REQUIRE(roster.crews().size() == 2);
+	WideStretch stretch;
+	stretch.crews = { &roster.crews()[0], &roster.crews()[1] };
+	stretch.borders = world.borders();
+	stretch.integrator = integrator;
+	stretch.gravity = { 0, Real(-9.81) };
+	stretch.h = H;
+	stretch.substeps = 3;
+	stretch.reach = 50;
+	StateAhead ahead;
+	return stepper.advance(stretch, ahead);
+}
+
+} // namespace
+
+TEST_CASE("two crews at once end in the bits of the scalar code, and count its contacts") {
+	const auto stepper = make_wide_stepper();
+	if (stepper == nullptr) {
+		MESSAGE("no registers of that width here: nothing to compare");
+		return;
+	}
+	BodySettings everything;
+	everything.shape_stiffness = 120;
+	everything.shape_damping = Real(0.5);
+	everything.pressure_stiffness = 200;
+	everything.rolling_resistance = Real(0.03);
+	everything.linear_damp = Real(0.8);
+	everything.angular_damp = 3;
+	for (const BodySettings &settings : { BodySettings{}, everything }) {
+		for (const Integrator integrator : { Integrator::EXPLICIT_EULER, Integrator::SEMI_IMPLICIT_EULER, Integrator::MIDPOINT,
+					 Integrator::HEUN, Integrator::RUNGE_KUTTA_4, Integrator::VELOCITY_VERLET }) {
+			CAPTURE(int(integrator));
+			WorldData world;
+			fill(world, SIZE_MAX, settings);
+			WorldData twin;
+			fill(twin, SIZE_MAX, settings);
+			const std::optional<std::uint64_t> contacts = advance(*stepper, world, integrator);
+			REQUIRE(contacts.has_value());
+			SurroundingsIndex surroundings;
+			surroundings.update(twin, 3 * H);
+			CollisionHandling handling;
+			IntegratorWorkspace workspace;
+			std::uint64_t scalar_contacts = 0;
+			for (SoftBodyData &body : twin.soft_bodies()) {
+				workspace.begin_body(body.point_count());
+				handling.begin_body(surroundings, body, 0, 3 * H);
+				const std::vector<Vec2> external(body.point_count());
+				for (int i = 0; i < 3; ++i) {
+					const std::vector<Vec2> before(body.positions().begin(), body.positions().end());
+					integrator_traits(integrator).step(body, { { 0, Real(-9.81) }, external, H }, workspace);
+					if (settings.has_damp()) {
+						damp_rigid_motion<Real>(lanes_of(body), H);
+					}
+					const std::size_t answered = handling.handle(body, before, { 0, Real(-9.81) }, H);
+					workspace.forces_are_current = workspace.forces_are_current && answered == 0;
+					scalar_contacts += answered;
+				}
+			}
+			CHECK(state_of(world) == state_of(twin));
+			CHECK(scalar_contacts > 0);
+			CHECK(*contacts == scalar_contacts);
+		}
+	}
+}
+
+TEST_CASE("two crews one of whose bodies is ruined are left as they were, whichever it is") {
+	const auto stepper = make_wide_stepper();
+	for (std::size_t ruined = 0; stepper != nullptr && ruined < WIDE_WIDTH; ++ruined) {
+		WorldData world;
+		fill(world, ruined);
+		const std::vector<Vec2> before = state_of(world);
+		CHECK_FALSE(advance(*stepper, world, Integrator::SEMI_IMPLICIT_EULER).has_value());
+		CHECK(state_of(world) == before);
+	}
+}
+
+TEST_CASE("a body of two crews that is ruined is reset, and the other seven move as if it were not there") {
+	constexpr std::size_t RUINED = 5;
+	WorldData world;
+	fill(world, RUINED);
+	WorldData sane;
+	fill(sane, SIZE_MAX);
+	const StepReport report = Simulator(world).simulate(Real(1) / 60);
+	CHECK(Simulator(sane).simulate(Real(1) / 60).reset_bodies.empty());
+	REQUIRE(report.reset_bodies.size() == 1);
+	CHECK(report.reset_bodies[0] == world.id_at(RUINED));
+	for (std::size_t i = 0; i < WIDE_WIDTH; ++i) {
+		const bool same = std::ranges::equal(world.soft_bodies()[i].positions(), sane.soft_bodies()[i].positions());
+		CHECK(same == (i != RUINED));
+	}
+}
