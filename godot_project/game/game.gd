@@ -31,6 +31,10 @@ var level_index := 0
 ## Someone who is popped, fading or has won cannot be hurt.
 var is_busy := true
 
+## Where the mouse is in the window, and whether it pulls the jelly along.
+var _pointer := Vector2.ZERO
+var _pointer_held := false
+
 @onready var player: Player = %Player
 @onready var _camera: FollowCamera = %Camera
 @onready var _sounds: Sounds = %Sounds
@@ -44,6 +48,7 @@ func _ready() -> void:
 	Settings.read()
 	player.jumped.connect(func() -> void: _sounds.play(&"jump", 0.6))
 	player.landed.connect(_on_player_landed)
+	player.crushed.connect(hurt)
 	player.size_changed.connect(_on_player_size_changed)
 	_pause.resumed.connect(func() -> void: set_paused(false))
 	_pause.back_asked.connect(_on_back_asked)
@@ -69,12 +74,19 @@ func _unhandled_input(event: InputEvent) -> void:
 		set_paused(true)
 	elif event.is_action_pressed(&"game_restart"):
 		hurt()
+	var mouse := event as InputEventMouse
+	if mouse == null:
+		return
+	_pointer = mouse.position
 	var button := event as InputEventMouseButton
-	if button != null and button.pressed:
-		if button.button_index == MOUSE_BUTTON_WHEEL_UP:
-			player.turn_wheel(1)
-		elif button.button_index == MOUSE_BUTTON_WHEEL_DOWN:
-			player.turn_wheel(-1)
+	if button == null:
+		return
+	if button.button_index == MOUSE_BUTTON_LEFT:
+		_pointer_held = button.pressed
+	elif button.button_index == MOUSE_BUTTON_WHEEL_UP and button.pressed:
+		player.turn_wheel(1)
+	elif button.button_index == MOUSE_BUTTON_WHEEL_DOWN and button.pressed:
+		player.turn_wheel(-1)
 
 
 func _notification(what: int) -> void:
@@ -88,8 +100,9 @@ func _physics_process(delta: float) -> void:
 		return
 	time += delta
 	player.pointer_direction = 0
-	if Input.is_mouse_button_pressed(MOUSE_BUTTON_LEFT):
-		player.pointer_direction = (get_global_mouse_position().x - player.global_position.x) / POINTER_REACH
+	if _pointer_held:
+		var pointed := get_canvas_transform().affine_inverse() * _pointer
+		player.pointer_direction = (pointed.x - player.global_position.x) / POINTER_REACH
 	if player.get_center_of_mass_position().y > level.bounds.end.y + 60:
 		hurt()
 
@@ -142,6 +155,7 @@ func hurt() -> void:
 func set_paused(paused: bool) -> void:
 	get_tree().paused = paused
 	_pause.visible = paused
+	_pointer_held = false
 	if paused:
 		_pause.open()
 

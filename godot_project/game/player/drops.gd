@@ -17,6 +17,7 @@ var _share := 1.0
 
 func _ready() -> void:
 	top_level = true
+	z_index = player.z_index
 	global_transform = Transform2D.IDENTITY
 	physics_interpolation_mode = Node.PHYSICS_INTERPOLATION_MODE_OFF
 	add_to_group(&"quality")

@@ -7,6 +7,8 @@ extends SoftBody2D
 
 signal jumped
 signal landed(strength: float)
+## Pressed so hard that it would burst: by a platform against the ground, say.
+signal crushed
 signal popped
 signal size_changed(size: Size)
 
@@ -23,7 +25,7 @@ const DRAG: Array[float] = [0.1, 0.1, 2.5]
 ## Share of the gravity that each size feels; what is in between goes by the area.
 const WEIGHT: Array[float] = [1.5, 1.3, 0.36]
 ## Highest speed over the ground for each size [px/s].
-const SPEED: Array[float] = [300.0, 360.0, 280.0]
+const SPEED: Array[float] = [300.0, 360.0, 350.0]
 
 const GROUND_PULL := 900.0 # px/s², beside what rolling does
 const AIR_PULL := 1000.0
@@ -34,7 +36,11 @@ const WALL_SPEED := 330.0 # px/s away from a wall that it jumps off
 const JUMP_CUT := 0.45 # what is left of the rise when the button is let go
 const COYOTE_TIME := 0.1 # s after leaving the ground in which it can jump yet
 const BUFFER_TIME := 0.13 # s before touching the ground in which a jump is remembered
+const SLIP_TIME := 0.16 # s after a jump in which walls do not hold it
+const SLIPPERY := 0.04
 const GROUND_NORMAL := 0.45 # how much a contact pushes upward to count as ground
+const CRUSHED := 0.45 # share of the area that the air in it would have, below which it bursts
+const CRUSH_TIME := 0.15 # s
 const SQUISH_IMPULSE := 26.0 # kg·px/s in one tick from which a contact is heard
 
 ## What drives it: the actions of the input map. Off while a menu, a fade or the end has the stage.
@@ -49,7 +55,9 @@ var _wall_age := INF
 var _wall_side := 0.0
 var _jump_age := INF
 var _rising := false
+var _slip := 0.0 # s of little grip left
 var _hard := 0.0
+var _crushed_for := 0.0
 var _round_area := 1.0
 
 
@@ -102,6 +110,11 @@ func is_on_ground() -> bool:
 	return _ground_age == 0
 
 
+## Whether there is, or has been a moment ago, something to jump off.
+func can_jump() -> bool:
+	return _ground_age < COYOTE_TIME or _wall_age < COYOTE_TIME
+
+
 ## What it touches: [member contact_monitor] lists every contact of the last step with normal and impulse.
 func _feel(delta: float) -> void:
 	_ground_age += delta
@@ -135,9 +148,14 @@ func _wanted_size() -> Size:
 ## has, so that a big jelly in a narrow shaft is no lighter than it looks.
 func _breathe(delta: float) -> void:
 	inflation = move_toward(inflation, INFLATION[size], BLOW_RATE[size] * delta)
-	friction = GRIP[size]
+	_slip -= delta
+	friction = GRIP[size] if _slip <= 0 else SLIPPERY
 	linear_damp = DRAG[size]
 	var filled := get_area() / _round_area
+	_crushed_for = _crushed_for + delta if filled < CRUSHED * inflation / INFLATION[Size.ROUND] else 0.0
+	if _crushed_for > CRUSH_TIME:
+		_crushed_for = 0
+		crushed.emit()
 	gravity_scale = lerpf(WEIGHT[1], WEIGHT[2], clampf(filled - 1, 0, 1)) if filled > 1 \
 			else lerpf(WEIGHT[0], WEIGHT[1], clampf(2 * filled - 1, 0, 1))
 
@@ -166,12 +184,10 @@ func _jump() -> void:
 		_rising = false
 	elif linear_velocity.y >= 0:
 		_rising = false
-	var off_ground := _ground_age < COYOTE_TIME
-	var off_wall := _wall_age < COYOTE_TIME
-	if _jump_age > BUFFER_TIME or not (off_ground or off_wall):
+	if _jump_age > BUFFER_TIME or not can_jump():
 		return
 	var change := Vector2(0, -JUMP_SPEED - maxf(linear_velocity.y, 0) + 0.35 * maxf(-linear_velocity.y, 0))
-	if not off_ground:
+	if _ground_age >= COYOTE_TIME:
 		change.x = _wall_side * WALL_SPEED - linear_velocity.x * 0.5
 	var radius := sqrt(get_area() / PI)
 	var points := get_point_positions()
@@ -182,5 +198,6 @@ func _jump() -> void:
 	_jump_age = INF
 	_ground_age = INF
 	_wall_age = INF
+	_slip = SLIP_TIME
 	_rising = true
 	jumped.emit()

@@ -17,6 +17,7 @@ const LIGHT := Vector2(-0.55, -0.83)
 
 func _ready() -> void:
 	top_level = true
+	z_index = _body.z_index # beyond the tree of its parent it would lie behind
 	global_transform = Transform2D.IDENTITY
 	physics_interpolation_mode = Node.PHYSICS_INTERPOLATION_MODE_OFF
 	add_to_group(&"quality")

@@ -46,6 +46,8 @@ func _move(around: Node2D, from: float, to: float, then: Callable) -> void:
 	_material.set_shader_parameter(&"extent", extent)
 	_material.set_shader_parameter(&"radius", from)
 	var step := func(radius: float) -> void:
+		if not is_instance_valid(around):
+			return
 		var place := around.get_global_transform_with_canvas().origin
 		_material.set_shader_parameter(&"centre", place.clamp(Vector2.ZERO, extent))
 		_material.set_shader_parameter(&"radius", radius)
