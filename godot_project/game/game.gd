@@ -8,6 +8,7 @@ const Glyphs := preload("res://game/glyphs.gd")
 const Level := preload("res://game/levels/level.gd")
 const Cushion := preload("res://game/world/cushion.gd")
 const Player := preload("res://game/player/player.gd")
+const Backdrop := preload("res://game/world/backdrop.gd")
 const FollowCamera := preload("res://game/follow_camera.gd")
 const Sounds := preload("res://game/audio/sounds.gd")
 const Hud := preload("res://game/ui/hud.gd")
@@ -37,6 +38,7 @@ var _pointer_held := false
 
 @onready var player: Player = %Player
 @onready var _camera: FollowCamera = %Camera
+@onready var _backdrop: Backdrop = $Backdrop
 @onready var _sounds: Sounds = %Sounds
 @onready var _hud: Hud = %Hud
 @onready var _iris: Iris = %Iris
@@ -130,6 +132,7 @@ func start_level(index: int) -> void:
 			(node as Cushion).bounced.connect(func() -> void: _sounds.play(&"bounce", 0.7))
 	Settings.apply(get_tree())
 	_camera.set_bounds(level.bounds)
+	_backdrop.underground = level.underground
 	_bring_player()
 	_camera.snap()
 	_hud.announce(level.title)

@@ -4,6 +4,9 @@ extends RefCounted
 
 const SKY: Array[Color] = [Color("141433"), Color("2c2a63"), Color("6d4a8f"), Color("d98a94")]
 const HILLS: Array[Color] = [Color("4b3f80"), Color("3a3370"), Color("2b285c")]
+const CAVE: Array[Color] = [Color("0f0d26"), Color("1b1638"), Color("2b2150"), Color("3a2a5c")]
+const CAVE_HILLS: Array[Color] = [Color("2f2558"), Color("271e4b"), Color("1f183e")]
+const GLOW_WORM := Color("8ff5e0")
 const MOON := Color("fff2cc")
 
 const GROUND := Color("34366e")

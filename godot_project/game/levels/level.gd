@@ -15,6 +15,8 @@ const Thorns := preload("res://game/world/thorns.gd")
 @export var title := ""
 ## What the camera may show; who falls out at the bottom is lost.
 @export var bounds := Rect2(0, 0, 1280, 720)
+## No sky behind it.
+@export var underground := false
 
 var star_count := 0
 var stars_taken := 0

@@ -11,6 +11,13 @@ const HILL_STEP := 24.0
 ## Where one colour of the sky has become the next, from top to bottom.
 const SKY_EDGES: Array[float] = [0.0, 0.45, 0.75, 1.0]
 
+## A cave: no moon, glow-worms for stars, stone for trees.
+var underground := false:
+	set(value):
+		underground = value
+		for row in _hills:
+			row.queue_redraw()
+
 var _canvas := Node2D.new()
 var _hills: Array[Node2D] = []
 var _age := 0.0
@@ -47,17 +54,25 @@ func _process(delta: float) -> void:
 
 func _draw_sky() -> void:
 	var size := get_viewport().get_visible_rect().size
-	var bands := Palette.SKY.size() - 1
+	var colors := Palette.CAVE if underground else Palette.SKY
+	var bands := colors.size() - 1
 	for i in bands:
 		var top := size.y * SKY_EDGES[i]
 		var bottom := size.y * SKY_EDGES[i + 1]
 		_canvas.draw_polygon(
 				PackedVector2Array([Vector2(0, top), Vector2(size.x, top), Vector2(size.x, bottom), Vector2(0, bottom)]),
-				PackedColorArray([Palette.SKY[i], Palette.SKY[i], Palette.SKY[i + 1], Palette.SKY[i + 1]]))
+				PackedColorArray([colors[i], colors[i], colors[i + 1], colors[i + 1]]))
 	for i in STARS if _fine else STARS / 3:
 		var place := Vector2(fposmod(i * 0.754878, 1) * size.x, fposmod(i * 0.569840, 1) * size.y * 0.7)
 		var twinkle := 0.45 + 0.35 * sin(_age * (0.6 + 0.05 * (i % 17)) + i * 2.1)
-		_canvas.draw_circle(place, 1.0 + 0.9 * fposmod(i * 0.37, 1), Color(1, 1, 1, twinkle))
+		if underground:
+			place += 9 * Vector2(sin(_age * 0.5 + i), cos(_age * 0.4 + 2 * i))
+			var glow := Vector2(7, 7) * (1 + twinkle)
+			_canvas.draw_texture_rect(GLOW, Rect2(place - glow, 2 * glow), false, Color(Palette.GLOW_WORM, 0.7 * twinkle))
+		else:
+			_canvas.draw_circle(place, 1.0 + 0.9 * fposmod(i * 0.37, 1), Color(1, 1, 1, twinkle))
+	if underground:
+		return
 	var moon := Vector2(size.x * 0.79, size.y * 0.2)
 	_canvas.draw_texture_rect(GLOW, Rect2(moon - Vector2(230, 230), Vector2(460, 460)), false, Color(Palette.MOON, 0.32))
 	_canvas.draw_circle(moon, 58, Palette.MOON, true, -1, true)
@@ -66,6 +81,7 @@ func _draw_sky() -> void:
 
 
 func _draw_hills(row: Node2D, i: int) -> void:
+	var color := Palette.CAVE_HILLS[i] if underground else Palette.HILLS[i]
 	var outline := PackedVector2Array()
 	var base: float = [-235.0, -165.0, -95.0][i]
 	var tall: float = [62.0, 54.0, 46.0][i]
@@ -76,15 +92,20 @@ func _draw_hills(row: Node2D, i: int) -> void:
 		x += HILL_STEP
 	outline.append(Vector2(x - HILL_STEP, 320))
 	outline.append(Vector2(0, 320))
-	row.draw_colored_polygon(outline, Palette.HILLS[i])
+	row.draw_colored_polygon(outline, color)
 	outline.resize(outline.size() - 2)
-	row.draw_polyline(outline, Palette.HILLS[i].lightened(0.1), 3, true)
+	row.draw_polyline(outline, color.lightened(0.1), 3, true)
 	var k := 0
 	while k < outline.size(): # round trees, the nearer the larger
 		var chance := fposmod(sin((k % 160) * 12.9898 + i * 7.1) * 43758.5453, 1)
 		if chance > 0.72:
 			var size := (14 + 10 * i) * (0.7 + 0.6 * fposmod(chance * 17, 1))
 			var foot := outline[k]
-			row.draw_line(foot + Vector2(0, 4), foot + Vector2(0, -size * 1.3), Palette.HILLS[i].lightened(0.04), 4)
-			row.draw_circle(foot + Vector2(0, -size * 1.7), size, Palette.HILLS[i].lightened(0.045), true, -1, true)
+			if underground:
+				row.draw_colored_polygon(PackedVector2Array([foot + Vector2(-size * 0.6, 6), foot + Vector2(size * 0.15, -size * 2.6),
+						foot + Vector2(size * 0.6, 6)]), color.lightened(0.03))
+				k += 2
+				continue
+			row.draw_line(foot + Vector2(0, 4), foot + Vector2(0, -size * 1.3), color.lightened(0.04), 4)
+			row.draw_circle(foot + Vector2(0, -size * 1.7), size, color.lightened(0.045), true, -1, true)
 		k += 2
