@@ -54,9 +54,9 @@ func _cross_meadow(place: Vector2) -> void:
 
 
 func _cross_burrow(place: Vector2) -> void:
-	if place.x > 540 and place.x < 1060:
+	if place.x > 540 and place.x < 980:
 		size = FLAT
-	elif place.x > 1090 and place.x < 1185:
+	elif place.x > 1080 and place.x < 1200:
 		wants_jump = true
 	elif place.x > 1780 and place.x < 1860:
 		wants_jump = true
