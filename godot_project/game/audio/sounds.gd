@@ -14,6 +14,8 @@ var _voices: Array[AudioStreamPlayer] = []
 var _next := 0
 var _music_player := AudioStreamPlayer.new()
 var _asked_for_music := false
+## A run without a screen has no ears either, and need not compute music.
+var _is_heard := DisplayServer.get_name() != "headless"
 
 
 func _ready() -> void:
@@ -23,7 +25,7 @@ func _ready() -> void:
 		_voices.append(voice)
 		add_child(voice)
 	add_child(_music_player)
-	_make_streams()
+	get_streams()
 
 
 func _exit_tree() -> void:
@@ -42,8 +44,23 @@ func _process(_delta: float) -> void:
 	_music_player.volume_db = linear_to_db(maxf(Settings.music_volume * 0.8, 0.0001))
 
 
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_WM_CLOSE_REQUEST:
+		silence()
+
+
+## Stops everything at once.
+func silence() -> void:
+	_asked_for_music = false
+	_music_player.stop()
+	for voice in _voices:
+		voice.stop()
+
+
 ## `strength` from 0 to 1 is loudness; a little chance in the pitch keeps repeated sounds alive.
 func play(sound: StringName, strength := 1.0, pitch := 1.0) -> void:
+	if not _is_heard:
+		return
 	var voice := _voices[_next]
 	_next = (_next + 1) % VOICES
 	voice.stream = _streams[sound]
@@ -54,14 +71,17 @@ func play(sound: StringName, strength := 1.0, pitch := 1.0) -> void:
 
 ## The loop takes a second to compute, so that happens on a thread of the pool.
 func start_music() -> void:
+	if not _is_heard:
+		return
 	_asked_for_music = true
 	if _music == null and _music_task < 0:
 		_music_task = WorkerThreadPool.add_task(func() -> void: _music = Synth.music())
 
 
-static func _make_streams() -> void:
+## All sounds by name, made on the first call.
+static func get_streams() -> Dictionary:
 	if not _streams.is_empty():
-		return
+		return _streams
 	_streams = {
 		&"jump": Synth.glide(190, 520, 0.2, 0.5, 0.35),
 		&"squish": Synth.glide(210, 70, 0.22, 0.6, 0.2, 0.35, 18),
@@ -75,3 +95,4 @@ static func _make_streams() -> void:
 		&"win": Synth.bells([523.3, 659.3, 784.0, 1046.5, 784.0, 1046.5, 1318.5], 0.15, 1.4, 0.3),
 		&"button": Synth.glide(420, 560, 0.09, 0.3, 0.2),
 	}
+	return _streams

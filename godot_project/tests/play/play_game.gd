@@ -62,6 +62,10 @@ func _run() -> void:
 				break
 		await _look_at_the_end()
 	DirAccess.remove_absolute(ProjectSettings.globalize_path(SETTINGS_FILE))
+	for sounds in current_scene.find_children("Sounds"):
+		sounds.call("silence")
+	OS.delay_msec(200) # the audio thread lets go of what it has played
+	await _ticks(2)
 	if _error_log != null:
 		var errors: PackedStringArray = _error_log.call("take")
 		check(errors.is_empty(), "the engine said: " + "\n".join(errors))
