@@ -175,12 +175,16 @@ func test_it_climbs_between_walls() -> void:
 	var player := _add_player(Vector2(0, 720))
 	await seconds(0.5)
 	Input.action_press(&"game_right")
+	var away := 0.0
 	for i in 12:
 		Input.action_press(&"game_jump")
-		await ticks(18)
+		for k in 18:
+			await ticks(1)
+			away = minf(away, player.linear_velocity.x)
 		Input.action_release(&"game_jump")
 		await ticks(4)
 	check_below(player.get_center_of_mass_position().y, 300, "height after twelve jumps")
+	check_below(away, -150, "speed away from the wall that it jumps off")
 
 
 func test_it_pops_between_a_press_and_the_floor() -> void:
