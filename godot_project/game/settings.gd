@@ -62,6 +62,9 @@ static func apply(tree: SceneTree) -> void:
 static func apply_to_body(body: SoftBody2D) -> void:
 	body.antialiased = quality > Quality.LOW
 	body.smooth = quality > Quality.LOW
+	body.substeps = 0
+	if quality == Quality.HIGH:
+		body.substeps = 2 * int(body.get_substep_plan()["substeps"])
 
 
 static func _number(file: ConfigFile, section: String, key: String, fallback: float) -> float:

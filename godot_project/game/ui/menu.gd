@@ -24,7 +24,6 @@ var _next_hop := 1.2
 @onready var _sounds: Sounds = %Sounds
 @onready var _column: VBoxContainer = %Column
 @onready var _best: Label = %Best
-@onready var _keys: Label = %Keys
 
 
 func _ready() -> void:
@@ -41,14 +40,12 @@ func _ready() -> void:
 	_show(_main)
 	if Settings.best_time > 0:
 		_best.text = "Best  %s   ·   %d stars" % [Hud.clock(Settings.best_time), Settings.best_stars]
-	_tell_keys()
 	Settings.apply(get_tree())
 	_sounds.start_music()
 
 
 func _input(event: InputEvent) -> void:
-	if Glyphs.notice(event):
-		_tell_keys()
+	Glyphs.notice(event)
 	if event.is_action_pressed(&"ui_cancel") and not _main.visible:
 		get_viewport().set_input_as_handled()
 		if _settings.visible:
@@ -135,10 +132,3 @@ func _play(index: int) -> void:
 func _look_at(path: String) -> void:
 	Showcase.path = path
 	get_tree().change_scene_to_file(Entries.SHOWCASE)
-
-
-func _tell_keys() -> void:
-	_keys.text = "%s  roll     %s  jump     %s  go flat     %s  blow up" % [
-		Glyphs.text_of(&"game_move"), Glyphs.text_of(&"game_jump"),
-		Glyphs.text_of(&"game_deflate"), Glyphs.text_of(&"game_inflate"),
-	]

@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: MIT
 extends Area2D
-## The moon gate at the end of a level: a crescent with light inside.
+## The moon gate at the end of a level: a crescent with light inside, which holds who has come.
 
 signal entered
 
 const Palette := preload("res://game/palette.gd")
 const GLOW := preload("res://game/world/glow.tres")
 const RADIUS := 92.0
+const GRAVITY := 980.0
+const PULL := 60.0 # 1/s², towards the middle
+const BRAKE := 9.0 # 1/s
 
 var _age := 0.0
-var _is_entered := false
+var _guest: SoftBody2D
 
 
 func _ready() -> void:
@@ -39,7 +42,14 @@ func _draw() -> void:
 	draw_polyline(crescent, Palette.STAR_DARK.lightened(0.2), 2, true)
 
 
-func _on_body_entered(_body: Node2D) -> void:
-	if not _is_entered:
-		_is_entered = true
+## Holds its guest by a spring to its middle that also carries the weight.
+func _physics_process(_delta: float) -> void:
+	if is_instance_valid(_guest) and _guest.is_inside_tree():
+		var pull := (global_position - _guest.get_center_of_mass_position()) * PULL - _guest.linear_velocity * BRAKE
+		_guest.apply_central_force((pull + Vector2(0, -GRAVITY * _guest.gravity_scale)) * _guest.get_total_mass())
+
+
+func _on_body_entered(body: Node2D) -> void:
+	if _guest == null:
+		_guest = body as SoftBody2D
 		entered.emit()
