@@ -64,5 +64,5 @@ func _draw_rain() -> void:
 		var fall := 70 + 60 * fposmod(i * 0.618, 1)
 		var place := Vector2(
 				fposmod(i * 0.754878, 1) * _rain.size.x + 20 * sin(_age + i),
-				fposmod(_age * fall + i * 97, _rain.size.y + 60) - 30)
+				fposmod(_age * fall + fposmod(i * 0.569840, 1) * _rain.size.y, _rain.size.y + 60) - 30)
 		_rain.draw_colored_polygon(Star.outline(place, 7 + 8 * fposmod(i * 0.37, 1), _age + i), Color(Palette.STAR, 0.8))

@@ -117,27 +117,35 @@ static func _inside_to_the_right(polygon: PackedVector2Array) -> PackedVector2Ar
 	return outline
 
 
+## All rims before all insides, and outer layers before inner ones: outlines that overlap look like one.
 func _draw() -> void:
+	var areas: Array[PackedVector2Array] = []
 	for child in get_children():
-		var shape := child as CollisionPolygon2D
-		if shape != null and shape.polygon.size() > 2:
-			_draw_area(shape.transform * shape.polygon)
-
-
-func _draw_area(area: PackedVector2Array) -> void:
-	if Geometry2D.is_polygon_clockwise(area): # in the engine's words: so that outward is to one side
-		area.reverse()
-	if _tufts and not bare:
-		_draw_tufts(area)
-	draw_colored_polygon(area, fill)
+		var node := child as CollisionPolygon2D
+		if node != null and node.polygon.size() > 2:
+			areas.append(node.transform * _inside_to_the_right(node.polygon))
+	for area in areas:
+		if _tufts and not bare:
+			_draw_tufts(area)
+	for area in areas:
+		draw_colored_polygon(area, rim)
+		for line in Geometry2D.offset_polygon(area, -0.75, Geometry2D.JOIN_MITER):
+			line.append(line[0])
+			draw_polyline(line, rim, 1.5, true)
+	_draw_layer(areas, RIM_WIDTH, fill, true)
 	for i in LAYERS.size():
-		var color := fill.lerp(Palette.GROUND_DEEP, (i + 1.0) / LAYERS.size())
-		for inner in Geometry2D.offset_polygon(area, -LAYERS[i], Geometry2D.JOIN_ROUND):
-			if not Geometry2D.is_polygon_clockwise(inner):
-				draw_colored_polygon(inner, color)
-	for inner in Geometry2D.offset_polygon(area, -RIM_WIDTH / 2, Geometry2D.JOIN_ROUND):
-		inner.append(inner[0])
-		draw_polyline(inner, rim, RIM_WIDTH, true)
+		_draw_layer(areas, LAYERS[i], fill.lerp(Palette.GROUND_DEEP, (i + 1.0) / LAYERS.size()), false)
+
+
+func _draw_layer(areas: Array[PackedVector2Array], depth: float, color: Color, smooth: bool) -> void:
+	for area in areas:
+		for inner in Geometry2D.offset_polygon(area, -depth, Geometry2D.JOIN_ROUND):
+			if Geometry2D.is_polygon_clockwise(inner) != Geometry2D.is_polygon_clockwise(area):
+				continue # a hole, where the area is too thin for this layer
+			draw_colored_polygon(inner, color)
+			if smooth:
+				inner.append(inner[0])
+				draw_polyline(inner, color, 1.2, true)
 
 
 ## Blades whose sizes come from where they stand, so that they are the same in every frame and game.
