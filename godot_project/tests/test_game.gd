@@ -154,15 +154,22 @@ func test_air_changes_its_size_and_its_fall() -> void:
 	check_below(falls[2], 200, "speed of fall, big")
 
 
-func test_it_holds_between_walls_when_it_is_big() -> void:
+func test_it_holds_and_climbs_between_walls_when_it_is_big() -> void:
 	for side: float in [-1.0, 1.0]:
-		_grip(add_solid(rectangle(100, 900), Transform2D(0, Vector2(side * (45 + 50), 0))))
-	var player := _add_player(Vector2(0, -300))
+		_grip(add_solid(rectangle(100, 1600), Transform2D(0, Vector2(side * (45 + 50), 0))))
+	var player := _add_player(Vector2(0, 0))
 	Input.action_press(&"game_inflate")
 	await seconds(1)
 	var place := player.get_center_of_mass_position().y
 	await seconds(2)
 	check_near(player.get_center_of_mass_position().y, place, 2, "height of a wedged one after two seconds")
+	for i in 3: # hop by hop, holding in between
+		Input.action_press(&"game_jump")
+		await ticks(12)
+		Input.action_release(&"game_jump")
+		await ticks(20)
+	check_below(player.get_center_of_mass_position().y, place - 180, "height after three hops")
+	place = player.get_center_of_mass_position().y
 	_release()
 	await seconds(1)
 	check_above(player.get_center_of_mass_position().y, place + 80, "height once the air is out")

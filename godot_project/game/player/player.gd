@@ -128,8 +128,8 @@ func _feel(delta: float) -> void:
 			_ground_age = 0
 		elif absf(normal.x) > 0.8:
 			side += normal.x
-	if side != 0:
-		_wall_age = 0
+			_wall_age = 0
+	if _wall_age == 0:
 		_wall_side = signf(side) if absf(side) > 0.5 else 0.0
 	if strongest > SQUISH_IMPULSE and _hard <= SQUISH_IMPULSE:
 		landed.emit(strongest)

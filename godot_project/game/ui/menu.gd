@@ -101,7 +101,7 @@ func _fill_scenes() -> void:
 		button.add_theme_font_size_override(&"font_size", 20)
 		list.add_child(button)
 	var scroll := ScrollContainer.new()
-	scroll.custom_minimum_size = Vector2(0, 330)
+	scroll.custom_minimum_size = Vector2(0, 320)
 	scroll.follow_focus = true
 	scroll.horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
 	scroll.add_child(list)

@@ -103,11 +103,11 @@ func _climb(place: Vector2) -> void:
 		size = BIG if place.x < 3230 else ROUND
 
 
-## From wall to wall; where it slips, it blows itself up and holds.
+## From wall to wall at first, then as a big one that holds by itself, hop by hop.
 func _climb_chimney(place: Vector2) -> void:
 	direction = signi(roundi((2200 - place.x) / 12)) if place.y > -200 else 0
-	wants_jump = place.x > 2150
-	size = ROUND
+	wants_jump = place.x > 2150 and (place.y > -260 or _ticks % 30 == 0)
+	size = BIG if place.y < -230 and place.y > -600 else ROUND
 
 
 ## Waits at `edge` for a platform, rides it, jumps off towards `goal`.
