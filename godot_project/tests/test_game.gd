@@ -123,7 +123,7 @@ func test_a_jump_counts_a_moment_after_the_edge_and_a_moment_before_the_ground()
 
 func test_only_a_flat_one_fits_under_a_low_ceiling() -> void:
 	_grip(add_floor(100))
-	add_solid(rectangle(200, 200), Transform2D(0, Vector2(300, 100 - 48 - 100)))
+	add_solid(rectangle(200, 200), Transform2D(0, Vector2(300, 100 - 34 - 100)))
 	var player := _add_player(Vector2(0, 50))
 	Input.action_press(&"game_right")
 	await seconds(2.5)
