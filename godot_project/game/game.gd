@@ -17,7 +17,7 @@ const PauseMenu := preload("res://game/ui/pause_menu.gd")
 const WinScreen := preload("res://game/ui/win_screen.gd")
 
 const AWAY_TIME := 0.6 # s between popping and being back
-const LOUDEST_IMPULSE := 160.0 # kg·px/s in one tick
+const LOUDEST_IMPULSE := 260.0 # kg·px/s in one tick
 const POINTER_REACH := 130.0 # px from the jelly at which the mouse asks for full speed
 
 ## Which level comes first; the menu sets it.

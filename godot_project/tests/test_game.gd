@@ -324,6 +324,26 @@ func test_a_platform_carries() -> void:
 	check_near(player.get_center_of_mass_position().x, 300, 60, "place of the jelly where the platform turns")
 
 
+func test_it_squishes_the_harder_the_deeper_it_falls() -> void:
+	_grip(add_floor(100))
+	var player := _add_player(Vector2(0, 60))
+	var told: Array[float] = []
+	player.landed.connect(func(impulse: float) -> void: told.append(impulse))
+	await seconds(2)
+	var loudest: Array[float] = []
+	for height: float in [100.0, 250.0, 600.0]:
+		player.place_at(Vector2(0, 60 - height))
+		told.clear()
+		await seconds(2)
+		loudest.append(told.max() if not told.is_empty() else 0.0)
+	check_above(loudest[0], Player.SQUISH_IMPULSE, "impulse after 100 px")
+	check_above(loudest[1], 1.2 * loudest[0], "impulse after 250 px")
+	check_above(loudest[2], 1.2 * loudest[1], "impulse after 600 px")
+	told.clear()
+	await seconds(1)
+	check_equal(told.size(), 0, "squishes of one at rest")
+
+
 func test_every_sound_can_be_heard_and_none_is_cut_off() -> void:
 	var streams := Sounds.get_streams().duplicate()
 	streams[&"music"] = Synth.music()

@@ -21,7 +21,7 @@ func _ready() -> void:
 	global_transform = Transform2D.IDENTITY
 	physics_interpolation_mode = Node.PHYSICS_INTERPOLATION_MODE_OFF
 	add_to_group(&"quality")
-	player.landed.connect(func(strength: float) -> void: spray(int(strength / 12), 150, PI))
+	player.landed.connect(func(strength: float) -> void: spray(int(strength / 22), 150, PI))
 	player.jumped.connect(func() -> void: spray(5, 110, PI))
 	player.popped.connect(func() -> void: spray(40, 420, TAU))
 

@@ -41,7 +41,8 @@ const SLIPPERY := 0.04
 const GROUND_NORMAL := 0.45 # how much a contact pushes upward to count as ground
 const CRUSHED := 0.45 # share of the area that the air in it would have, below which it bursts
 const CRUSH_TIME := 0.15 # s
-const SQUISH_IMPULSE := 26.0 # kg·px/s in one tick from which a contact is heard
+const SQUISH_TICKS := 3 # a soft body hits hardest a moment after it has begun to touch
+const SQUISH_IMPULSE := 50.0 # kg·px/s in one tick from which touching is heard; its weight makes 21
 
 ## What drives it: the actions of the input map. Off while a menu, a fade or the end has the stage.
 var controlled := true
@@ -57,6 +58,8 @@ var _jump_age := INF
 var _rising := false
 var _slip := 0.0 # s of little grip left
 var _hard := 0.0
+var _squish := 0.0
+var _squish_ticks := 0
 var _crushed_for := 0.0
 var _round_area := 1.0
 
@@ -115,15 +118,15 @@ func can_jump() -> bool:
 	return _ground_age < COYOTE_TIME or _wall_age < COYOTE_TIME
 
 
-## What it touches: [member contact_monitor] lists every contact of the last step with normal and impulse.
+## How hard it touches, and what: [member contact_monitor] lists every contact of the last step with normal and impulse.
 func _feel(delta: float) -> void:
 	_ground_age += delta
 	_wall_age += delta
-	var strongest := 0.0
+	var impulse := 0.0
 	var side := 0.0
 	for i in get_contact_count():
 		var normal := get_contact_normal(i)
-		strongest = maxf(strongest, get_contact_impulse(i))
+		impulse += get_contact_impulse(i)
 		if normal.y < -GROUND_NORMAL:
 			_ground_age = 0
 		elif absf(normal.x) > 0.8:
@@ -131,9 +134,15 @@ func _feel(delta: float) -> void:
 			_wall_age = 0
 	if _wall_age == 0:
 		_wall_side = signf(side) if absf(side) > 0.5 else 0.0
-	if strongest > SQUISH_IMPULSE and _hard <= SQUISH_IMPULSE:
-		landed.emit(strongest)
-	_hard = maxf(strongest, _hard - 240 * delta)
+	if impulse > SQUISH_IMPULSE and _hard <= SQUISH_IMPULSE:
+		_squish_ticks = SQUISH_TICKS
+		_squish = 0
+	if _squish_ticks > 0:
+		_squish = maxf(_squish, impulse)
+		_squish_ticks -= 1
+		if _squish_ticks == 0:
+			landed.emit(_squish)
+	_hard = maxf(impulse, _hard - 500 * delta)
 
 
 func _wanted_size() -> Size:
