@@ -11,7 +11,7 @@ const POINTS: Array[int] = [8, 10, 14]
 
 
 func _ready() -> void:
-	color = TINTS[get_index() % TINTS.size()]
+	color = TINTS[(get_index() + get_index() / TINTS.size()) % TINTS.size()]
 	add_to_group(&"quality")
 
 

@@ -154,12 +154,7 @@ func _draw_tufts(area: PackedVector2Array) -> void:
 		var from := area[i]
 		var along := area[(i + 1) % area.size()] - from
 		var length := along.length()
-		var outward := along.orthogonal() / maxf(length, 0.001)
-		if -outward.y < GRASS_NORMAL:
-			outward = -outward
-			if -outward.y < GRASS_NORMAL or not _is_outside(area, from + along / 2 + outward * 2):
-				continue
-		elif not _is_outside(area, from + along / 2 + outward * 2):
+		if along.x < GRASS_NORMAL * length: # the inside is to the right, so what runs to the right faces up
 			continue
 		var at := fposmod(from.x * 0.37, TUFT_SPACING)
 		while at < length:
@@ -174,10 +169,6 @@ func _draw_tuft(root: Vector2) -> void:
 		var foot := root + Vector2((blade - 1) * 4, 3)
 		draw_colored_polygon(PackedVector2Array([foot + Vector2(-2.5, 0), tip, foot + Vector2(2.5, 0)]),
 				Palette.GRASS.lerp(rim, 0.5 * chance))
-
-
-static func _is_outside(area: PackedVector2Array, place: Vector2) -> bool:
-	return not Geometry2D.is_point_in_polygon(place, area)
 
 
 static func _chance(place: Vector2) -> float:
