@@ -5,6 +5,7 @@ extends CanvasLayer
 const Palette := preload("res://game/palette.gd")
 const GLOW := preload("res://game/world/glow.tres")
 const STARS := 70
+const FEW_STARS := 24
 ## How fast each row of hills passes, as a share of the camera.
 const DEPTH: Array[float] = [0.08, 0.18, 0.34]
 const HILL_STEP := 24.0
@@ -62,7 +63,7 @@ func _draw_sky() -> void:
 		_canvas.draw_polygon(
 				PackedVector2Array([Vector2(0, top), Vector2(size.x, top), Vector2(size.x, bottom), Vector2(0, bottom)]),
 				PackedColorArray([colors[i], colors[i], colors[i + 1], colors[i + 1]]))
-	for i in STARS if _fine else STARS / 3:
+	for i in STARS if _fine else FEW_STARS:
 		var place := Vector2(fposmod(i * 0.754878, 1) * size.x, fposmod(i * 0.569840, 1) * size.y * 0.7)
 		var twinkle := 0.45 + 0.35 * sin(_age * (0.6 + 0.05 * (i % 17)) + i * 2.1)
 		if underground:
