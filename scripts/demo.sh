@@ -3,7 +3,7 @@
 # Builds everything and plays the demo, and installs first what is missing for that.
 #
 # Usage: scripts/demo.sh [--headless] [--json] [--seconds N] [--screenshot FILE]
-#   Without options and with a screen, the demo is yours to play. Else it plays itself and reports how that went:
+#   Without options and with a screen, game and demo are yours to play. Else the demo plays itself and reports how that went:
 #   --seconds N        for so many seconds of the game (default 8)
 #   --screenshot FILE  keeps the last picture there (default build/demo.png)
 #   --headless         without a window and a picture
@@ -49,7 +49,7 @@ import_project
 check_extension
 
 if [[ $interactive == yes ]]; then
-	step "Playing the demo: close its window to end it"
+	step "Opening the menu: the game, the demo and what else there is; close the window to end it"
 	godot_windowed 0 --path "$PROJECT_DIR"
 	exit
 fi
@@ -58,7 +58,7 @@ fi
 step "Playing $seconds s of the demo"
 log=$LOG_DIR/demo.log
 limit=$((120 + 30 * seconds))
-arguments=(--fixed-fps 60 --audio-driver Dummy --path "$PROJECT_DIR" -- --summary "--quit-after-seconds=$seconds")
+arguments=(--fixed-fps 60 --audio-driver Dummy --path "$PROJECT_DIR" res://demo/main.tscn -- --summary "--quit-after-seconds=$seconds")
 status=0
 if [[ $headless == yes ]]; then
 	godot_headless $limit "${arguments[@]}" >"$log" 2>&1 || status=$?

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 # Builds and runs all tests, and installs first what is missing for that; the last line is the result.
 #
-# Usage: scripts/test.sh [core|engine|export]
+# Usage: scripts/test.sh [core|engine|game|export]
 #   core    only the tests of the simulation core, which need neither Godot nor godot-cpp
 #   engine  only the tests inside of Godot
+#   game    only the scripted player, who has to win the game; leaves pictures in build/game
 #   export  only the test of the exported demo
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
@@ -68,6 +69,21 @@ test_engine() {
 	count_engine "$status" "$log"
 }
 
+# The game, played from the menu to the win by a script that presses keys and buttons and moves the mouse.
+test_game() {
+	local log=$LOG_DIR/tests_game.log pictures=$REPO_DIR/build/game status=0
+	build_extension target=template_debug || return 1
+	find_godot || return 1
+	import_project || return 1
+	need_window || return 1
+	rm -rf "$pictures"
+	mkdir -p "$pictures"
+	step "Playing the game"
+	godot_windowed $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/play/play_game.gd \
+		-- "--pictures=$pictures" 2>&1 | tee "$log" || status=$?
+	count_engine "$status" "$log"
+}
+
 # The demo as players get it: exported with the release template it does the same as in the editor, to the last digit.
 test_export() {
 	local options=(--headless --fixed-fps 60 --audio-driver Dummy) seconds=5 editor exported
@@ -115,9 +131,10 @@ count_engine() {
 case ${1:-all} in
 	core) parts=(core) ;;
 	engine) parts=(engine) ;;
+	game) parts=(game) ;;
 	export) parts=(export) ;;
-	all) parts=(core engine export) ;;
-	*) problem "usage: scripts/test.sh [core|engine|export]" || exit 2 ;;
+	all) parts=(core engine game export) ;;
+	*) problem "usage: scripts/test.sh [core|engine|game|export]" || exit 2 ;;
 esac
 for part in "${parts[@]}"; do
 	"test_$part" || failed=$((failed + 1))

@@ -4,6 +4,8 @@ extends "res://tests/support/suite.gd"
 
 const EXAMPLES := "res://examples"
 const DEMO := "res://demo/main.tscn"
+const Entries := preload("res://game/entries.gd")
+const Settings := preload("res://game/settings.gd")
 
 
 func _run_scene(path: String) -> void:
@@ -37,6 +39,32 @@ func test_every_example_runs() -> void:
 			await _run_scene(EXAMPLES.path_join(file))
 			count += 1
 	check_above(count, 4, "number of examples")
+
+
+## The game's scenes hold the player, whom nobody moves here, and levels stand on their own, too.
+func test_every_scene_of_the_game_runs() -> void:
+	Settings.path = "user://no_such_settings.cfg"
+	var scenes := PackedStringArray(Entries.LEVELS)
+	scenes.append_array([Entries.MENU, Entries.GAME, Entries.SHOWCASE, "res://game/start.tscn"])
+	for path in scenes:
+		var scene := load(path) as PackedScene
+		if not check(scene != null, path + " does not load"):
+			continue
+		var root := scene.instantiate()
+		stage.add_child(root)
+		await ticks(300)
+		for node in root.find_children("*", "SoftBody2D", true, false):
+			var body := node as SoftBody2D
+			check_equal(body.get_warnings(), PackedStringArray(), "%s: warnings of %s" % [path, body.name])
+			check(all_finite(body.get_point_positions()), "%s: a point of %s is not finite" % [path, body.name])
+			check_above(body.get_area() / body.get_rest_area(), 0.5, "%s: area of %s over its rest area" % [path, body.name])
+		root.queue_free()
+		await ticks(2)
+
+
+func test_the_menu_offers_only_scenes_that_exist() -> void:
+	for entry in Entries.SCENES:
+		check(ResourceLoader.exists(entry["path"], "PackedScene"), "%s is not there" % entry["path"])
 
 
 func test_a_reset_demo_starts_again() -> void:

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+extends RefCounted
+## The scenes that the menu offers beside the game. Add a line to show another one: a title, its path, what it is.
+
+const SCENES: Array[Dictionary] = [
+	{"title": "Demo", "path": "res://demo/main.tscn", "about": "Jellies of every stiffness to pull at"},
+	{"title": "Looks", "path": "res://examples/looks.tscn", "about": "Outlines, textures, colours"},
+	{"title": "Pile", "path": "res://examples/pile.tscn", "about": "Many bodies on a heap"},
+	{"title": "Friction", "path": "res://examples/friction.tscn", "about": "Who slides, who holds"},
+	{"title": "Stiffness", "path": "res://examples/stiffness_comparison.tscn", "about": "From pudding to rubber"},
+	{"title": "Contact signals", "path": "res://examples/contact_signals.tscn", "about": "What bodies tell of touches"},
+	{"title": "Characters and areas", "path": "res://examples/character_and_area.tscn", "about": "What the engine sees"},
+	{"title": "Textures", "path": "res://examples/textured_body.tscn", "about": "A picture sticks to the flesh"},
+	{"title": "Hulls with dents", "path": "res://examples/concave_hull.tscn", "about": "Any outline will do"},
+	{"title": "Shape matching", "path": "res://examples/shape_matching.tscn", "about": "Who finds back into shape"},
+	{"title": "Forces", "path": "res://examples/grab_and_forces.tscn", "about": "Wind, kicks, and the mouse"},
+	{"title": "One material for many", "path": "res://examples/shared_material.tscn", "about": "A change reaches all of them"},
+	{"title": "Collision layers", "path": "res://examples/collision_layers.tscn", "about": "Who touches whom"},
+	{"title": "Run time creation", "path": "res://examples/run_time_creation.tscn", "about": "Bodies made by code"},
+]
+
+const LEVELS: Array[String] = [
+	"res://game/levels/level_1.tscn",
+	"res://game/levels/level_2.tscn",
+	"res://game/levels/level_3.tscn",
+]
+
+const MENU := "res://game/ui/menu.tscn"
+const GAME := "res://game/game.tscn"
+const SHOWCASE := "res://game/ui/showcase.tscn"

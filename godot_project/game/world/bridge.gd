@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+@tool
+extends SoftBody2D
+## A soft bridge: a long flat body whose ends are pinned to the world ([method SoftBody2D.set_point_pinned]) and whose
+## middle sags under who walks on it.
+
+const Palette := preload("res://game/palette.gd")
+
+## How far it reaches, in pixels; the node stands in its middle.
+@export_range(100, 1000, 10, "or_greater") var span := 400.0
+@export_range(10, 80, 1) var thickness := 26.0
+
+
+func _ready() -> void:
+	hull = SoftBody2D.make_box_hull(Vector2(span, thickness), thickness)
+	mass = span / 160
+	stiffness = 260
+	damping = 0.5
+	center_point = false
+	shape_matching = 0.35
+	shape_damping = 0.6
+	friction = 0.9
+	antialiased = true
+	smooth = true
+	color = Palette.BRIDGE
+	outline_color = Palette.BRIDGE_DARK
+	outline_width = 4
+	add_to_group(&"soft_bodies")
+	for i in hull.size():
+		if absf(hull[i].x) > span / 2 - thickness * 0.6:
+			set_point_pinned(i, true)
