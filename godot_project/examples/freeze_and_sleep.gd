@@ -27,4 +27,4 @@ func _physics_process(delta: float) -> void:
 		asleep += int(body.sleeping and not body.freeze)
 		var color: Color = _colors[body]
 		body.color = FROZEN if body.freeze else color.darkened(0.45) if body.sleeping else color
-	_status.text = "%d frozen, %d asleep, %d simulated" % [frozen, asleep, SoftBodyServer2D.get_awake_body_count()]
+	_status.text = "%d frozen, %d asleep" % [frozen, asleep]

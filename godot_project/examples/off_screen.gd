@@ -17,7 +17,7 @@ func _ready() -> void:
 		var body := SoftBody2D.new()
 		body.hull = SoftBody2D.make_circle_hull(34, 14)
 		body.position = Vector2(80 + SPACING * i, 250 + 90 * (i % 3))
-		body.stiffness = 90
+		body.stiffness = 180
 		body.bounce = 0.92
 		body.can_sleep = false
 		body.simulate_off_screen = false

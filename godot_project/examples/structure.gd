@@ -2,7 +2,7 @@
 extends Node2D
 ## Gives each spring of three pads a stiffness of its own, and draws the springs: the firmer, the brighter.
 
-const FIRM := 14.0
+const FIRM := 8.0
 
 @onready var _pads: Array[SoftBody2D] = [%Soft, %Half, %Firm]
 

@@ -29,6 +29,8 @@ const MIDDLE := 4
 
 ## -1 backwards to 1 forwards.
 var throttle := 0.0
+## Whether dents stay; without, the car is as elastic as its bodies.
+var keeps_dents := true
 var body := SoftBody2D.new()
 var wheels: Array[SoftBody2D] = []
 ## 1 if its front is to the right.
@@ -140,7 +142,7 @@ func _physics_process(_delta: float) -> void:
 				else clampf(-wheel.get_angular_velocity() / 60, -0.2, 0.2)
 		wheel.apply_torque(effect * TORQUE)
 	_age += 1
-	if _age % LOOK_INTERVAL == 0:
+	if keeps_dents and _age % LOOK_INTERVAL == 0:
 		_keep_dents()
 
 
