@@ -35,7 +35,7 @@ func _init(radius := 34.0, tint := Color.WHITE, substance: SoftBodyMaterial2D = 
 	center_point = false
 	soft_body_material = substance
 	gravity_scale = 0
-	rotation = randf() * TAU
+	rotation = radius # no two look alike
 	smooth = true
 	antialiased = true
 	outline_width = 4

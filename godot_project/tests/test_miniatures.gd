@@ -104,6 +104,7 @@ func test_a_wrestler_stands_by_itself() -> void:
 func test_a_wrestler_that_is_pushed_falls_and_loses_the_round() -> void:
 	var ring := _open("jelly_wrestlers")
 	var rival: Wrestler = ring.get(&"rival")
+	await ticks(2) # the joints take hold where the parts are then
 	for part in rival.parts:
 		part.teleport(part.global_transform.translated(Vector2(110, 0)))
 	var player: Wrestler = ring.get(&"player")
@@ -129,6 +130,7 @@ func test_a_grip_drags_whom_it_holds() -> void:
 	ring.set_physics_process(false)
 	var player: Wrestler = ring.get(&"player")
 	var rival: Wrestler = ring.get(&"rival")
+	await ticks(2)
 	for part in rival.parts:
 		part.teleport(part.global_transform.translated(Vector2(-230, 0)))
 	await seconds(1)
@@ -138,8 +140,9 @@ func test_a_grip_drags_whom_it_holds() -> void:
 	check(player.is_holding(), "holds nothing")
 	var start := rival.get_place().x
 	player.walk = -1
-	await seconds(1.2)
-	check_below(rival.get_place().x, start - 60, "way of the one who is held")
+	await seconds(1.5)
+	# One that is not held goes 5 px, pushed by an arm that turns.
+	check_below(rival.get_place().x, start - 40, "way of the one who is held")
 	player.grabs = false
 	await ticks(3)
 	check(not player.is_holding(), "still holds")
