@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends Node2D
-## Throws back what the fountain has lifted over its top, and sends the satellite on its way round the planet.
+## Sends the satellite on its way round the planet; the areas do the rest.
 
 @onready var _satellite: SoftBody2D = $Satellite
 
