@@ -10,7 +10,7 @@ extends Node2D
 const YIELD := 5.0
 ## The share of what lies beyond that stays.
 const FLOW := 0.7
-## Ticks between two looks: each dent makes another shape.
+## Ticks between two looks: each dent makes another shape, for a quarter of the time of a step of three cars.
 const LOOK_INTERVAL := 2
 ## No point leaves its first place by more than this, along the car and upright to it [px].
 const DEEPEST := Vector2(80, 26)
