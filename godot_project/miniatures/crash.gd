@@ -9,7 +9,7 @@ const ROAD_Y := 560.0
 const LEFT := -420.0
 const RIGHT := 2700.0
 const SPARK_LIFE := 0.45 # s
-const LOUD := 900.0 # kg px/s; impulse of a contact that throws sparks
+const LOUD := 90.0 # kg px/s; impulse of a contact that throws sparks
 const MOST_SPARKS := 80
 
 var player: Car
@@ -19,8 +19,14 @@ var _sparks: Array[Dictionary] = []
 var _top_speed := 0.0
 var _started := false
 
+@onready var _overlay: Node2D = %Overlay
 @onready var _camera: Camera2D = %Camera
 @onready var _status: Label = %Status
+
+
+func _ready() -> void:
+	super()
+	_overlay.draw.connect(_draw_sparks)
 
 
 func _build() -> void:
@@ -29,6 +35,8 @@ func _build() -> void:
 	_started = false
 	var ground := StaticBody2D.new()
 	ground.set_script(preload("res://common/solid.gd"))
+	ground.set(&"fill", Color("41435a"))
+	ground.set(&"edge", Color("c9cbd8"))
 	ground.physics_material_override = PhysicsMaterial.new()
 	ground.physics_material_override.friction = 1
 	ground.physics_material_override.rough = true
@@ -96,7 +104,7 @@ func _process(delta: float) -> void:
 	var focus := player.body.get_interpolated_transform().origin
 	focus.x = clampf(focus.x + player.body.get_linear_velocity().x * 0.2, LEFT + 380, RIGHT - 380)
 	_camera.position = _camera.position.lerp(Vector2(focus.x, 440), minf(1, 5 * delta))
-	queue_redraw()
+	_overlay.queue_redraw()
 
 
 func _draw() -> void:
@@ -105,6 +113,9 @@ func _draw() -> void:
 	for i in 30: # posts, so that speed shows
 		draw_rect(Rect2(LEFT + 110 * i, ROAD_Y - 46, 7, 46), Color(0.75, 0.78, 0.9, 0.35))
 	draw_rect(Rect2(LEFT, ROAD_Y - 42, RIGHT - LEFT, 8), Color(0.75, 0.78, 0.9, 0.25))
+
+
+func _draw_sparks() -> void:
 	for spark in _sparks:
 		var fade: float = 1 - spark["age"] / SPARK_LIFE
-		draw_line(spark["place"], spark["place"] - spark["velocity"] * 0.03, Color(1, 0.85, 0.4, fade), 3)
+		_overlay.draw_line(spark["place"], spark["place"] - spark["velocity"] * 0.03, Color(1, 0.85, 0.4, fade), 3)
