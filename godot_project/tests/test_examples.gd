@@ -175,3 +175,22 @@ func test_interpolation_puts_the_ticks_back() -> void:
 	await ticks(5)
 	_scene.free()
 	check_equal(Engine.physics_ticks_per_second, 60, "ticks per second after it")
+
+
+func test_forces_move_what_the_caption_says() -> void:
+	_open("motion")
+	await seconds(2)
+	check_above(_body("Wheel").get_center_of_mass_position().x, 300, "way of the wheel up the ramp")
+	check_above(_body("Sledge").get_center_of_mass_position().x, 580, "way of the sledge")
+	# g / d (t - (1 - exp(-d t)) / d) below its start, with d = 4 as there is no other damping in tests.
+	check_near(_body("Ball").get_center_of_mass_position().y, 140 + 245 * (2 - 0.25), 8, "y of the braked ball after 2 s")
+	check_above(_body("Star").angular_velocity, 6, "spin of the star")
+
+
+func test_bodies_roll_down_the_tiles() -> void:
+	_open("tiles")
+	await seconds(6)
+	for i in 3:
+		var body := _body("Body%d" % (i + 1))
+		check_above(body.get_center_of_mass_position().y, 330, "height of %s after 6 s" % body.name)
+		check_below(body.get_penetration(), 1, "penetration of " + body.name)
