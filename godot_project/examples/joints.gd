@@ -30,7 +30,8 @@ func _physics_process(delta: float) -> void:
 	else:
 		_load += LOAD_GROWTH * delta
 		_hanging.apply_central_force(Vector2(0, _load))
-		_status.text = "Pulled with %d of %d kg·px/s²" % [roundi(_load + 980 * _hanging.mass), roundi(_breaking.break_force)]
+		_status.text = "Pulled with %d of %d kg·px/s²" % [
+			roundi(_load + 980 * _hanging.mass), roundi(_breaking.break_force)]
 	queue_redraw()
 
 

@@ -19,8 +19,8 @@ func _physics_process(delta: float) -> void:
 	_beat()
 
 
-## Springs along the worm shorten where the wave is. Feet that are shortening are lifted by the rest of the body, and the
-## lower side grips better on its way back, as it is longer then.
+## Springs along the worm shorten where the wave is, above a quarter of a period before those below: so each piece of the
+## lower side is pressed down while it moves back, and lifted while it moves on.
 func _crawl() -> void:
 	var scales := PackedFloat32Array()
 	for k in _worm.get_spring_count():

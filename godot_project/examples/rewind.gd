@@ -27,9 +27,13 @@ func _physics_process(_delta: float) -> void:
 			_rewinds = false
 	else:
 		_record.append(_bodies.map(func(body: SoftBody2D) -> PackedByteArray: return body.get_state()))
+	var bytes := 0
+	if not _record.is_empty():
+		for state: PackedByteArray in _record[0]:
+			bytes += state.size()
 	_status.text = "%s   ·   %.1f s recorded, %d bytes a tick" % [
-		"◀◀ backwards" if _rewinds or by_hand else "▶ forwards", _record.size() / float(Engine.physics_ticks_per_second),
-		0 if _record.is_empty() else _record[0].reduce(func(sum: int, state: PackedByteArray) -> int: return sum + state.size(), 0)]
+		"◀◀ backwards" if _rewinds or by_hand else "▶ forwards",
+		_record.size() / float(Engine.physics_ticks_per_second), bytes]
 
 
 func _step_back() -> void:

@@ -180,7 +180,8 @@ func apply_load(new_load: Load) -> void:
 
 func show_row(row: int) -> void:
 	_shown_row = row
-	_row_button.text = "Curves of %s; show %s" % (["the models", "the integrators"] if row == 0 else ["the integrators", "the models"])
+	var rows := ["the models", "the integrators"]
+	_row_button.text = "Curves of %s; show %s" % [rows[row], rows[1 - row]]
 	var colors := PackedColorArray()
 	for i in bodies.size():
 		if _rows[i] == row:

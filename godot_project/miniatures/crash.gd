@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 extends "res://common/toy.gd"
-## A crash in the manner of Wreckfest: soft cars with soft wheels, a wall at the end of the road, and other cars before it.
+## A crash in the manner of Wreckfest: soft cars with soft wheels, a wall at the end of
+## the road, and other cars before it.
 
 const Steering := preload("res://common/steering.gd")
 const Car := preload("res://miniatures/car.gd")

@@ -115,4 +115,5 @@ func _draw() -> void:
 		for row in int(height / 34):
 			for column in 3:
 				if sin(i * 7.0 + row * 3.7 + column * 11.0) > 0.1:
-					draw_rect(Rect2(box.position + Vector2(16 + 34 * column, 14 + 34 * row), Vector2(16, 16)), Color(1, 0.85, 0.5, 0.35))
+					var place := box.position + Vector2(16 + 34 * column, 14 + 34 * row)
+					draw_rect(Rect2(place, Vector2(16, 16)), Color(1, 0.85, 0.5, 0.35))

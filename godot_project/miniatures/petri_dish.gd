@@ -74,7 +74,8 @@ func _build_wall() -> void:
 		var shape := ConvexPolygonShape2D.new()
 		var a := Vector2.from_angle(TAU * i / WALL_PARTS)
 		var b := Vector2.from_angle(TAU * (i + 1) / WALL_PARTS)
-		shape.points = PackedVector2Array([a * DISH_RADIUS, a * (DISH_RADIUS + WALL), b * (DISH_RADIUS + WALL), b * DISH_RADIUS])
+		var outside := DISH_RADIUS + WALL
+		shape.points = PackedVector2Array([a * DISH_RADIUS, a * outside, b * outside, b * DISH_RADIUS])
 		var part := CollisionShape2D.new()
 		part.shape = shape
 		wall.add_child(part)

@@ -2,7 +2,7 @@
 extends Node2D
 ## A wrestler of six soft bodies, tied together by joints: torso, head, two arms, two legs.
 ##
-## What keeps it upright are torques on torso and legs, and a force that carries it while a leg stands on something.
+## What keeps it upright are torques on torso, head and legs; it walks and jumps only while a leg stands on something.
 ## It grabs with a joint that is made while the game runs, and that breaks when pulled too hard.
 
 const STRENGTH := 6500.0 # kg px/s²; with which it walks, for its whole mass
@@ -38,20 +38,21 @@ var _mass := 0.0
 
 func _init(tint := Color.WHITE, direction := 1.0) -> void:
 	facing = direction
-	_legs.append(_add_part("BackLeg", SoftBody2D.make_capsule_hull(15, 76, 13), Vector2(12, 74), tint.darkened(0.25), 0.7))
-	_arms.append(_add_part("BackArm", SoftBody2D.make_capsule_hull(12, 76, 12), Vector2(18, -6), tint.darkened(0.25), 0.4))
+	var leg := SoftBody2D.make_capsule_hull(15, 76, 13)
+	var arm := SoftBody2D.make_capsule_hull(12, 76, 12)
+	_legs.append(_add_part("BackLeg", leg, Vector2(12, 74), tint.darkened(0.25), 0.7))
+	_arms.append(_add_part("BackArm", arm, Vector2(18, -6), tint.darkened(0.25), 0.4))
 	torso = _add_part("Torso", SoftBody2D.make_capsule_hull(34, 112, 16), Vector2.ZERO, tint, 2.0)
 	_head = _add_part("Head", SoftBody2D.make_circle_hull(31, 16), Vector2(0, -80), tint.lightened(0.15), 0.7)
-	_legs.append(_add_part("FrontLeg", SoftBody2D.make_capsule_hull(15, 76, 13), Vector2(-12, 74), tint.darkened(0.12), 0.7))
-	_arms.append(_add_part("FrontArm", SoftBody2D.make_capsule_hull(12, 76, 12), Vector2(-18, -6), tint.darkened(0.12), 0.4))
+	_legs.append(_add_part("FrontLeg", leg, Vector2(-12, 74), tint.darkened(0.12), 0.7))
+	_arms.append(_add_part("FrontArm", arm, Vector2(-18, -6), tint.darkened(0.12), 0.4))
 	for part in parts:
 		_mass += part.mass
 		for other in parts:
 			if other != part:
 				part.add_collision_exception_with(other)
-	for leg in _legs:
-		leg.contact_monitor = true
-		leg.friction = 0.9
+	for part in _legs:
+		part.contact_monitor = true
 	var eyes := Node2D.new()
 	eyes.set_script(preload("res://demo/eyes.gd"))
 	var attachment := SoftBodyAttachment2D.new()
@@ -60,13 +61,14 @@ func _init(tint := Color.WHITE, direction := 1.0) -> void:
 	attachment.add_child(eyes)
 	_head.add_child(attachment)
 	_tie(torso, _head, Vector2(0, -52))
-	for leg in _legs:
-		_tie(torso, leg, Vector2(leg.position.x, 44))
-	for arm in _arms:
-		_tie(torso, arm, Vector2(arm.position.x, -36))
+	for part in _legs:
+		_tie(torso, part, Vector2(part.position.x, 44))
+	for part in _arms:
+		_tie(torso, part, Vector2(part.position.x, -36))
 
 
-func _add_part(part_name: String, outline: PackedVector2Array, place: Vector2, tint: Color, part_mass: float) -> SoftBody2D:
+func _add_part(part_name: String, outline: PackedVector2Array, place: Vector2, tint: Color,
+		part_mass: float) -> SoftBody2D:
 	var part := SoftBody2D.new()
 	part.name = part_name
 	part.hull = outline

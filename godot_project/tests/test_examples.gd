@@ -60,7 +60,8 @@ func test_the_joint_breaks_and_is_mended() -> void:
 	check_equal(told[0], 1, "times that the joint said it broke")
 	await seconds(2.5)
 	check(not joint.is_broken(), "the joint is still broken")
-	check_near(_body("Left").global_position.distance_to(_body("Right").global_position), 200, 12, "length of the rod and two half bodies")
+	var rod := _body("Left").global_position.distance_to(_body("Right").global_position)
+	check_near(rod, 200, 12, "length of the rod and two half bodies")
 
 
 func test_balloons_swell_and_shrink() -> void:

@@ -84,7 +84,8 @@ func test_bodies_stay_in_their_lanes_under_every_load() -> void:
 			await ticks(30)
 			for k in _bodies.size():
 				var half := 80.0 if k < 4 else 40.0
-				check_near(_bodies[k].get_center_of_mass_position().x, starts[k], half, "%s under load %d" % [_bodies[k].name, load])
+				var x := _bodies[k].get_center_of_mass_position().x
+				check_near(x, starts[k], half, "x of %s under load %d" % [_bodies[k].name, load])
 
 
 func test_the_curves_show_what_the_bodies_do() -> void:
