@@ -19,8 +19,7 @@ func _physics_process(delta: float) -> void:
 	_beat()
 
 
-## Springs along the worm shorten where the wave is, above a quarter of a period before those below: so each piece of the
-## lower side is pressed down while it moves back, and lifted while it moves on.
+## Springs along the worm shorten and lengthen in a wave; the worm goes the way that the wave goes.
 func _crawl() -> void:
 	var scales := PackedFloat32Array()
 	for k in _worm.get_spring_count():
@@ -29,8 +28,6 @@ func _crawl() -> void:
 		var b := _rest_place(ends.y)
 		var along := absf((b - a).normalized().x)
 		var phase := TAU * (WAVE_FREQUENCY * _age - (a.x + b.x) / 2 / WAVE_LENGTH)
-		# Below, the wave comes a quarter later than above.
-		phase -= PI / 2 * (a.y + b.y) / 64
 		scales.append(1 + WAVE * along * sin(phase))
 	_worm.spring_length_scales = scales
 	if _worm.global_position.x > 1050:
