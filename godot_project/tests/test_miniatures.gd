@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: MIT
+extends "res://tests/support/suite.gd"
+## What the miniatures promise: cells swallow and flee, wrestlers stand, grab and fall, cars keep their dents.
+
+const Cell := preload("res://miniatures/petri_cell.gd")
+const Wrestler := preload("res://miniatures/wrestler.gd")
+const Car := preload("res://miniatures/car.gd")
+
+
+func _open(name: String) -> Node2D:
+	var scene := (load("res://miniatures/%s.tscn" % name) as PackedScene).instantiate() as Node2D
+	stage.add_child(scene)
+	return scene
+
+
+## A dish with nothing in it but the player in the middle and one other cell.
+func _open_dish(other_radius: float, offset: Vector2) -> Array:
+	var dish := _open("petri_dish")
+	(dish.get(&"crumbs") as PackedVector2Array).clear()
+	dish.set(&"crumbs", PackedVector2Array())
+	var player: Cell = dish.get(&"player")
+	for cell: Cell in dish.call(&"get_cells"):
+		if cell != player:
+			cell.free()
+	var other: Cell = dish.call(&"_add_cell", offset, other_radius, Color.RED)
+	return [dish, player, other]
+
+
+func test_a_cell_grows_by_what_it_swallows() -> void:
+	var parts := _open_dish(18, Vector2(150, 0))
+	var player: Cell = parts[1]
+	var prey: Cell = parts[2]
+	prey.vigour = 0 # it would be faster
+	await ticks(2)
+	var expected := player.get_area() + prey.get_area()
+	Input.action_press(&"ui_right")
+	var waited := 0
+	while is_instance_valid(prey) and waited < 600:
+		await ticks(1)
+		waited += 1
+	Input.action_release(&"ui_right")
+	check(not is_instance_valid(prey), "the prey is still there after 10 s")
+	await seconds(2)
+	# All that the prey's hull enclosed is handed over.
+	check_near(player.get_rest_area(), expected, 0.002 * expected, "rest area after the meal")
+	# A membrane under pressure swims at a few thousandths above or below its rest area.
+	check_near(player.get_area(), expected, 0.03 * expected, "area after the meal")
+	check_equal((parts[0].call(&"get_cells") as Array).size(), 1, "number of cells left")
+
+
+func test_cells_of_one_size_do_not_swallow_each_other() -> void:
+	var parts := _open_dish(34, Vector2(90, 0))
+	(parts[2] as Cell).vigour = 0
+	Input.action_press(&"ui_right")
+	await seconds(3)
+	Input.action_release(&"ui_right")
+	check_equal((parts[0].call(&"get_cells") as Array).size(), 2, "number of cells")
+	check_above((parts[2] as Cell).get_center_of_mass_position().x, 120, "way of the cell that was pushed")
+
+
+func test_a_small_cell_flees() -> void:
+	var parts := _open_dish(18, Vector2(110, 0))
+	await seconds(1.5)
+	check_above((parts[2] as Cell).get_center_of_mass_position().x, 200, "way of the small cell")
+
+
+func test_a_cell_presses_itself_flat_at_the_wall() -> void:
+	var parts := _open_dish(18, Vector2(-500, 0))
+	var player: Cell = parts[1]
+	Input.action_press(&"ui_right")
+	await seconds(5)
+	Input.action_release(&"ui_right")
+	var box := bounds_of(hull_of(player))
+	check_below(box.size.x / box.size.y, 0.95, "width over height of the cell at the wall")
+	# The wall's polygon has its edges' middles at 640 cos(π/64) = 639.2 from the centre.
+	check_near(box.end.x, 640.0, 2, "right end of the cell at the wall")
+	check_near(player.get_area() / player.get_rest_area(), 1.0, 0.1, "area over rest area")
+
+
+func test_a_dish_can_be_started_anew() -> void:
+	var dish := _open("petri_dish")
+	var count: int = (dish.call(&"get_cells") as Array).size()
+	await seconds(1)
+	var key := InputEventKey.new()
+	key.keycode = KEY_R
+	key.pressed = true
+	tree.root.push_input(key)
+	await ticks(3)
+	check_equal((dish.call(&"get_cells") as Array).size(), count, "number of cells")
+	check_equal(SoftBodyServer2D.get_body_count(), count, "bodies in the server")
+
+
+func test_a_wrestler_stands_by_itself() -> void:
+	var ring := _open("jelly_wrestlers")
+	var player: Wrestler = ring.get(&"player")
+	ring.set_physics_process(false)
+	(ring.get(&"rival") as Wrestler).walk = 0
+	await seconds(5)
+	check_near(player.get_place(), Vector2(480, 380), 40, "place of the wrestler after 5 s")
+	check_below(absf(player.torso.rotation), 0.2, "lean of the wrestler")
+	check(player.is_standing(), "no leg stands on anything")
+
+
+func test_a_wrestler_that_is_pushed_falls_and_loses_the_round() -> void:
+	var ring := _open("jelly_wrestlers")
+	var rival: Wrestler = ring.get(&"rival")
+	await ticks(2) # the joints take hold where the parts are then
+	for part in rival.parts:
+		part.teleport(part.global_transform.translated(Vector2(110, 0)))
+	var player: Wrestler = ring.get(&"player")
+	for part in player.parts:
+		part.teleport(part.global_transform.translated(Vector2(320, 0)))
+	Input.action_press(&"ui_right")
+	var waited := 0
+	while is_instance_valid(rival) and rival.get_place().y < 820 and waited < 600:
+		await ticks(1)
+		waited += 1
+		if player.get_place().x > 950: # it need not follow
+			Input.action_release(&"ui_right")
+	Input.action_release(&"ui_right")
+	await ticks(2)
+	check_below(waited, 600, "ticks until the rival has fallen")
+	check_equal(ring.get(&"_score"), [1, 0], "score")
+	await seconds(3)
+	check_below((ring.get(&"rival") as Wrestler).get_place().y, 500, "the rival in the next round")
+
+
+func test_a_grip_drags_whom_it_holds() -> void:
+	var ring := _open("jelly_wrestlers")
+	ring.set_physics_process(false)
+	var player: Wrestler = ring.get(&"player")
+	var rival: Wrestler = ring.get(&"rival")
+	await ticks(2)
+	for part in rival.parts:
+		part.teleport(part.global_transform.translated(Vector2(-230, 0)))
+	await seconds(1)
+	check(not player.is_holding(), "held before it grabbed")
+	player.grabs = true
+	await seconds(1)
+	check(player.is_holding(), "holds nothing")
+	var start := rival.get_place().x
+	player.walk = -1
+	await seconds(1.5)
+	# One that is not held goes 5 px, pushed by an arm that turns.
+	check_below(rival.get_place().x, start - 40, "way of the one who is held")
+	player.grabs = false
+	await ticks(3)
+	check(not player.is_holding(), "still holds")
+
+
+## Drives a car into the wall, waits until it has come to rest, and gives its length over that before.
+func _crash(keeps_dents: bool) -> float:
+	var road := _open("crash")
+	for other: Car in road.get(&"others"):
+		other.free()
+	road.set_physics_process(false)
+	var car: Car = road.get(&"player")
+	car.keeps_dents = keeps_dents
+	await seconds(1)
+	var before := car.get_length()
+	car.throttle = 1
+	var fastest := 0.0
+	for i in 400:
+		await ticks(1)
+		fastest = maxf(fastest, car.body.linear_velocity.length())
+		if car.get_place().x > 2560:
+			break
+	car.throttle = 0
+	check_above(fastest, 700, "speed before the crash")
+	await seconds(3)
+	check_below(car.body.linear_velocity.length(), 100, "speed after the crash")
+	var share := car.get_length() / before
+	road.free()
+	await ticks(2)
+	return share
+
+
+func test_a_car_is_shorter_after_a_crash() -> void:
+	check_below(await _crash(true), 0.93, "length after the crash over that before")
+
+
+func test_without_the_script_a_car_springs_back() -> void:
+	check_near(await _crash(false), 1.0, 0.02, "length after the crash over that before")
+
+
+func test_a_car_that_only_drives_gets_no_dents() -> void:
+	var road := _open("crash")
+	var car: Car = road.get(&"player")
+	await seconds(1)
+	var before := car.body.hull
+	Input.action_press(&"ui_right")
+	await seconds(1)
+	Input.action_release(&"ui_right")
+	check_above(car.get_place().x, 100, "way of the car")
+	check_points_near(car.body.hull, before, 1.5, "hull before and after the drive")
