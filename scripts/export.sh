@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Exports the demo with the release template into build/export, and runs it; installs first what is missing for that.
+# Exports the demo with the release template into build/export and plays it; packs the addon as build/package/*.zip and tries it
+# in an empty project; installs first what is missing for that.
 #
 # Usage: scripts/export.sh [--seconds=N]
 #   --seconds=N  plays the exported game for N simulated seconds (default 10) and prints its summary
@@ -9,6 +10,7 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/godot.sh"
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/export.sh"
+. "$REPO_DIR/scripts/lib/package.sh"
 
 GAME=soft_body_2d_demo
 seconds=10
@@ -35,3 +37,10 @@ if grep -E '^ *(USER )?(SCRIPT )?ERROR:' -A 2 "$log" >&2; then
 	problem "the exported game reported the errors above (all of its output: $log)"
 fi
 grep -E '^SUMMARY ' "$log" || problem "the exported game printed no summary (all of its output: $log)"
+
+step "Packing the addon"
+pack_addon
+step "Trying it in an empty project"
+unpack_into_new_project
+play_as_newcomer || problem "the README's first example failed in an empty project (all of its output: $LOG_DIR/newcomer.log)"
+tail -n 1 "$LOG_DIR/newcomer.log"

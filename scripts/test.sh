@@ -2,16 +2,18 @@
 # SPDX-License-Identifier: MIT
 # Builds and runs all tests, and installs first what is missing for that; the last line is the result.
 #
-# Usage: scripts/test.sh [core|engine|game|export]
+# Usage: scripts/test.sh [core|engine|game|export|package]
 #   core    only the tests of the simulation core, which need neither Godot nor godot-cpp
 #   engine  only the tests inside of Godot
 #   game    only the scripted player, who has to win the game; leaves pictures in build/game
 #   export  only the test of the exported demo
+#   package only a newcomer's path: the packed addon in an empty project, and every example of the documentation
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 . "$REPO_DIR/scripts/lib/godot.sh"
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/export.sh"
+. "$REPO_DIR/scripts/lib/package.sh"
 
 TIME_LIMIT=600
 passed=0
@@ -107,6 +109,26 @@ test_export() {
 	fi
 }
 
+# A newcomer's path: what is packed works in an empty project, and so does every example of the documentation.
+test_package() {
+	local status=0
+	build_extension target=template_debug || return 1
+	build_extension target=template_release || return 1
+	find_godot || return 1
+	step "Packing the addon"
+	pack_addon || return 1
+	step "Unpacking it into an empty project"
+	unpack_into_new_project || return 1
+	play_as_newcomer || status=$?
+	grep 'lowest point' "$LOG_DIR/newcomer.log" || tail -n 5 "$LOG_DIR/newcomer.log"
+	count_engine "$status" "$LOG_DIR/newcomer.log"
+	step "Running the documentation's examples"
+	status=0
+	run_snippets || status=$?
+	tail -n 1 "$LOG_DIR/snippets.log"
+	count_engine "$status" "$LOG_DIR/snippets.log"
+}
+
 # summary_of LOG COMMAND…: what the demo sums up, without what a clock had a part in; fails if it reports an error.
 summary_of() {
 	local log=$1
@@ -133,8 +155,9 @@ case ${1:-all} in
 	engine) parts=(engine) ;;
 	game) parts=(game) ;;
 	export) parts=(export) ;;
-	all) parts=(core engine game export) ;;
-	*) problem "usage: scripts/test.sh [core|engine|game|export]" || exit 2 ;;
+	package) parts=(package) ;;
+	all) parts=(core engine game export package) ;;
+	*) problem "usage: scripts/test.sh [core|engine|game|export|package]" || exit 2 ;;
 esac
 for part in "${parts[@]}"; do
 	"test_$part" || failed=$((failed + 1))

@@ -4,6 +4,12 @@ extends RefCounted
 
 const SCENES: Array[Dictionary] = [
 	{"title": "Demo", "path": "res://demo/main.tscn", "about": "Jellies of every stiffness to pull at"},
+	{"title": "Petri dish", "path": "res://miniatures/petri_dish.tscn", "about": "Swallow the small, flee the large"},
+	{"title": "Jelly wrestlers", "path": "res://miniatures/jelly_wrestlers.tscn", "about": "Push the other one off"},
+	{"title": "Crash", "path": "res://miniatures/crash.tscn", "about": "A car that keeps its dents"},
+	{"title": "Laboratory", "path": "res://laboratory/laboratory.tscn", "about": "Models and methods under one load"},
+	{"title": "Stress test", "path": "res://laboratory/stress_test.tscn", "about": "How many does this machine hold?"},
+	{"title": "Crates and a lift", "path": "res://examples/crates_and_lift.tscn", "about": "Rigid bodies push and are pushed"},
 	{"title": "Looks", "path": "res://examples/looks.tscn", "about": "Outlines, textures, colours"},
 	{"title": "Pile", "path": "res://examples/pile.tscn", "about": "Many bodies on a heap"},
 	{"title": "Friction", "path": "res://examples/friction.tscn", "about": "Who slides, who holds"},

@@ -54,7 +54,6 @@ const PROPERTIES := {
 	"constant_torque": [TYPE_FLOAT, "suffix:kg"],
 	"sleeping": [TYPE_BOOL, ""],
 	"can_sleep": [TYPE_BOOL, ""],
-	"simulate_off_screen": [TYPE_BOOL, ""],
 	"freeze": [TYPE_BOOL, ""],
 	"simulate_off_screen": [TYPE_BOOL, ""],
 	"self_collision": [TYPE_BOOL, ""],

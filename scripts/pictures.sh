@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Plays scenes of the demo project and makes the README's animated pictures of them, in docs/pictures.
+#
+# Usage: scripts/pictures.sh [NAME…]      default: all of the list below
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
+. "$REPO_DIR/scripts/lib/godot.sh"
+. "$REPO_DIR/scripts/lib/build.sh"
+. "$REPO_DIR/scripts/lib/bench.sh"
+
+# name  scene  first second  last second
+CLIPS=(
+	"demo  res://demo/main.tscn  0  4"
+	"pile  res://examples/pile.tscn  0  4"
+)
+FRAMES_PER_SECOND=15
+WIDTH=480
+
+# film NAME SCENE BEGIN END: plays the scene by the clock of its frames, and keeps what was drawn from BEGIN on.
+film() {
+	local name=$1 scene=$2 begin=$3 end=$4 folder=$REPO_DIR/build/pictures/$1 log=$LOG_DIR/picture_$1.log
+	step "$name: $scene"
+	rm -rf "$folder"
+	mkdir -p "$folder"
+	if ! godot_windowed 600 --path "$PROJECT_DIR" --resolution 960x540 --fixed-fps "$FRAMES_PER_SECOND" \
+		--write-movie "$folder/frame.png" --quit-after $((end * FRAMES_PER_SECOND)) "$scene" >"$log" 2>&1; then
+		tail -n 5 "$log" >&2
+		problem "Godot could not film $scene (see $log)"
+		return 1
+	fi
+	"$BENCH_PYTHON" "$REPO_DIR/scripts/lib/animate.py" "$folder" "$REPO_DIR/docs/pictures/$name.webp" \
+		"$FRAMES_PER_SECOND" "$WIDTH" $((begin * FRAMES_PER_SECOND))
+}
+
+build_extension target=template_debug
+find_godot
+need_window
+need_bench_python # its Python reads and writes pictures
+import_project
+mkdir -p "$REPO_DIR/docs/pictures"
+for clip in "${CLIPS[@]}"; do
+	read -r -a words <<<"$clip"
+	[[ $# -eq 0 || " $* " == *" ${words[0]} "* ]] || continue
+	film "${words[@]}"
+done
