@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: MIT
 # Builds and runs all tests, and installs first what is missing for that; the last line is the result.
 #
-# Usage: scripts/test.sh [core|engine|export]
+# Usage: scripts/test.sh [core|engine|editor|export]
 #   core    only the tests of the simulation core, which need neither Godot nor godot-cpp
 #   engine  only the tests inside of Godot
+#   editor  only the tests of the editor addon in a real editor, which no one sees if there is no screen
 #   export  only the test of the exported demo
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 . "$REPO_DIR/scripts/lib/godot.sh"
 . "$REPO_DIR/scripts/lib/build.sh"
+. "$REPO_DIR/scripts/lib/editor.sh"
 . "$REPO_DIR/scripts/lib/export.sh"
 
 TIME_LIMIT=600
@@ -68,6 +70,19 @@ test_engine() {
 	count_engine "$status" "$log"
 }
 
+# The editor addon, in an editor that is driven by made-up input.
+test_editor() {
+	local log=$LOG_DIR/tests_editor.log status=0
+	build_extension target=template_debug || return 1
+	find_godot || return 1
+	import_project || return 1
+	need_window || return 1
+	make_editor_project || return 1
+	step "Testing in Godot's editor"
+	run_editor $TIME_LIMIT 2>&1 | tee "$log" || status=$?
+	count_engine "$status" "$log"
+}
+
 # The demo as players get it: exported with the release template it does the same as in the editor, to the last digit.
 test_export() {
 	local options=(--headless --fixed-fps 60 --audio-driver Dummy) seconds=5 editor exported
@@ -115,9 +130,10 @@ count_engine() {
 case ${1:-all} in
 	core) parts=(core) ;;
 	engine) parts=(engine) ;;
+	editor) parts=(editor) ;;
 	export) parts=(export) ;;
-	all) parts=(core engine export) ;;
-	*) problem "usage: scripts/test.sh [core|engine|export]" || exit 2 ;;
+	all) parts=(core engine editor export) ;;
+	*) problem "usage: scripts/test.sh [core|engine|editor|export]" || exit 2 ;;
 esac
 for part in "${parts[@]}"; do
 	"test_$part" || failed=$((failed + 1))

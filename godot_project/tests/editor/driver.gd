@@ -10,7 +10,7 @@ extends EditorPlugin
 const ErrorLog := preload("res://tests/support/error_log.gd")
 const FOLDER := "res://tests/editor"
 ## Seconds after which a test is given up.
-const TIME_LIMIT := 60.0
+const TIME_LIMIT := 30.0
 
 var _passed := 0
 var _failed := 0

@@ -32,6 +32,7 @@ func tear_down() -> void:
 		release()
 	if plugin != null:
 		plugin.set_preview(false)
+		plugin.springs_mode.tool = 0
 		plugin.set_mode(1)
 	if _log != null:
 		for error: String in _log.call(&"take"):
@@ -94,8 +95,13 @@ func write_scene(root: Node, path: String) -> void:
 
 
 func open(path: String) -> void:
+	# One that is open already would be shown as it was.
+	while path in EditorInterface.get_open_scenes():
+		EditorInterface.open_scene_from_path(path)
+		await frames(2)
+		EditorInterface.close_scene()
+		await frames(2)
 	EditorInterface.open_scene_from_path(path)
-	EditorInterface.reload_scene_from_path(path) # one that is open already shows what it was
 	EditorInterface.set_main_screen_editor("2D")
 	for i in 60:
 		await frames(1)
@@ -116,15 +122,31 @@ func select_body(names: Array = ["Jelly"]) -> void:
 		selection.add_node(node)
 		body = node if name == names[0] else body
 	await frames(4)
-	center_on(body.global_position)
+	await center_on(body.global_position)
+
+
+## Puts a place of the scene into the middle of the viewport, enlarged by so many turns of the wheel.
+func center_on(place: Vector2, turns := 6) -> void:
+	var editors := EditorInterface.get_editor_main_screen().find_children("*", "CanvasItemEditor", false, false)
+	if editors.is_empty():
+		return
+	editors[0].call(&"center_at", place)
+	await frames(2)
+	for i in 20: # back to one pixel a pixel
+		if plugin.canvas.scene_to_screen(body).get_scale().x <= 1.01:
+			break
+		await turn_wheel(MOUSE_BUTTON_WHEEL_DOWN)
+	for i in turns:
+		await turn_wheel(MOUSE_BUTTON_WHEEL_UP)
+	editors[0].call(&"center_at", place)
 	await frames(2)
 
 
-## Puts a place of the scene into the middle of the viewport, at this zoom.
-func center_on(place: Vector2, zoom := 2.0) -> void:
-	var editors := EditorInterface.get_editor_main_screen().find_children("*", "CanvasItemEditor", false, false)
-	if not editors.is_empty() and editors[0].has_method(&"set_state"):
-		editors[0].call(&"set_state", {"zoom": zoom, "ofs": place - view_size() / 2 / zoom})
+func turn_wheel(button: MouseButton) -> void:
+	_mouse = view_size() / 2
+	_button(button, true, false, false)
+	_button(button, false, false, false)
+	await frames(1)
 
 
 func root() -> Node:
@@ -134,8 +156,7 @@ func root() -> Node:
 func save_and_reload() -> void:
 	EditorInterface.save_scene()
 	await frames(5)
-	EditorInterface.reload_scene_from_path(SCENE)
-	await frames(5)
+	await open(SCENE)
 	await select_body()
 
 
@@ -148,7 +169,7 @@ func frames(count: int) -> void:
 
 func drawn() -> void:
 	plugin.update_overlays()
-	await tree.process_frame
+	EditorInterface.get_base_control().queue_redraw() # the editor draws only what has changed
 	await RenderingServer.frame_post_draw
 
 
@@ -235,10 +256,10 @@ func key(code: Key, ctrl := false, shift := false) -> void:
 
 
 func press_button(button: BaseButton) -> void:
-	var event := InputEventMouseButton.new()
 	var place := button.get_global_transform_with_canvas() * (button.size / 2)
+	await move(place - viewport_origin())
 	for pressed: bool in [true, false]:
-		event = InputEventMouseButton.new()
+		var event := InputEventMouseButton.new()
 		event.button_index = MOUSE_BUTTON_LEFT
 		event.pressed = pressed
 		event.position = place
@@ -292,16 +313,16 @@ func values() -> Dictionary:
 
 # Pictures.
 
+## Kept only where the environment says where.
 func shot(name: String, area := Rect2i()) -> void:
-	plugin.update_overlays()
+	var folder := OS.get_environment("SOFT_BODY_2D_SHOTS")
+	if folder == "":
+		return
 	await frames(3)
-	await RenderingServer.frame_post_draw
+	await drawn()
 	var image := tree.root.get_texture().get_image()
 	if area.has_area():
 		image = image.get_region(area)
-	var folder := OS.get_environment("SOFT_BODY_2D_SHOTS")
-	if folder == "":
-		folder = "user://shots"
 	DirAccess.make_dir_recursive_absolute(folder)
 	image.save_png(folder.path_join(name + ".png"))
 

@@ -226,8 +226,7 @@ func test_locked_inherited_and_read_only_things_are_told_of_and_nothing_is_lost(
 	var moved := body.hull
 	EditorInterface.save_scene()
 	await frames(5)
-	EditorInterface.reload_scene_from_path(inherited)
-	await frames(5)
+	await open(inherited)
 	await select_body()
 	check_equal(body.hull, moved, "the hull in the inherited scene after loading")
 
@@ -278,6 +277,7 @@ func test_the_plugin_is_switched_off_and_on_again_without_a_trace() -> void:
 
 func test_dragging_a_point_of_256_takes_less_than_five_milliseconds() -> void:
 	await open_scene({"hull": SoftBody2D.make_circle_hull(150, 256)})
+	check_equal(body.hull.size(), 256, "points")
 	var slowest := {}
 	for mode: int in [1, 2]:
 		plugin.set_mode(mode)
@@ -287,7 +287,7 @@ func test_dragging_a_point_of_256_takes_less_than_five_milliseconds() -> void:
 		if mode == 2:
 			plugin.springs_mode.tool = 1
 		await press(hull_on_screen(0))
-		for i in 20:
+		for i in 11:
 			await move(hull_on_screen(0) + Vector2(1, 0))
 			handler.append(plugin.canvas.handler_usec)
 			await drawn()
@@ -295,6 +295,6 @@ func test_dragging_a_point_of_256_takes_less_than_five_milliseconds() -> void:
 		await release()
 		handler.sort()
 		drawing.sort()
-		slowest[mode] = [handler[10], drawing[10]]
+		slowest[mode] = [handler[5], drawing[5]]
 	print("MEASURED 256 points, median: drag %d us, its drawing %d us; brush %d us, drawing of springs %d us" % [slowest[1][0], slowest[1][1], slowest[2][0], slowest[2][1]])
 	check(plugin.canvas.handler_usec >= 0, "it was measured")

@@ -221,4 +221,7 @@ func draw_text(overlay: Control, place: Vector2, text: String, color: Color) -> 
 
 func draw_message(overlay: Control) -> void:
 	if has_message():
+		# Newer engines show it in their own way.
+		if EditorInterface.has_method(&"get_editor_toaster"):
+			return
 		draw_text(overlay, Vector2(48 * scale(), overlay.size.y - 40 * scale()), last_message, FAIR)

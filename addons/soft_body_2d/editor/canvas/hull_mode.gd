@@ -431,7 +431,7 @@ func draw(overlay: Control) -> void:
 	for body in canvas.bodies:
 		if canvas.is_editable(body):
 			_draw_body(overlay, body)
-	if _drag == Drag.NONE or _drag == Drag.HANDLE:
+	if not is_creating and (_drag == Drag.NONE or _drag == Drag.HANDLE):
 		handles.draw(overlay)
 	if _has_box() and _drag in [Drag.NONE, Drag.POINTS]:
 		_draw_selection_box(overlay)
@@ -447,6 +447,9 @@ func _draw_body(overlay: Control, body: SoftBody2D) -> void:
 	var outline: PackedVector2Array = _outlines.get(body, body.hull)
 	var is_bad := problem != "" and outline != body.hull
 	var points := canvas.to_screen(body) * outline
+	if is_creating:
+		canvas.draw_outline(overlay, points, Color(BodyCanvas.LINE, 0.35))
+		return
 	canvas.draw_outline(overlay, points, BodyCanvas.LINE, 2)
 	if is_bad:
 		for edge in HullEdit.crossing_edges(outline, selection.of(body)):

@@ -50,6 +50,8 @@ func _ready() -> void:
 
 # What the figures depend on. Cheap next to the figures themselves.
 func _look() -> void:
+	if Input.is_mouse_button_pressed(MOUSE_BUTTON_LEFT):
+		return # something is being dragged: nothing may make it stutter
 	var values := []
 	for body in _bodies:
 		if not is_instance_valid(body):
@@ -115,7 +117,7 @@ func _add_row(row: Advice.Row) -> void:
 	var title := Label.new()
 	title.text = row.title
 	title.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	title.clip_text = true
+	title.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 	var value := Label.new()
 	value.text = row.text
 	value.horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT

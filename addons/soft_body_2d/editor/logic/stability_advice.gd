@@ -47,14 +47,14 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 	var reason: String = report["reason"]
 	var stiff := reason == "too_stiff"
 	var unstable: bool = not report["safe"]
-	found.append(Row.new(say.call("Highest frequency"), say.call("%s Hz") % number(report["frequency"] / TAU),
+	found.append(Row.new(say.call("Frequency"), say.call("%s Hz") % number(report["frequency"] / TAU),
 			Level.BAD if unstable else (Level.FAIR if stiff else Level.GOOD),
 			say.call("An upper bound of the body's fastest oscillation. It grows with the square root of stiffness over the mass of a point.")))
 	found.append(Row.new(say.call("Substeps"), say.call("%d (%s)") % [report["substeps"], say.call(reason_text(reason))],
 			Level.BAD if unstable else (Level.FAIR if stiff or report["substeps"] > report["automatic_substeps"] else Level.GOOD),
 			say.call("Into how many parts a physics tick is divided for this body.")))
 	var margin: float = report["stability_margin"]
-	found.append(Row.new(say.call("Stability margin"), say.call("unlimited") if is_inf(margin) else "%s ×" % number(margin),
+	found.append(Row.new(say.call("Margin"), say.call("unlimited") if is_inf(margin) else "%s ×" % number(margin),
 			Level.BAD if margin <= 1 else (Level.FAIR if margin < FAIR_MARGIN else Level.GOOD),
 			say.call("How much longer a substep could be before the body would explode. Strong deformations need 1.5.")))
 	if report.has("sag"):
@@ -65,14 +65,14 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 			text = say.call("%s %%, it folds") % number(100 * sag)
 		elif not report["settled"]:
 			text = say.call("about %s %%") % number(100 * sag)
-		found.append(Row.new(say.call("Sag under its own weight"), text,
+		found.append(Row.new(say.call("Sag"), text,
 				Level.BAD if folds else (Level.FAIR if sag > FAIR_SAG else Level.GOOD),
-				say.call("The share of its height that the body loses on flat ground, found by letting a copy of it settle.")))
+				say.call("Under its own weight: the share of its height that the body loses on flat ground, found by letting a copy of it settle.")))
 		var microseconds: float = report["microseconds_per_tick"]
 		var share := microseconds * 1e-6 / tick
-		found.append(Row.new(say.call("Cost on this machine"), say.call("%s µs per tick") % number(microseconds),
+		found.append(Row.new(say.call("Cost"), say.call("%s µs a tick") % number(microseconds),
 				Level.BAD if share > BAD_SHARE else (Level.FAIR if share > FAIR_SHARE else Level.GOOD),
-				say.call("What a tick of this body takes while it lies awake on flat ground: %s %% of a tick. Asleep it costs next to nothing.") % number(100 * share)))
+				say.call("What a tick of this body takes on this machine while it lies awake on flat ground: %s %% of a tick. Asleep it costs next to nothing.") % number(100 * share)))
 	return found
 
 

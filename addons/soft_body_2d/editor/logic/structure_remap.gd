@@ -11,7 +11,7 @@ const NEW := -1
 ## springs beside a new point take after those of its neighbours.
 static func with_hull(values: Dictionary, hull: PackedVector2Array, old_points: PackedInt32Array) -> Dictionary:
 	var after := BodyValues.copy(values)
-	after[&"hull"] = hull
+	after[&"hull"] = hull.duplicate() # packed arrays are shared, and this one goes into the undo history
 	var new_points := _new_points(values, old_points)
 	_remap_pins(after, new_points)
 	_remap_skin(values, after, old_points)
@@ -26,7 +26,7 @@ static func with_hull(values: Dictionary, hull: PackedVector2Array, old_points: 
 ## nothing there. Pins go to the nearest points if `keeps_pins`.
 static func with_other_outline(values: Dictionary, hull: PackedVector2Array, keeps_pins := false) -> Dictionary:
 	var after := BodyValues.copy(values)
-	after[&"hull"] = hull
+	after[&"hull"] = hull.duplicate()
 	after[&"inner_points"] = PackedVector2Array()
 	after[&"springs"] = PackedInt32Array()
 	for scales in BodyValues.SCALES:
