@@ -26,3 +26,22 @@ run_editor() {
 	XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data XDG_CACHE_HOME=$home/cache \
 		godot_windowed "$limit" --path "$EDITOR_DIR" --editor -- --editor-tests "$@"
 }
+
+# measure_editor: leaves build/bench/editor_debug.json. Needs build.sh.
+measure_editor() {
+	local rows=$REPO_DIR/build/bench/editor_debug.json log=$LOG_DIR/editor_bench.log
+	mkdir -p "$(dirname "$rows")"
+	build_extension target=template_debug || return 1 # the editor loads no other
+	cp "$REPO_DIR"/build/extension.*.template_debug.*.flags "$REPO_DIR/build/bench/editor_debug.flags"
+	find_godot || return 1
+	import_project || return 1
+	need_window || return 1
+	make_editor_project || return 1
+	step "Measuring in Godot's editor"
+	run_editor 600 --bench >"$log" 2>&1 || { tail -n 5 "$log" >&2; problem "the bench failed (all of its output: $log)"; return 1; }
+	{
+		echo '{"rows": ['
+		sed -nE 's/^ROW (\{.*\})[[:space:]]*$/\1/p' "$log" | paste -sd ,
+		echo ']}'
+	} >"$rows"
+}

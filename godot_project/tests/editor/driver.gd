@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 @tool
 extends EditorPlugin
-## Runs the suites beside it inside a real editor: every method `test_*`, or `picture_*` with the argument --pictures.
+## Runs the suites beside it inside a real editor: every method `test_*`, or `picture_*` with the argument --pictures, or
+## `bench_*` with --bench.
 ##
-##     godot --editor --path COPY -- --editor-tests [--pictures] [FILTER...]
+##     godot --editor --path COPY -- --editor-tests [--pictures|--bench] [FILTER...]
 ##
 ## Does nothing without --editor-tests. One line a failure, last line `N passed, N failed`.
 
@@ -24,7 +25,7 @@ func _enter_tree() -> void:
 
 func _run() -> void:
 	var arguments := OS.get_cmdline_user_args()
-	var prefix := "picture_" if "--pictures" in arguments else "test_"
+	var prefix := "picture_" if "--pictures" in arguments else ("bench_" if "--bench" in arguments else "test_")
 	var filters := Array(arguments).filter(func(text: String) -> bool: return not text.begins_with("--"))
 	if ClassDB.class_exists(&"Logger"):
 		_log = ErrorLog.new()

@@ -132,12 +132,13 @@ func center_on(place: Vector2, turns := 6) -> void:
 		return
 	editors[0].call(&"center_at", place)
 	await frames(2)
-	for i in 20: # back to one pixel a pixel
+	for i in 40: # back to one pixel a pixel
 		if plugin.canvas.scene_to_screen(body).get_scale().x <= 1.01:
 			break
-		await turn_wheel(MOUSE_BUTTON_WHEEL_DOWN)
+		turn_wheel(MOUSE_BUTTON_WHEEL_DOWN)
+		await frames(1)
 	for i in turns:
-		await turn_wheel(MOUSE_BUTTON_WHEEL_UP)
+		turn_wheel(MOUSE_BUTTON_WHEEL_UP)
 	editors[0].call(&"center_at", place)
 	await frames(2)
 
@@ -146,7 +147,6 @@ func turn_wheel(button: MouseButton) -> void:
 	_mouse = view_size() / 2
 	_button(button, true, false, false)
 	_button(button, false, false, false)
-	await frames(1)
 
 
 func root() -> Node:
@@ -202,18 +202,15 @@ func move(place: Vector2, shift := false) -> void:
 	event.shift_pressed = shift
 	_mouse = place
 	tree.root.push_input(event)
-	await frames(1)
 
 
 func press(place: Vector2, button := MOUSE_BUTTON_LEFT, shift := false, double := false) -> void:
-	await move(place, shift)
+	move(place, shift)
 	_button(button, true, shift, double)
-	await frames(1)
 
 
 func release(button := MOUSE_BUTTON_LEFT, shift := false) -> void:
 	_button(button, false, shift, false)
-	await frames(1)
 
 
 func _button(button: MouseButton, pressed: bool, shift: bool, double: bool) -> void:
@@ -231,15 +228,16 @@ func _button(button: MouseButton, pressed: bool, shift: bool, double: bool) -> v
 
 
 func click(place: Vector2, button := MOUSE_BUTTON_LEFT, shift := false, double := false) -> void:
-	await press(place, button, shift, double)
-	await release(button, shift)
+	press(place, button, shift, double)
+	release(button, shift)
+	await frames(1)
 
 
 func drag(from: Vector2, to: Vector2, shift := false, steps := 4) -> void:
-	await press(from, MOUSE_BUTTON_LEFT, shift)
+	press(from, MOUSE_BUTTON_LEFT, shift)
 	for i in steps:
-		await move(from.lerp(to, (i + 1.0) / steps), shift)
-	await release(MOUSE_BUTTON_LEFT, shift)
+		move(from.lerp(to, (i + 1.0) / steps), shift)
+	release(MOUSE_BUTTON_LEFT, shift)
 	await frames(1)
 
 
@@ -257,7 +255,7 @@ func key(code: Key, ctrl := false, shift := false) -> void:
 
 func press_button(button: BaseButton) -> void:
 	var place := button.get_global_transform_with_canvas() * (button.size / 2)
-	await move(place - viewport_origin())
+	move(place - viewport_origin())
 	for pressed: bool in [true, false]:
 		var event := InputEventMouseButton.new()
 		event.button_index = MOUSE_BUTTON_LEFT
@@ -265,8 +263,8 @@ func press_button(button: BaseButton) -> void:
 		event.position = place
 		event.global_position = place
 		event.button_mask = MOUSE_BUTTON_MASK_LEFT if pressed else 0 as MouseButtonMask
-		tree.root.push_input(event)
-		await frames(1)
+		tree.root.push_input(event) # both at once: in between, the window would look where the real pointer is
+	await frames(1)
 
 
 # Undo.

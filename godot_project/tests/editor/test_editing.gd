@@ -93,8 +93,16 @@ func test_points_are_pinned_in_bulk_and_follow_a_node() -> void:
 	await check_one_step(before, version, "unpinning")
 
 
-func test_what_was_edited_is_saved_and_comes_back() -> void:
+func test_a_node_that_is_added_and_edited_is_saved_and_comes_back() -> void:
 	await open_scene()
+	root().get_node("Jelly").free()
+	var added := SoftBody2D.new()
+	added.name = "Jelly"
+	added.position = Vector2(200, 300)
+	root().add_child(added)
+	added.owner = root()
+	await select_body()
+	check_equal(body, added, "the body that is edited")
 	await drag(hull_on_screen(2), hull_on_screen(2) + Vector2(14, 9))
 	await click((hull_on_screen(6) + hull_on_screen(7)) / 2)
 	plugin.set_mode(2)
@@ -124,12 +132,12 @@ func test_the_preview_leaves_the_node_as_it_was() -> void:
 	check(plugin.preview.world.get_hull(0)[4].y > start.y + 10, "the copy falls: %s" % plugin.preview.world.get_hull(0)[4])
 	await shot("preview")
 	var place: Vector2 = plugin.canvas.scene_to_screen(body) * plugin.preview.world.get_hull(0)[12]
-	await press(place)
+	press(place)
 	check(plugin.preview.world.is_grabbing(), "a press takes hold of a point")
-	await move(place + Vector2(0, -60))
+	move(place + Vector2(0, -60))
 	await frames(10)
 	await shot("preview_pulled")
-	await release()
+	release()
 	await key(KEY_ESCAPE)
 	check(not plugin.preview.is_playing(), "Escape stops it")
 	check(bytes(body) == before, "the node's values are as before")
@@ -235,15 +243,16 @@ func test_a_hull_of_a_thousand_points_and_a_scale_of_zero_break_nothing() -> voi
 	await open_scene({"hull": SoftBody2D.make_circle_hull(150, 1000)})
 	for mode: int in [1, 2, 3]:
 		plugin.set_mode(mode)
-		await move(on_screen(Vector2(10, 10)))
+		move(on_screen(Vector2(10, 10)))
 		await drawn()
 	plugin.set_mode(1)
+	await frames(3) # the panel beside the viewport goes
 	var from := hull_on_screen(0)
 	await drag(from, from + Vector2(6, 0))
 	check_near(hull_on_screen(0), from + Vector2(6, 0), 0.05, "place of the dragged point")
 	body.scale = Vector2(0.0, 1)
 	take_errors() # the engine's own, of a node without size
-	await move(Vector2(200, 200))
+	move(Vector2(200, 200))
 	await click(Vector2(210, 200), MOUSE_BUTTON_RIGHT)
 	await drawn()
 	take_errors()
@@ -273,28 +282,3 @@ func test_the_plugin_is_switched_off_and_on_again_without_a_trace() -> void:
 	var from := hull_on_screen(0)
 	await drag(from, from + Vector2(10, 0))
 	check_near(hull_on_screen(0), from + Vector2(10, 0), 0.01, "a point is dragged as before")
-
-
-func test_dragging_a_point_of_256_takes_less_than_five_milliseconds() -> void:
-	await open_scene({"hull": SoftBody2D.make_circle_hull(150, 256)})
-	check_equal(body.hull.size(), 256, "points")
-	var slowest := {}
-	for mode: int in [1, 2]:
-		plugin.set_mode(mode)
-		await frames(2)
-		var handler := PackedInt64Array()
-		var drawing := PackedInt64Array()
-		if mode == 2:
-			plugin.springs_mode.tool = 1
-		await press(hull_on_screen(0))
-		for i in 11:
-			await move(hull_on_screen(0) + Vector2(1, 0))
-			handler.append(plugin.canvas.handler_usec)
-			await drawn()
-			drawing.append(plugin.canvas.draw_usec)
-		await release()
-		handler.sort()
-		drawing.sort()
-		slowest[mode] = [handler[5], drawing[5]]
-	print("MEASURED 256 points, median: drag %d us, its drawing %d us; brush %d us, drawing of springs %d us" % [slowest[1][0], slowest[1][1], slowest[2][0], slowest[2][1]])
-	check(plugin.canvas.handler_usec >= 0, "it was measured")

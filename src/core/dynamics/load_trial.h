@@ -12,9 +12,9 @@ namespace softbody {
 
 /// Area that a body which holds its weight may lose [1]: what the rule calls firm (see FIRM_STRENGTH).
 inline constexpr Real FIRM_AREA_LOSS = Real(0.05);
-/// Above which it is called folded even if its outline is still whole [1]; at FOLDING_STRENGTH a circle has lost a fifth to
-/// a quarter.
-inline constexpr Real FOLDED_AREA_LOSS = Real(0.25);
+/// Above which it is called folded even if its outline is still whole [1]; at FOLDING_STRENGTH a circle has lost an eighth
+/// to a fifth.
+inline constexpr Real FOLDED_AREA_LOSS = Real(0.21);
 
 /// How far a body has given way.
 struct LoadOutcome {

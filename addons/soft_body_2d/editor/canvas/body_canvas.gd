@@ -215,6 +215,8 @@ func draw_box(overlay: Control, box: Rect2) -> void:
 func draw_text(overlay: Control, place: Vector2, text: String, color: Color) -> void:
 	var font: Font = overlay.get_theme_font(&"main", &"EditorFonts")
 	var size: int = overlay.get_theme_font_size(&"main_size", &"EditorFonts")
+	var width := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, size).x
+	place.x = clampf(place.x, 4 * scale(), maxf(4 * scale(), overlay.size.x - width - 8 * scale()))
 	overlay.draw_string_outline(font, place, text, HORIZONTAL_ALIGNMENT_LEFT, -1, size, roundi(4 * scale()), Color(0, 0, 0, 0.7))
 	overlay.draw_string(font, place, text, HORIZONTAL_ALIGNMENT_LEFT, -1, size, color)
 

@@ -124,7 +124,7 @@ func _close_drawing() -> void:
 	var body := canvas.bodies[0]
 	var refusal := SoftBody2D.get_hull_problem(drawing)
 	if refusal != "":
-		canvas.warn(Words.say("This outline cannot be a hull: %s.") % refusal)
+		canvas.warn(Words.say("This outline cannot be a hull: %s.") % HullEdit.readable(refusal))
 		return
 	var before := {body: BodyValues.take(body)}
 	canvas.commit(Words.say("Draw Hull"), before, {body: StructureRemap.with_other_outline(before[body], drawing)})
@@ -224,7 +224,7 @@ func _insert(body: SoftBody2D, edge: int, place: Vector2) -> void:
 	old_points.insert(edge + 1, StructureRemap.NEW)
 	var refusal := SoftBody2D.get_hull_problem(outline)
 	if refusal != "":
-		canvas.warn(Words.say("No point can be inserted here: %s.") % refusal)
+		canvas.warn(Words.say("No point can be inserted here: %s.") % HullEdit.readable(refusal))
 		return
 	BodyValues.put(body, StructureRemap.with_hull(values, outline, old_points))
 	selection.clear()
@@ -271,7 +271,7 @@ func _erase(chosen: Dictionary) -> void:
 		var outline := HullEdit.erased(before[body][&"hull"], chosen[body])
 		var refusal := SoftBody2D.get_hull_problem(outline)
 		if refusal != "":
-			canvas.warn(Words.say("These points of '%s' cannot be erased: %s.") % [body.name, refusal])
+			canvas.warn(Words.say("These points of '%s' cannot be erased: %s.") % [body.name, HullEdit.readable(refusal)])
 			return
 		var old_points := PackedInt32Array()
 		for i in before[body][&"hull"].size():
@@ -349,7 +349,7 @@ func _show_outline(body: SoftBody2D) -> void:
 	if refusal == "":
 		body.hull = _outlines[body]
 	else:
-		problem = refusal
+		problem = HullEdit.readable(refusal)
 
 
 func _release() -> void:

@@ -87,6 +87,14 @@ static func crossing_edges(outline: PackedVector2Array, indices: PackedInt32Arra
 	return PackedInt32Array(crossing.keys())
 
 
+## What the core says of a hull, as one reads it at a glance: "edge 0-1 meets edge 7-8".
+static func readable(problem: String) -> String:
+	var text := problem.trim_prefix("hull = ").get_slice(";", 0)
+	for rest: String in [" must not intersect itself", " must have distinct neighbouring points"]:
+		text = text.replace(rest, "")
+	return text
+
+
 ## Area, positive when it winds from x towards y.
 static func signed_area(outline: PackedVector2Array) -> float:
 	var twice := 0.0

@@ -3,6 +3,7 @@
 extends RefCounted
 ## Outlines to start from, in the node's coordinates. An empty one was refused; `last_problem` says why.
 
+const HullEdit := preload("hull_edit.gd")
 const Outline := preload("outline.gd")
 const Words := preload("words.gd")
 const MOST_POINTS := 4096
@@ -67,7 +68,7 @@ static func from_path(path: Path2D, to_body: Transform2D, count: int) -> PackedV
 static func _checked(outline: PackedVector2Array) -> PackedVector2Array:
 	var clean := Outline.without_repeats(outline)
 	var problem := SoftBody2D.get_hull_problem(clean)
-	return clean if _check(problem == "", "This outline cannot be a hull: " + problem + ".") else PackedVector2Array()
+	return clean if _check(problem == "", Words.say("This outline cannot be a hull: %s.") % HullEdit.readable(problem)) else PackedVector2Array()
 
 
 static func _check_count(count: int) -> bool:

@@ -141,6 +141,10 @@ func draw(overlay: Control) -> void:
 	for i in _played_bodies.size():
 		var body := _played_bodies[i]
 		var hull := view * world.get_hull(i)
+		# One that has folded over itself keeps the triangles of its last good frame.
+		var triangles := Geometry2D.triangulate_polygon(hull)
+		if not triangles.is_empty():
+			_triangles[i] = triangles
 		if not _triangles[i].is_empty():
 			var texture := body.texture.get_rid() if body.texture != null else RID()
 			RenderingServer.canvas_item_add_triangle_array(overlay.get_canvas_item(), _triangles[i], hull,

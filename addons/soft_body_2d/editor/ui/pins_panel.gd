@@ -37,7 +37,7 @@ func set_up(mode: PinsMode) -> void:
 
 
 func show_selection() -> void:
-	_count.text = Words.say("%d points selected") % _mode.selection.size()
+	_count.text = Words.say("Points selected: %d") % _mode.selection.size()
 	for button: Button in [pin_button, unpin_button, assign_button]:
 		button.disabled = _mode.selection.is_empty()
 	_list.clear()

@@ -122,7 +122,7 @@ func _make(shape: StringName, values: Dictionary, body: SoftBody2D, before: Dict
 	var problem := SoftBody2D.get_hull_problem(outline)
 	if outline.is_empty() or problem != "":
 		if not outline.is_empty():
-			StartShapes.last_problem = Words.say("This outline cannot be a hull: %s.") % problem
+			StartShapes.last_problem = Words.say("This outline cannot be a hull: %s.") % HullEdit.readable(problem)
 		return {}
 	return StructureRemap.with_other_outline(before, outline, shape == &"resample")
 
@@ -176,7 +176,7 @@ func _on_traced(trace: TextureTrace, body: SoftBody2D, sprite: Sprite2D, texture
 		after[&"uv"] = outline
 	var problem := SoftBody2D.get_hull_problem(after[&"hull"])
 	if problem != "":
-		canvas.warn(Words.say("This outline cannot be a hull: %s.") % problem)
+		canvas.warn(Words.say("This outline cannot be a hull: %s.") % HullEdit.readable(problem))
 		return
 	canvas.commit(Words.say("Trace Hull"), before, {body: after})
 	_tell_losses(StructureRemap.losses(before[body]))

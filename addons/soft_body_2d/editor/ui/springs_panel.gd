@@ -77,7 +77,7 @@ func set_up(mode: SpringsMode) -> void:
 
 ## Fills the fields with the values of the first selected spring.
 func show_selection() -> void:
-	_count.text = Words.say("%d springs selected") % _mode.selection.size()
+	_count.text = Words.say("Springs selected: %d") % _mode.selection.size()
 	remove_button.disabled = _mode.selection.is_empty()
 	_is_showing = true
 	for i in fields.size():
