@@ -34,4 +34,4 @@ def print_table(summary):
     print(f"  {'':<24} {'size':>6} {'median':>9} {'worst':>9}")
     for row in summary["rows"]:
         print(f"  {row['what']:<24} {row['size']:>6} {row['median_ms']:>9.2f} {row['worst_ms']:>9.2f}")
-    print_targets(summary["targets"])
+    print_targets(summary)

@@ -16,6 +16,7 @@ const SpringEdit := preload(LOGIC + "spring_edit.gd")
 const StartShapes := preload(LOGIC + "start_shapes.gd")
 const StiffnessColors := preload(LOGIC + "stiffness_colors.gd")
 const StructureRemap := preload(LOGIC + "structure_remap.gd")
+const Words := preload(LOGIC + "words.gd")
 
 const SQUARE: PackedVector2Array = [Vector2(0, 0), Vector2(10, 0), Vector2(10, 10), Vector2(0, 10)]
 
@@ -236,6 +237,20 @@ func test_braces_do_not_leave_a_dented_hull() -> void:
 			Vector2(15, 15), Vector2(15, 60), Vector2(0, 60)]
 	check(not Presets.sees(horseshoe, 2, 7), "the two ends do not see each other")
 	check(Presets.sees(horseshoe, 0, 5), "a corner sees the one inside of it")
+
+
+func test_what_users_read_can_be_translated() -> void:
+	check_equal(Words.say("Trace Hull"), "Trace Hull", "text without a translation")
+	if not TranslationServer.has_method(&"get_or_add_domain"):
+		return
+	var translation := Translation.new()
+	translation.locale = TranslationServer.get_locale()
+	translation.add_message("Trace Hull", "Umriss nachzeichnen")
+	var domain: Object = TranslationServer.call(&"get_or_add_domain", Words.DOMAIN)
+	domain.call(&"add_translation", translation)
+	check_equal(Words.say("Trace Hull"), "Umriss nachzeichnen", "text with one")
+	Words.unload_translations()
+	check_equal(Words.say("Trace Hull"), "Trace Hull", "text after it was unloaded")
 
 
 # Brush and colours.

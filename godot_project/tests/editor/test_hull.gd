@@ -197,3 +197,17 @@ func test_several_bodies_are_edited_together() -> void:
 	plugin.shapes.run(&"circle", {"radius": 30.0, "count": 12})
 	check_equal([body.hull.size(), other.hull.size()], [12, 12], "points after a start shape")
 	check_equal(history().get_version(), version + 1, "steps of undo")
+	body.stiffness = 5
+	other.stiffness = 90
+	await frames(3)
+	var panel: Control = plugin.inspector.panel
+	if not check(is_instance_valid(panel) and panel.is_inside_tree() and panel._bodies.size() == 2, "the inspector shows a panel of both"):
+		return
+	panel.refresh()
+	version = history().get_version()
+	for advice: RefCounted in panel.shown_advice.duplicate():
+		if advice.changes.has(&"stiffness"):
+			panel.apply(advice)
+	check(body.stiffness > 20, "stiffness of the soft one after the advice: %s" % body.stiffness)
+	check_equal(other.stiffness, 90.0, "stiffness of the one that was stiffer")
+	check_equal(history().get_version(), version + 1, "steps of undo")

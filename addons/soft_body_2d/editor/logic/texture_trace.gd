@@ -12,6 +12,8 @@ const Words := preload("words.gd")
 const LONGEST_SIDE := 1024
 ## How far the traced outline may be from the pixels' corners before points are saved [px of what is looked at].
 const ROUGHNESS := 0.8
+## Corners that are kept before the budget is looked at.
+const MOST_CORNERS := 1024
 
 ## Outline in pixels of the picture; empty when `problem` is not.
 var outline := PackedVector2Array()
@@ -92,7 +94,8 @@ func _readable(picture: Image) -> Image:
 
 
 func _finish(traced: PackedVector2Array, budget: int, margin: float) -> PackedVector2Array:
-	var whole := Outline.repaired(traced)
+	# Looking for edges that cross takes the square of their number.
+	var whole := Outline.repaired(Outline.simplified(Outline.without_repeats(traced), maxi(MOST_CORNERS, budget)))
 	if margin != 0 and not whole.is_empty():
 		var grown: Array[PackedVector2Array] = Geometry2D.offset_polygon(whole, margin)
 		whole = PackedVector2Array()

@@ -23,9 +23,8 @@ static func load_translations() -> void:
 	for file in DirAccess.get_files_at(FOLDER):
 		if file.get_extension() in ["po", "translation"]:
 			domain.call(&"add_translation", load(FOLDER.path_join(file)))
-	if domain.has_method(&"set_locale_override") and Engine.is_editor_hint():
-		var editor := Engine.get_singleton(&"EditorInterface")
-		domain.call(&"set_locale_override", editor.call(&"get_editor_settings").call(&"get_setting", "interface/editor/editor_language"))
+	if domain.has_method(&"set_locale_override"): # 4.6; the locale is that of the game otherwise
+		domain.call(&"set_locale_override", TranslationServer.get_tool_locale())
 
 
 static func unload_translations() -> void:
