@@ -30,6 +30,8 @@ func set_up(driver: EditorPlugin, error_log: RefCounted) -> void:
 func tear_down() -> void:
 	if _held != 0:
 		release()
+	for window: Window in tree.root.find_children("*", "Popup", true, false): # the editor's own menus
+		window.hide()
 	if plugin != null:
 		plugin.set_preview(false)
 		plugin.springs_mode.tool = 0

@@ -142,6 +142,10 @@ func test_the_preview_leaves_the_node_as_it_was() -> void:
 	check(not plugin.preview.is_playing(), "Escape stops it")
 	check(bytes(body) == before, "the node's values are as before")
 	check_equal(body.global_transform, transform, "its transform")
+	plugin.set_mode(0)
+	await drawn()
+	var pixel := tree.root.get_texture().get_image().get_pixelv(viewport_origin() + on_screen(Vector2(15, 22)))
+	check(pixel.get_luminance() > 0.9, "it is seen again: %s" % pixel)
 	check_equal(history().get_version(), version, "steps of undo")
 
 
