@@ -262,6 +262,7 @@ func test_the_brush_is_full_in_the_middle_and_fades_evenly() -> void:
 	check_equal(brush.weight(0), 1.0, "weight in the middle")
 	check_equal(brush.weight(4.9), 1.0, "weight where it is still full")
 	check_near(brush.weight(7.5), 0.5, 1e-6, "weight half-way")
+	check_near(brush.weight(6.25), 1 - 0.25 * 0.25 * 2.5, 1e-6, "weight a quarter of the way: it begins to fade without a kink")
 	check_equal(brush.weight(10), 0.0, "weight at the edge")
 	var last := 1.0
 	for i in 101:

@@ -272,6 +272,7 @@ func test_the_plugin_is_switched_off_and_on_again_without_a_trace() -> void:
 		return node is Control or node is Node and not node is SoftBody2D).filter(func(node: Node) -> bool: return not node.is_queued_for_deletion()).size()
 	var there: int = ours.call()
 	check(there >= 4, "toolbar, panels and commands are there: %d" % there)
+	var orphans := Performance.get_monitor(Performance.OBJECT_ORPHAN_NODE_COUNT)
 	for i in 3:
 		EditorInterface.set_plugin_enabled("soft_body_2d", false)
 		await frames(5)
@@ -281,6 +282,7 @@ func test_the_plugin_is_switched_off_and_on_again_without_a_trace() -> void:
 		EditorInterface.set_plugin_enabled("soft_body_2d", true)
 		await frames(5)
 		check_equal(ours.call(), there, "nodes of the addon after it was switched on again")
+	check_equal(Performance.get_monitor(Performance.OBJECT_ORPHAN_NODE_COUNT), orphans, "nodes outside of the tree")
 	find_plugin()
 	await select_body()
 	var from := hull_on_screen(0)
