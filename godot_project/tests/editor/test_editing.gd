@@ -288,3 +288,84 @@ func test_the_plugin_is_switched_off_and_on_again_without_a_trace() -> void:
 	var from := hull_on_screen(0)
 	await drag(from, from + Vector2(10, 0))
 	check_near(hull_on_screen(0), from + Vector2(10, 0), 0.01, "a point is dragged as before")
+
+
+func _sprite(image: Image) -> Sprite2D:
+	var sprite := Sprite2D.new()
+	sprite.texture = ImageTexture.create_from_image(image)
+	root().add_child(sprite)
+	return sprite
+
+
+# The addon has a message for it, or has changed the body.
+func _trace(image: Image) -> void:
+	var version := history().get_version()
+	plugin.canvas.last_message = ""
+	plugin.shapes.run(&"sprite_2d", {"count": 24, "threshold": 0.5, "margin": 0.0}, _sprite(image))
+	for i in 600:
+		await frames(1)
+		if not is_instance_valid(plugin.shapes.job) and (plugin.canvas.last_message != "" or history().get_version() > version):
+			break
+
+
+func test_bad_pictures_are_told_of_and_large_ones_show_how_far_they_are() -> void:
+	await open_scene()
+	var before := values()
+	var version := history().get_version()
+	await _trace(Image.create(64, 64, false, Image.FORMAT_RGBA8))
+	check("no opaque pixel" in plugin.canvas.last_message, "the message of an empty picture: " + plugin.canvas.last_message)
+	check(bytes(body) == _bytes_of(before), "the body is as it was")
+	check_equal(history().get_version(), version, "steps of undo")
+	var islands := Image.create(64, 64, false, Image.FORMAT_RGBA8)
+	islands.fill_rect(Rect2i(4, 4, 30, 30), Color.WHITE)
+	islands.fill_rect(Rect2i(44, 44, 10, 10), Color.WHITE)
+	await _trace(islands)
+	check("2 islands" in plugin.canvas.last_message, "the message of two islands: " + plugin.canvas.last_message)
+	check_equal(history().get_version(), version + 1, "steps of undo")
+	var large := Image.create(4096, 4096, false, Image.FORMAT_RGBA8)
+	large.fill_rect(Rect2i(500, 500, 3000, 2000), Color.WHITE)
+	plugin.shapes.run(&"sprite_2d", {"count": 24, "threshold": 0.5, "margin": 0.0}, _sprite(large))
+	await frames(1)
+	var seen: bool = is_instance_valid(plugin.shapes.job) and plugin.shapes.job.visible
+	for i in 600:
+		if not is_instance_valid(plugin.shapes.job):
+			break
+		seen = seen or plugin.shapes.job.visible
+		await frames(1)
+	check(seen, "a bar shows how far it is")
+	check_equal(history().get_version(), version + 2, "steps of undo after a picture of 4096 pixels")
+	check_near(preload("res://addons/soft_body_2d/editor/logic/hull_edit.gd").bounds(body.hull).size, Vector2(3000, 2000), 10, "size of its outline")
+
+
+func test_menus_ask_and_do_what_they_say() -> void:
+	await open_scene({"spring_stiffness_scales": PackedFloat32Array(range(1, 33))})
+	var before := values()
+	var version := history().get_version()
+	plugin.toolbar.shape_menu.get_popup().id_pressed.emit(0)
+	await frames(2)
+	var dialog: ConfirmationDialog = plugin.shapes.dialog
+	check(dialog.visible, "the dialog of the circle is shown")
+	check_equal(dialog.fields["count"].value, 16.0, "points that it proposes")
+	dialog.fields["count"].get_line_edit().text = "24" # typed, without Enter
+	dialog.get_ok_button().pressed.emit()
+	await frames(2)
+	check_equal(body.hull.size(), 24, "points")
+	check("spring_stiffness_scales" in plugin.canvas.last_message, "the message names what is gone: " + plugin.canvas.last_message)
+	await check_one_step(before, version, "a start shape")
+	before = values()
+	version = history().get_version()
+	plugin.toolbar.structure_menu.get_popup().id_pressed.emit(3)
+	check(body.inner_points.size() > 4 and not body.center_point, "a lattice: %d points" % body.inner_points.size())
+	await check_one_step(before, version, "a structure")
+	before = values()
+	version = history().get_version()
+	plugin.shapes.choose(&"mirror_horizontally", "")
+	check(body.hull != before[&"hull"], "the hull is mirrored")
+	check_equal(body.get_warnings(), PackedStringArray(), "warnings")
+	await check_one_step(before, version, "mirroring")
+	plugin.shapes.choose(&"texture", "")
+	check("no texture" in plugin.canvas.last_message, "the message: " + plugin.canvas.last_message)
+	plugin.toolbar.help_button.pressed.emit()
+	await frames(10)
+	var help := EditorInterface.get_script_editor().find_children("*", "EditorHelp", true, false)
+	check(help.any(func(page: Control) -> bool: return page.name == "SoftBody2D"), "the class reference is open: %s" % [help])
