@@ -33,6 +33,7 @@ func tear_down() -> void:
 	for window: Window in tree.root.find_children("*", "Popup", true, false): # the editor's own menus
 		window.hide()
 	if plugin != null:
+		EditorInterface.set_main_screen_editor("2D")
 		plugin.set_preview(false)
 		plugin.springs_mode.tool = 0
 		plugin.set_mode(1)
@@ -123,6 +124,7 @@ func select_body(names: Array = ["Jelly"]) -> void:
 			node = EditorInterface.get_edited_scene_root()
 		selection.add_node(node)
 		body = node if name == names[0] else body
+	EditorInterface.set_main_screen_editor("2D") # a scene that is opened brings the screen that it was left in
 	await frames(4)
 	await center_on(body.global_position)
 
