@@ -14,6 +14,7 @@ from typing import Callable
 import machine
 import tables_b
 import tables_c
+import tables_editor
 import tables_engine
 import tables_peers
 import work_precision
@@ -59,6 +60,7 @@ BENCHES = {
         ("float",), tables_peers.summarize, tables_peers.print_table, timed=True, program="softbody_peers"
     ),
     "engine": Bench(("release",), tables_engine.summarize, tables_engine.print_table, timed=True, program=None),
+    "editor": Bench(("debug",), tables_editor.summarize, tables_editor.print_table, timed=True, program=None),
 }
 
 

@@ -14,6 +14,7 @@
 #   contact-accuracy friction, restitution and momentum against theory; penetration against time
 #   peers           a pile in other engines, Box2D and Chipmunk, against ours
 #   engine          nodes in an exported game: how many hold 60 ticks per second, and where their time goes
+#   editor          the editor addon's handlers: dragging, painting, drawing, tracing a picture
 #   --json   with the result as one JSON object in the last line
 #   --quick  fewer cases, within 40 s; its result goes to build/bench/quick_results and leaves the full one alone
 set -euo pipefail
@@ -21,7 +22,7 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/bench.sh"
 
-names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy peers engine)
+names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy peers engine editor)
 name=
 for argument in "$@"; do
 	case $argument in
@@ -47,6 +48,10 @@ if [[ $name == engine ]]; then
 	quick=no
 	[[ " $* " != *" --quick "* ]] || quick=yes
 	measure_engine "$quick"
+elif [[ $name == editor ]]; then
+	. "$REPO_DIR/scripts/lib/godot.sh"
+	. "$REPO_DIR/scripts/lib/editor.sh"
+	measure_editor
 else
 	target=bench
 	if [[ $name == peers ]]; then

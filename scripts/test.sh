@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 # Builds and runs all tests, and installs first what is missing for that; the last line is the result.
 #
-# Usage: scripts/test.sh [core|engine|game|export|package]
+# Usage: scripts/test.sh [core|engine|editor|game|export|package]
 #   core    only the tests of the simulation core, which need neither Godot nor godot-cpp
 #   engine  only the tests inside of Godot
+#   editor  only the tests of the editor addon in a real editor, which no one sees if there is no screen
 #   game    only the scripted player, who has to win the game; leaves pictures in build/game
 #   export  only the test of the exported demo
 #   package only a newcomer's path: the packed addon in an empty project, and every example of the documentation
@@ -12,6 +13,7 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 . "$REPO_DIR/scripts/lib/godot.sh"
 . "$REPO_DIR/scripts/lib/build.sh"
+. "$REPO_DIR/scripts/lib/editor.sh"
 . "$REPO_DIR/scripts/lib/export.sh"
 . "$REPO_DIR/scripts/lib/package.sh"
 
@@ -68,6 +70,19 @@ test_engine() {
 	log=$LOG_DIR/tests_drawing.log status=0
 	godot_windowed $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd -- test_drawing 2>&1 |
 		tee "$log" || status=$?
+	count_engine "$status" "$log"
+}
+
+# The editor addon, in an editor that is driven by made-up input.
+test_editor() {
+	local log=$LOG_DIR/tests_editor.log status=0
+	build_extension target=template_debug || return 1
+	find_godot || return 1
+	import_project || return 1
+	need_window || return 1
+	make_editor_project || return 1
+	step "Testing in Godot's editor"
+	run_editor $TIME_LIMIT 2>&1 | tee "$log" || status=$?
 	count_engine "$status" "$log"
 }
 
@@ -153,11 +168,12 @@ count_engine() {
 case ${1:-all} in
 	core) parts=(core) ;;
 	engine) parts=(engine) ;;
+	editor) parts=(editor) ;;
 	game) parts=(game) ;;
 	export) parts=(export) ;;
 	package) parts=(package) ;;
-	all) parts=(core engine game export package) ;;
-	*) problem "usage: scripts/test.sh [core|engine|game|export|package]" || exit 2 ;;
+	all) parts=(core engine editor game export package) ;;
+	*) problem "usage: scripts/test.sh [core|engine|editor|game|export|package]" || exit 2 ;;
 esac
 for part in "${parts[@]}"; do
 	"test_$part" || failed=$((failed + 1))

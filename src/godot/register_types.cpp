@@ -2,6 +2,7 @@
 // Registers the extension's classes and its singleton with Godot.
 #include "godot/register_types.h"
 
+#include "godot/editor/soft_body_preview_2d.h"
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_attachment_2d.h"
 #include "godot/nodes/soft_body_joint_2d.h"
@@ -26,6 +27,7 @@ void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	GDREGISTER_CLASS(SoftBody2D);
 	GDREGISTER_CLASS(SoftBodyAttachment2D);
 	GDREGISTER_CLASS(SoftBodyJoint2D);
+	GDREGISTER_CLASS(SoftBodyPreview2D);
 	softbody::register_step_settings();
 	server = memnew(SoftBodyServer2D);
 	Engine::get_singleton()->register_singleton("SoftBodyServer2D", server);

@@ -155,6 +155,8 @@ public:
 	PackedVector2Array get_interpolated_hull(double p_fraction) const;
 	Transform2D get_interpolated_transform(double p_fraction) const;
 
+	/// What keeps these points from being a hull, as the setter would say it; empty when nothing does.
+	static String get_hull_problem(const PackedVector2Array &p_hull);
 	static PackedVector2Array make_circle_hull(double p_radius, int p_point_count);
 	static PackedVector2Array make_box_hull(const Vector2 &p_size, double p_spacing);
 	static PackedVector2Array make_capsule_hull(double p_radius, double p_height, double p_spacing);
@@ -226,7 +228,6 @@ public:
 	double get_area() const;
 	double get_rest_area() const;
 	double get_penetration() const;
-	Dictionary get_substep_plan() const;
 
 	// Motion: soft_body_2d_motion.cpp.
 	void set_linear_velocity(const Vector2 &p_velocity);
@@ -253,6 +254,9 @@ public:
 	void teleport(const Transform2D &p_transform);
 	void reset();
 
+	// What will become of it: soft_body_2d_report.cpp.
+	Dictionary get_substep_plan() const;
+	Dictionary get_stability_report(double p_time_limit_msec) const;
 	PackedStringArray get_warnings() const;
 	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
 
@@ -278,6 +282,11 @@ public:
 	std::span<const softbody::Vec2> local_points(double p_fraction) const;
 	/// Whether it is drawn where the last tick left it, not between two.
 	bool is_drawn_at_tick() const;
+
+	/// A body like this one in its rest shape where the node is, with its pins: for trials and previews, in any world.
+	softbody::Result<softbody::SoftBodyData> make_copy() const;
+	/// What the project gives every world, areas left aside [px/s²].
+	static softbody::Vec2 project_gravity();
 
 	// For the server.
 	softbody::BodyId get_body_id() const { return body_id_; }
@@ -331,6 +340,7 @@ private:
 	static void bind_collision();
 	static void bind_proxy();
 	static void bind_solver();
+	static void bind_report();
 	static void bind_drawing();
 	static void bind_pins();
 

@@ -2,12 +2,10 @@
 // What scripts can ask of the body and do to it: points, forces, measures.
 #include "godot/nodes/soft_body_2d.h"
 
-#include "core/dynamics/substep_plan.h"
 #include "core/geometry/polygon.h"
 #include "godot/convert.h"
 #include "godot/server/soft_body_space_2d.h"
 
-#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
@@ -18,26 +16,6 @@ using softbody::to_core;
 using softbody::to_godot;
 
 namespace godot {
-
-namespace {
-
-const char *reason_text(softbody::PlanReason p_reason) {
-	switch (p_reason) {
-		case softbody::PlanReason::STABILITY:
-			return "stability";
-		case softbody::PlanReason::CONTACTS:
-			return "contacts";
-		case softbody::PlanReason::TOO_STIFF:
-			return "too_stiff";
-		case softbody::PlanReason::FIXED:
-			return "fixed";
-		case softbody::PlanReason::UNSTABLE:
-			break;
-	}
-	return "unstable";
-}
-
-} // namespace
 
 // Points.
 
@@ -202,26 +180,6 @@ double SoftBody2D::get_rest_area() const {
 double SoftBody2D::get_penetration() const {
 	const softbody::SoftBodyData *found = followed_body();
 	return found && space_ ? double(softbody::measure_penetration(space_->world(), *found)) : 0.0;
-}
-
-Dictionary SoftBody2D::get_substep_plan() const {
-	const Design *found = design();
-	Dictionary result;
-	if (found == nullptr) {
-		return result;
-	}
-	const double delta = 1.0 / Engine::get_singleton()->get_physics_ticks_per_second();
-	const softbody::SubstepPlan plan =
-			softbody::plan_substeps(*found->shape, make_settings(found->mass), softbody::Real(delta), collision_mask_ != 0);
-	result["frequency"] = plan.frequency;
-	result["damping_rate"] = plan.damping_rate;
-	result["integrator"] = int(plan.integrator);
-	result["substeps"] = plan.substeps;
-	result["stability_margin"] = plan.stability_margin;
-	result["safe"] = plan.safe;
-	result["reason"] = reason_text(plan.reason);
-	result["cost"] = plan.cost;
-	return result;
 }
 
 void SoftBody2D::bind_points() {

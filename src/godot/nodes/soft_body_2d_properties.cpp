@@ -186,7 +186,6 @@ void SoftBody2D::bind_solver() {
 	ClassDB::bind_method(D_METHOD("get_integrator"), &SoftBody2D::get_integrator);
 	ClassDB::bind_method(D_METHOD("set_substeps", "substeps"), &SoftBody2D::set_substeps);
 	ClassDB::bind_method(D_METHOD("get_substeps"), &SoftBody2D::get_substeps);
-	ClassDB::bind_method(D_METHOD("get_substep_plan"), &SoftBody2D::get_substep_plan);
 
 	ADD_GROUP("Solver", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "integrator", PROPERTY_HINT_ENUM, "Automatic,Explicit Euler,Semi-Implicit Euler,Midpoint,Heun,Runge-Kutta 4,Velocity Verlet,XPBD"), "set_integrator", "get_integrator");

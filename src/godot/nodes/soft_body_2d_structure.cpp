@@ -310,6 +310,7 @@ void SoftBody2D::set_spring_length_scale(int p_index, double p_scale) {
 void SoftBody2D::bind_hull() {
 	ClassDB::bind_method(D_METHOD("set_hull", "hull"), &SoftBody2D::set_hull);
 	ClassDB::bind_method(D_METHOD("get_hull"), &SoftBody2D::get_hull);
+	ClassDB::bind_static_method("SoftBody2D", D_METHOD("get_hull_problem", "hull"), &SoftBody2D::get_hull_problem);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_circle_hull", "radius", "point_count"), &SoftBody2D::make_circle_hull);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_box_hull", "size", "spacing"), &SoftBody2D::make_box_hull);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_capsule_hull", "radius", "height", "spacing"), &SoftBody2D::make_capsule_hull);

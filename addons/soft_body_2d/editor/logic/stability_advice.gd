@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: MIT
+@tool
+extends RefCounted
+## Reads a stability report (`SoftBody2D.get_stability_report`): what is green, amber or red, and what to do about it.
+## Nothing is calculated here: all figures are the core's.
+
+enum Level { GOOD, FAIR, BAD }
+
+## Shares of a physics tick that one body may take.
+const FAIR_SHARE := 0.01
+const BAD_SHARE := 0.1
+## Share of its height that a body may sag before a designer would see it.
+const FAIR_SAG := 0.1
+const FAIR_MARGIN := 1.5
+const XPBD := 7
+
+
+## One figure of the panel.
+class Row:
+	var title: String
+	var text: String
+	var level: Level
+	var hint: String
+
+	func _init(p_title: String, p_text: String, p_level: Level, p_hint: String) -> void:
+		title = p_title
+		text = p_text
+		level = p_level
+		hint = p_hint
+
+
+## Something to do: properties of the node (or of its material) and their new values.
+class Advice:
+	var text: String
+	var changes: Dictionary
+
+	func _init(p_text: String, p_changes: Dictionary) -> void:
+		text = p_text
+		changes = p_changes
+
+
+## `say` translates; `tick` is the length of a physics tick in seconds.
+static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
+	var found: Array[Row] = []
+	if report.is_empty():
+		return found
+	var reason: String = report["reason"]
+	var stiff := reason == "too_stiff"
+	var unstable: bool = not report["safe"]
+	found.append(Row.new(say.call("Frequency"), say.call("%s Hz") % number(report["frequency"] / TAU),
+			Level.BAD if unstable else (Level.FAIR if stiff else Level.GOOD),
+			say.call("An upper bound of the body's fastest oscillation. It grows with the square root of stiffness over the mass of a point.")))
+	found.append(Row.new(say.call("Substeps"), say.call("%d (%s)") % [report["substeps"], say.call(reason_text(reason))],
+			Level.BAD if unstable else (Level.FAIR if stiff or report["substeps"] > report["automatic_substeps"] else Level.GOOD),
+			say.call("Into how many parts a physics tick is divided for this body.")))
+	var margin: float = report["stability_margin"]
+	found.append(Row.new(say.call("Margin"), say.call("unlimited") if is_inf(margin) else "%s ×" % number(margin),
+			Level.BAD if margin <= 1 else (Level.FAIR if margin < FAIR_MARGIN else Level.GOOD),
+			say.call("How much longer a substep could be before the body would explode. Strong deformations need 1.5.")))
+	if report.has("sag"):
+		var sag: float = report["sag"]
+		var folds: bool = report["folds"]
+		var text: String = say.call("%s %%") % number(100 * sag)
+		if folds:
+			text = say.call("%s %%, it folds") % number(100 * sag)
+		elif not report["settled"]:
+			text = say.call("about %s %%") % number(100 * sag)
+		found.append(Row.new(say.call("Sag"), text,
+				Level.BAD if folds else (Level.FAIR if sag > FAIR_SAG else Level.GOOD),
+				say.call("Under its own weight: the share of its height that the body loses on flat ground, found by letting a copy of it settle.")))
+		var microseconds: float = report["microseconds_per_tick"]
+		var share := microseconds * 1e-6 / tick
+		found.append(Row.new(say.call("Cost"), say.call("%s µs a tick") % number(microseconds),
+				Level.BAD if share > BAD_SHARE else (Level.FAIR if share > FAIR_SHARE else Level.GOOD),
+				say.call("What a tick of this body takes on this machine while it lies awake on flat ground: %s %% of a tick. Asleep it costs next to nothing.") % number(100 * share)))
+	return found
+
+
+## `own` holds the node's values of `stiffness`, `damping`, `substeps` and `integrator`.
+static func advice(report: Dictionary, own: Dictionary, say: Callable) -> Array[Advice]:
+	var found: Array[Advice] = []
+	if report.is_empty():
+		return found
+	var fixed: int = own["substeps"]
+	if not report["safe"]:
+		if report["automatic_safe"] and fixed > 0:
+			found.append(Advice.new(say.call("%d substeps are not stable: use %d") % [fixed, report["automatic_substeps"]],
+					{&"substeps": int(report["automatic_substeps"])}))
+		else:
+			found.append(Advice.new(say.call("No number of substeps is stable with this integrator: leave it automatic"),
+					{&"integrator": 0, &"substeps": 0}))
+	elif fixed > report["automatic_substeps"]:
+		found.append(Advice.new(say.call("%d substeps are enough") % report["automatic_substeps"],
+				{&"substeps": int(report["automatic_substeps"])}))
+	if report.has("sag"):
+		var stiffness: float = own["stiffness"]
+		var firm := rounded_up(report["firm_stiffness"])
+		if firm > stiffness and (report["folds"] or report["sag"] > FAIR_SAG):
+			var text: String = say.call("Stiffness %s will fold under its own weight: use ≥ %s") if report["folds"] \
+					else say.call("Stiffness %s sags visibly: use ≥ %s to hold the shape")
+			found.append(Advice.new(text % [number(stiffness), number(firm)], {&"stiffness": firm}))
+	if report["damping"] < report["least_damping"]:
+		var damping: float = own["damping"]
+		# What is painted on single springs stays: the node's own value makes up for it.
+		var least := rounded_up(report["least_damping"] * (damping / report["damping"] if report["damping"] > 0 else 1.0))
+		found.append(Advice.new(say.call("Damping %s lets strong deformations ring: use ≥ %s") % [number(damping), number(least)],
+				{&"damping": least}))
+	return found
+
+
+static func reason_text(reason: String) -> String:
+	match reason:
+		"stability":
+			return "as stability asks"
+		"contacts":
+			return "as contacts ask"
+		"too_stiff":
+			return "XPBD, as it is too stiff for springs"
+		"fixed":
+			return "as set"
+	return "not stable"
+
+
+## Three digits, as one reads them.
+static func number(value: float) -> String:
+	if not is_finite(value):
+		return "∞" if value > 0 else "–"
+	var size := absf(value)
+	if size >= 100 or is_zero_approx(value):
+		return "%d" % roundi(value)
+	if size >= 10:
+		return ("%.1f" % value).trim_suffix(".0")
+	return String.num(snappedf(value, 0.01 if size >= 1 else 0.0001), 4)
+
+
+## To two digits, so that it can be read and remembered; never below.
+static func rounded_up(value: float) -> float:
+	if not is_finite(value) or value <= 0:
+		return 0.0
+	var step := pow(10, floorf(log(value) / log(10.0)) - 1)
+	return snappedf(ceilf(value / step - 1e-6) * step, step * 0.01)

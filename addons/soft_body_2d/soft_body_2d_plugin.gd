@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: MIT
+@tool
+extends EditorPlugin
+## The editor tools of SoftBody2D. Thin: it hands input and drawing to the mode that is on, and ties the parts together.
+
+const BodyCanvas := preload("editor/canvas/body_canvas.gd")
+const HullMode := preload("editor/canvas/hull_mode.gd")
+const LivePreview := preload("editor/preview/live_preview.gd")
+const Mode := preload("editor/canvas/mode.gd")
+const PinsMode := preload("editor/canvas/pins_mode.gd")
+const PinsPanel := preload("editor/ui/pins_panel.gd")
+const ShapeCommands := preload("editor/ui/shape_commands.gd")
+const SpringsMode := preload("editor/canvas/springs_mode.gd")
+const SpringsPanel := preload("editor/ui/springs_panel.gd")
+const StabilityInspector := preload("editor/inspector/stability_inspector.gd")
+const Toolbar := preload("editor/ui/toolbar.gd")
+const Words := preload("editor/logic/words.gd")
+
+var canvas: BodyCanvas
+var hull_mode: HullMode
+var springs_mode: SpringsMode
+var pins_mode: PinsMode
+var preview: LivePreview
+var toolbar: Toolbar
+var springs_panel: SpringsPanel
+var pins_panel: PinsPanel
+var shapes: ShapeCommands
+var inspector: StabilityInspector
+
+var _mode := Toolbar.Mode.HULL
+
+
+func _enter_tree() -> void:
+	Words.load_translations()
+	canvas = BodyCanvas.new(self)
+	hull_mode = HullMode.new(canvas)
+	springs_mode = SpringsMode.new(canvas)
+	pins_mode = PinsMode.new(canvas)
+	preview = LivePreview.new(canvas)
+	canvas.changed.connect(_on_changed)
+
+	toolbar = Toolbar.new()
+	add_control_to_container(CONTAINER_CANVAS_EDITOR_MENU, toolbar)
+	toolbar.mode_chosen.connect(set_mode)
+	toolbar.create_toggled.connect(hull_mode.set_creating)
+	toolbar.preset_chosen.connect(_on_preset_chosen)
+	toolbar.preview_toggled.connect(set_preview)
+	toolbar.help_wanted.connect(_show_help)
+	shapes = ShapeCommands.new()
+	shapes.canvas = canvas
+	EditorInterface.get_base_control().add_child(shapes)
+	toolbar.shape_chosen.connect(_on_shape_chosen)
+
+	springs_panel = SpringsPanel.new()
+	springs_panel.set_up(springs_mode)
+	add_control_to_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, springs_panel)
+	pins_panel = PinsPanel.new()
+	pins_panel.set_up(pins_mode)
+	add_control_to_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, pins_panel)
+
+	inspector = StabilityInspector.new()
+	inspector.canvas = canvas
+	add_inspector_plugin(inspector)
+	get_undo_redo().version_changed.connect(_on_version_changed)
+	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
+	toolbar.show_mode(_mode)
+	_make_visible(false)
+	_on_selection_changed()
+
+
+func _exit_tree() -> void:
+	preview.stop()
+	hull_mode.cancel()
+	springs_mode.cancel()
+	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
+	get_undo_redo().version_changed.disconnect(_on_version_changed)
+	remove_inspector_plugin(inspector)
+	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, pins_panel)
+	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, springs_panel)
+	remove_control_from_container(CONTAINER_CANVAS_EDITOR_MENU, toolbar)
+	for node: Node in [pins_panel, springs_panel, toolbar, shapes]:
+		node.queue_free()
+	# The inspector shows a panel of ours until it is made anew.
+	var edited := EditorInterface.get_inspector().get_edited_object()
+	if edited is SoftBody2D:
+		edited.notify_property_list_changed()
+	canvas.bodies.clear()
+	canvas.changed.disconnect(_on_changed)
+	Words.unload_translations()
+	update_overlays()
+
+
+func _handles(object: Object) -> bool:
+	return object is SoftBody2D or (object != null and object.get_class() == "MultiNodeEdit" and not _selected().is_empty())
+
+
+func _edit(object: Object) -> void:
+	var bodies: Array[SoftBody2D] = []
+	if object is SoftBody2D:
+		bodies.append(object)
+	elif object != null:
+		bodies = _selected()
+	_set_bodies(bodies)
+
+
+func _make_visible(visible: bool) -> void:
+	toolbar.visible = visible
+	if not visible:
+		_set_bodies([])
+	_show_panels()
+
+
+func _forward_canvas_gui_input(event: InputEvent) -> bool:
+	var begin := Time.get_ticks_usec()
+	var used := _current().input(event) if not canvas.bodies.is_empty() and _current() != null else false
+	canvas.handler_usec = Time.get_ticks_usec() - begin
+	return used
+
+
+func _forward_canvas_draw_over_viewport(overlay: Control) -> void:
+	var begin := Time.get_ticks_usec()
+	if not canvas.bodies.is_empty() and _current() != null:
+		_current().draw(overlay)
+	canvas.draw_message(overlay)
+	canvas.draw_usec = Time.get_ticks_usec() - begin
+
+
+func _process(delta: float) -> void:
+	preview.process(delta)
+
+
+func _apply_changes() -> void:
+	_current_cancel() # a scene is saved as it was before a drag that is under way
+
+
+func _get_plugin_name() -> String:
+	return "SoftBody2D"
+
+
+func mode() -> Toolbar.Mode:
+	return _mode
+
+
+func set_mode(mode: Toolbar.Mode) -> void:
+	_current_cancel()
+	_mode = mode
+	toolbar.show_mode(mode)
+	_show_panels()
+	update_overlays()
+
+
+func set_preview(playing: bool) -> void:
+	_current_cancel()
+	if playing:
+		preview.start()
+	else:
+		preview.stop()
+	toolbar.show_preview(preview.is_playing())
+	update_overlays()
+
+
+func _current() -> Mode:
+	if preview.is_playing():
+		return preview
+	match _mode:
+		Toolbar.Mode.HULL:
+			return hull_mode
+		Toolbar.Mode.SPRINGS:
+			return springs_mode
+		Toolbar.Mode.PINS:
+			return pins_mode
+	return null
+
+
+func _current_cancel() -> void:
+	if _current() != null and not canvas.bodies.is_empty():
+		_current().cancel()
+
+
+func _set_bodies(bodies: Array[SoftBody2D]) -> void:
+	if canvas.bodies == bodies:
+		return
+	_current_cancel()
+	canvas.bodies = bodies
+	hull_mode.set_creating(false)
+	_on_changed()
+	update_overlays()
+
+
+func _selected() -> Array[SoftBody2D]:
+	var bodies: Array[SoftBody2D] = []
+	for node in EditorInterface.get_selection().get_selected_nodes():
+		if node is SoftBody2D:
+			bodies.append(node)
+	return bodies
+
+
+# The editor asks `_edit` of several nodes with an object of its own, which says nothing of which ones they are.
+func _on_selection_changed() -> void:
+	var bodies := _selected()
+	if not bodies.is_empty() and toolbar.visible:
+		_set_bodies(bodies)
+
+
+func _on_version_changed() -> void:
+	_on_changed()
+	update_overlays()
+
+
+func _on_changed() -> void:
+	canvas.bodies = canvas.bodies.filter(func(body: SoftBody2D) -> bool: return is_instance_valid(body))
+	for each: Mode in [hull_mode, springs_mode, pins_mode]:
+		each.follow_bodies()
+	toolbar.show_creating(hull_mode.is_creating)
+	toolbar.show_preview(preview.is_playing())
+	springs_panel.show_selection()
+	pins_panel.show_selection()
+
+
+func _show_panels() -> void:
+	springs_panel.visible = toolbar.visible and _mode == Toolbar.Mode.SPRINGS
+	pins_panel.visible = toolbar.visible and _mode == Toolbar.Mode.PINS
+
+
+func _on_shape_chosen(shape: StringName) -> void:
+	_current_cancel()
+	for entry: Array in Toolbar.SHAPES:
+		if entry[0] == shape:
+			shapes.choose(shape, Words.say(entry[1]))
+
+
+func _on_preset_chosen(preset: int) -> void:
+	_current_cancel()
+	shapes.set_preset(preset)
+
+
+func _show_help() -> void:
+	EditorInterface.set_main_screen_editor("Script")
+	EditorInterface.get_script_editor().goto_help("class_name:SoftBody2D")

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+@tool
+extends "suite.gd"
+## The pictures of docs/editor.md, taken of the running editor by scripts/editor_pictures.sh.
+
+const COLOR := Color("6ab7a8")
+
+
+func set_up(driver: EditorPlugin, error_log: RefCounted) -> void:
+	super(driver, error_log)
+	check(true, "a picture claims nothing")
+
+
+# The middle of the viewport, with what is beside it.
+func _around(size := Vector2i(560, 380)) -> Rect2i:
+	var area := viewport_area()
+	return Rect2i(area.get_center() - size / 2, size).intersection(area)
+
+
+func picture_hull() -> void:
+	await open_scene({"color": COLOR, "hull": SoftBody2D.make_circle_hull(60, 20)})
+	plugin.hull_mode.selection.add(body, [17, 18, 19, 0, 1, 2, 3])
+	move(hull_on_screen(10) + Vector2(200, 150))
+	await shot("hull", _around())
+
+
+func picture_springs() -> void:
+	await open_scene({"color": Color(COLOR, 0.35), "hull": SoftBody2D.make_circle_hull(60, 20)})
+	plugin.shapes.set_preset(3)
+	plugin.set_mode(2)
+	plugin.springs_panel.tool_buttons[1].button_pressed = true
+	plugin.springs_mode.brush.radius = 34.0
+	plugin.springs_mode.brush.target = 6.0
+	plugin.springs_panel.brush_fields["radius"].value = 34
+	plugin.springs_panel.brush_fields["target"].value = 6
+	await frames(4)
+	await center_on(body.global_position, 7)
+	await drag(on_screen(Vector2(-30, 40)), on_screen(Vector2(35, 38)), false, 8)
+	plugin.springs_mode.brush.target = 0.3
+	plugin.springs_panel.brush_fields["target"].value = 0.3
+	await drag(on_screen(Vector2(-25, -40)), on_screen(Vector2(28, -42)), false, 8)
+	var area := viewport_area()
+	area.size.x += int(plugin.springs_panel.size.x) + 4
+	await shot("springs", area)
+	plugin.springs_panel.tool_buttons[0].button_pressed = true
+
+
+func picture_pins() -> void:
+	await open_scene({"color": COLOR})
+	var holder := Node2D.new()
+	holder.name = "Hook"
+	holder.position = Vector2(300, 90)
+	root().add_child(holder)
+	holder.owner = root()
+	plugin.set_mode(3)
+	await frames(3)
+	await center_on(body.global_position + Vector2(0, -30), 6)
+	plugin.pins_mode.selection.add(body, [11, 12, 13])
+	plugin.pins_mode.assign_selected(holder)
+	plugin.pins_mode.selection.clear()
+	plugin.pins_mode.selection.add(body, [4])
+	plugin.pins_mode.pin_selected(true)
+	var area := viewport_area()
+	area.size.x += int(plugin.pins_panel.size.x) + 4
+	await shot("pins", area)
+
+
+func picture_preview() -> void:
+	await open_scene({"color": COLOR, "stiffness": 40.0})
+	plugin.set_preview(true)
+	for i in 300:
+		await frames(1)
+		if plugin.preview.played > 120:
+			break
+	press(plugin.canvas.scene_to_screen(body) * plugin.preview.world.get_hull(0)[13])
+	move(on_screen(Vector2(60, -40)))
+	await frames(20)
+	await shot("preview", _around())
+	release()
+
+
+func picture_stability() -> void:
+	await open_scene({"color": COLOR, "stiffness": 6.0, "substeps": 12, "damping": 0.01})
+	var panel: Control = plugin.inspector.panel
+	panel.refresh()
+	await frames(10)
+	var inspector := EditorInterface.get_inspector().get_global_rect()
+	await shot("stability", Rect2i(Rect2(inspector.position, Vector2(inspector.size.x, panel.size.y + 16))))
+
+
+func picture_traced() -> void:
+	await open_scene({"color": Color.WHITE})
+	var sprite := Sprite2D.new()
+	sprite.name = "Picture"
+	sprite.texture = load("res://textures/beach_ball.svg")
+	sprite.scale = Vector2.ONE * 160 / sprite.texture.get_width()
+	sprite.position = body.position
+	root().add_child(sprite)
+	sprite.owner = root()
+	var version := history().get_version()
+	plugin.shapes.run(&"sprite_2d", {"count": 24, "threshold": 0.5, "margin": 1.0}, sprite)
+	for i in 300:
+		await frames(1)
+		if history().get_version() > version:
+			break
+	sprite.hide()
+	await center_on(body.global_position, 6)
+	await shot("traced", _around())
+
+
+func picture_toolbar() -> void:
+	await open_scene({"color": COLOR})
+	var bar: Rect2 = plugin.toolbar.get_global_rect()
+	await shot("toolbar", Rect2i(bar.grow(6)))
+
+
+# Last: its message stays for a while.
+func picture_refused() -> void:
+	await open_scene({"color": COLOR})
+	press(hull_on_screen(0))
+	move(on_screen(Vector2(-20, 6)))
+	move(on_screen(Vector2(-72, 6)))
+	await shot("refused", _around())
+	release()

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: MIT
+extends "res://tests/support/suite.gd"
+## The stability report, the advice that is read out of it, and previews.
+
+const LOGIC := "res://addons/soft_body_2d/editor/logic/"
+const Advice := preload(LOGIC + "stability_advice.gd")
+const MaterialAccess := preload(LOGIC + "material_access.gd")
+const Words := preload(LOGIC + "words.gd")
+## Long enough for every body here to settle.
+const LONG := 2000.0
+
+
+func _advice_for(body: SoftBody2D) -> Dictionary:
+	var changes := {}
+	for advice in Advice.advice(body.get_stability_report(LONG), _own(body), Words.say):
+		changes.merge(advice.changes)
+	return changes
+
+
+func _own(body: SoftBody2D) -> Dictionary:
+	return {"stiffness": body.stiffness, "damping": body.damping, "substeps": body.substeps, "integrator": body.integrator}
+
+
+func test_the_report_says_what_the_plan_says_and_what_the_body_then_does() -> void:
+	for stiffness: float in [12.0, 25.0, 60.0]:
+		add_floor(100)
+		var body := add_body(Vector2(0, 49), {"stiffness": stiffness})
+		var report := body.get_stability_report(LONG)
+		var plan := body.get_substep_plan()
+		for key: String in plan:
+			check_equal(report[key], plan[key], "%s of the report" % key)
+		check(report["settled"], "the copy has settled")
+		var height := bounds_of(hull_of(body)).size.y
+		await seconds(6)
+		var sag := 1 - bounds_of(hull_of(body)).size.y / height
+		# The node lies on the engine's floor and may have come to rest on another point.
+		check_near(report["sag"], sag, 0.02, "sag at %s N/m" % stiffness)
+		check_near(report["area_loss"], 1 - body.get_area() / body.get_rest_area(), 0.01, "area lost at %s N/m" % stiffness)
+		check_above(report["microseconds_per_tick"], 0, "time of a tick")
+		body.free()
+
+
+func test_the_advised_stiffness_holds_and_the_present_one_does_not() -> void:
+	for properties: Dictionary in [{}, {"scale": Vector2(3, 3)}, {"mass": 10.0}, {"center_point": false, "shape_matching": 0.6},
+			{"inner_points": PackedVector2Array([Vector2(20, 0), Vector2(-20, 0), Vector2(0, 20), Vector2(0, -20)])}]:
+		var body := add_body(Vector2.ZERO, {"stiffness": 2.0}.merged(properties))
+		var before := body.get_stability_report(LONG)
+		check(before["folds"], "2 N/m fold: %s, %s" % [properties, before])
+		var changes := _advice_for(body)
+		if check(changes.has(&"stiffness"), "there is advice: %s" % [properties]):
+			body.stiffness = changes[&"stiffness"]
+			var after := body.get_stability_report(LONG)
+			check(not after["folds"] and after["sag"] <= 0.1, "%s N/m hold: %s" % [body.stiffness, after])
+			check(not _advice_for(body).has(&"stiffness"), "no more advice on stiffness")
+		body.free()
+
+
+func test_substeps_that_are_too_many_or_too_few_are_told_of() -> void:
+	var body := add_body(Vector2.ZERO, {"substeps": 40})
+	check_equal(_advice_for(body).get(&"substeps"), body.get_stability_report(LONG)["automatic_substeps"], "advised substeps")
+	body.substeps = 1
+	body.stiffness = 2000
+	check(not body.get_stability_report(LONG)["safe"], "one substep is not stable")
+	body.substeps = _advice_for(body)[&"substeps"]
+	check(body.get_stability_report(LONG)["safe"], "the advised number is")
+	body.integrator = SoftBody2D.INTEGRATOR_EXPLICIT_EULER
+	body.substeps = 0
+	body.damping = 0
+	check_equal(_advice_for(body).get(&"integrator"), 0, "advised integrator of one that is never stable")
+
+
+func test_little_damping_is_told_of_whatever_is_painted() -> void:
+	var body := add_body(Vector2.ZERO, {"damping": 0.01})
+	body.damping = _advice_for(body)[&"damping"]
+	check(not _advice_for(body).has(&"damping"), "no more advice on damping")
+	var scales := PackedFloat32Array()
+	scales.resize(body.get_spring_count())
+	scales.fill(0.1)
+	body.spring_damping_scales = scales
+	body.damping = _advice_for(body)[&"damping"]
+	check(not _advice_for(body).has(&"damping"), "no more advice on painted damping")
+
+
+func test_a_good_body_is_green_and_needs_no_advice() -> void:
+	var body := add_body()
+	var report := body.get_stability_report(LONG)
+	var rows := Advice.rows(report, 1.0 / 60, Words.say)
+	check_equal(rows.size(), 5, "figures")
+	for row in rows:
+		check_equal(row.level, Advice.Level.GOOD, "light of %s (%s)" % [row.title, row.text])
+	check_equal(_advice_for(body), {}, "advice")
+	var soft := Advice.rows(add_body(Vector2.ZERO, {"stiffness": 3.0}).get_stability_report(LONG), 1.0 / 60, Words.say)
+	check_equal(soft[3].level, Advice.Level.BAD, "light of the sag of a soft body")
+
+
+func test_bodies_that_hang_float_or_are_frozen_have_a_report() -> void:
+	var hanging := add_body(Vector2.ZERO, {"pinned_points": PackedInt32Array([12])})
+	var report := hanging.get_stability_report(LONG)
+	check(report["sag"] > 0 and report["sag"] < 1, "a body that hangs comes down: %s" % report["sag"])
+	var floating := add_weightless_body()
+	check_equal(floating.get_stability_report(LONG)["sag"], 0.0, "sag of a weightless body")
+	var frozen := add_body(Vector2.ZERO, {"freeze": true, "collision_mask": 0})
+	check_above(frozen.get_stability_report(LONG)["microseconds_per_tick"], 0, "time of a tick of a frozen body")
+	check_refused(func() -> void: floating.get_stability_report(0), ["time_limit_msec"], "no time")
+
+
+func test_the_report_changes_nothing() -> void:
+	var body := add_body(Vector2(0, -200))
+	await seconds(0.5)
+	var state := body.get_state()
+	body.get_stability_report(LONG)
+	check_equal(body.get_state(), state, "state after the report")
+
+
+func test_numbers_are_read_easily() -> void:
+	check_equal(Advice.number(1234.5), "1235" if roundi(1234.5) == 1235 else "1234", "1234.5")
+	check_equal(Advice.number(12.345), "12.3", "12.345")
+	check_equal(Advice.number(0.1234), "0.1234", "0.1234")
+	check_equal(Advice.number(INF), "∞", "infinity")
+	for value: float in [0.00123, 0.5, 3.14, 99.2, 1234.0, 1000.0]:
+		var up := Advice.rounded_up(value)
+		check(up >= value * (1 - 1e-6) and up <= value * 1.11, "%s rounded up is %s" % [value, up])
+	check_equal(Advice.rounded_up(1000.0), 1000.0, "a round number")
+
+
+func test_read_only_materials_and_those_of_other_scenes_are_told_of() -> void:
+	var path := "user://material_access_test.tres"
+	var material := SoftBodyMaterial2D.new()
+	check_equal(MaterialAccess.problem(material, stage), "", "problem of a material of this scene")
+	ResourceSaver.save(material, path)
+	var stored: Resource = load(path)
+	check_equal(MaterialAccess.problem(stored, stage), "", "problem of a file that can be written")
+	if OS.get_name() == "Linux":
+		FileAccess.set_unix_permissions(ProjectSettings.globalize_path(path), 0x124)
+		check("read-only" in MaterialAccess.problem(stored, stage), "a file that cannot")
+		FileAccess.set_unix_permissions(ProjectSettings.globalize_path(path), 0x1a4)
+	material.resource_path = "res://other.tscn::SoftBodyMaterial2D_1"
+	check("other.tscn" in MaterialAccess.problem(material, stage), "a material of another scene")
+	DirAccess.remove_absolute(path)
+
+
+# Previews.
+
+func test_a_preview_falls_like_the_body_and_leaves_it_alone() -> void:
+	var body := add_body(Vector2(30, -100), {"rotation": 0.4})
+	var preview := SoftBodyPreview2D.new()
+	check_equal(preview.add_body(body), 0, "index of the copy")
+	check_equal(preview.get_hull(0), hull_of(body), "hull of the copy")
+	preview.add_floor(Vector2(0, 1e6))
+	for i in 60:
+		preview.step(1.0 / 60)
+	var state := body.get_state()
+	check_equal(body.get_state(), state, "state of the body")
+	await seconds(1)
+	check_points_near(preview.get_hull(0), hull_of(body), 20, "copy and body after a second of falling")
+	# Free fall for a second: 490 px, but for what the method of integration adds.
+	check_near(bounds_of(preview.get_hull(0)).get_center().y, 390.0, 10, "height of the copy")
+
+
+func test_a_preview_rests_on_its_floor_and_can_be_pulled() -> void:
+	var body := add_body(Vector2(0, 0))
+	var preview := SoftBodyPreview2D.new()
+	preview.add_body(body)
+	preview.add_floor(Vector2(0, 100))
+	for i in 300:
+		preview.step(1.0 / 60)
+	var box := bounds_of(preview.get_hull(0))
+	check_near(box.end.y, 100.0, 0.5, "lowest point")
+	check(not preview.grab(Vector2(1000, 0), 50), "nothing is near enough to grab")
+	check(preview.grab(box.get_center() - Vector2(0, 60), 100), "a point is grabbed")
+	preview.drag(Vector2(0, -100))
+	for i in 60:
+		preview.step(1.0 / 60)
+	check_near(preview.get_grabbed_position(), Vector2(0, -100), 1, "the grabbed point")
+	check_below(bounds_of(preview.get_hull(0)).position.y, -90, "top of the body")
+	preview.release()
+	check(not preview.is_grabbing(), "it is let go")
+	for i in 300:
+		preview.step(1.0 / 60)
+	check_near(bounds_of(preview.get_hull(0)).end.y, 100.0, 0.5, "lowest point after it was let go")
+
+
+func test_bodies_of_a_preview_collide_and_hulls_of_either_winding_keep_their_order() -> void:
+	var lower := add_body(Vector2(0, 40))
+	var reversed := SoftBody2D.make_circle_hull(50, 16)
+	reversed.reverse()
+	var upper := add_body(Vector2(4, -80), {"hull": reversed})
+	var preview := SoftBodyPreview2D.new()
+	preview.add_body(lower)
+	preview.add_body(upper)
+	check_points_near(preview.get_hull(1), upper.get_global_transform() * reversed, 0.01, "hull of a body that winds the other way")
+	preview.add_floor(Vector2(0, 100))
+	preview.add_floor(Vector2(-60, 0), Vector2(1, 0))
+	preview.add_floor(Vector2(64, 0), Vector2(-1, 0))
+	for i in 200:
+		preview.step(1.0 / 60)
+	check_below(bounds_of(preview.get_hull(1)).get_center().y, bounds_of(preview.get_hull(0)).get_center().y - 60, "height of the upper one")
+
+
+func test_previews_refuse_what_they_cannot_do() -> void:
+	var preview := SoftBodyPreview2D.new()
+	check_refused(func() -> void: preview.add_body(null), ["null"], "no body")
+	check_refused(func() -> void: preview.step(0), ["step refused"], "no time")
+	check_refused(func() -> void: preview.get_hull(3), ["0 bodies"], "a body that is not there")
+	check_refused(func() -> void: preview.add_floor(Vector2.ZERO, Vector2.ZERO), ["floor refused"], "a floor without a direction")
+	check_refused(func() -> void: preview.get_grabbed_position(), ["no point"], "nothing grabbed")
+
+
+func test_what_keeps_points_from_being_a_hull_is_said_as_the_setter_says_it() -> void:
+	check_equal(SoftBody2D.get_hull_problem(SoftBody2D.make_circle_hull(50, 8)), "", "problem of a circle")
+	var crossed: PackedVector2Array = [Vector2(0, 0), Vector2(10, 10), Vector2(10, 0), Vector2(0, 10)]
+	var problem := SoftBody2D.get_hull_problem(crossed)
+	var body := add_body()
+	check_refused(func() -> void: body.hull = crossed, [problem], "the same points as a hull")

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// How a body stands under its own weight, found by letting a copy of it settle in a world of its own.
+#include "core/dynamics/load_trial.h"
+
+#include "core/geometry/polygon.h"
+#include "core/model/body_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace softbody {
+
+namespace {
+
+constexpr std::uint32_t EVERY_LAYER = UINT32_MAX;
+constexpr Real LARGEST_FACTOR = 4096;
+constexpr Real FACTOR_PRECISION = Real(1.1);
+
+// Springs and shape matching times `factor`, with the damping ratios that they have.
+Result<SoftBodyData> made_stiffer(const SoftBodyData &body, Real factor) {
+	const SoftBodyShape &shape = body.shape();
+	SoftBodyShape::Description description;
+	description.points.assign(shape.rest_positions().begin(), shape.rest_positions().end());
+	description.masses.assign(shape.masses().begin(), shape.masses().end());
+	description.hull_count = shape.hull_count();
+	description.springs.assign(shape.springs().begin(), shape.springs().end());
+	for (Spring2D &spring : description.springs) {
+		spring.stiffness *= factor;
+		spring.damping *= std::sqrt(factor);
+	}
+	auto made = SoftBodyShape::create(std::move(description));
+	if (!made) {
+		return made.error();
+	}
+	SoftBodyData stiffer = body;
+	BodySettings settings = body.settings();
+	settings.shape_stiffness *= factor;
+	settings.shape_damping *= std::sqrt(factor);
+	if (Status status = stiffer.set_settings(settings)) {
+		return *status;
+	}
+	if (Status status = stiffer.set_shape(made.value())) {
+		return *status;
+	}
+	return stiffer;
+}
+
+} // namespace
+
+bool needs_more(const LoadOutcome &outcome) {
+	return outcome.folded || outcome.area_loss > FIRM_AREA_LOSS || outcome.sag > 2 * FIRM_AREA_LOSS;
+}
+
+Result<LoadTrial> LoadTrial::create(SoftBodyData body, Vec2 gravity, Real length_unit, Real dt) {
+	if (Status status = check_above("dt", double(dt), 0, "s")) {
+		return *status;
+	}
+	LoadTrial trial;
+	trial.world_ = std::make_unique<WorldData>();
+	WorldData &world = *trial.world_;
+	if (Status status = world.set_gravity(gravity)) {
+		return *status;
+	}
+	if (Status status = world.set_length_unit(length_unit)) {
+		return *status;
+	}
+	BodySettings settings = body.settings();
+	settings.can_sleep = true;
+	settings.contact_monitor = false;
+	settings.collision_mask = EVERY_LAYER;
+	if (Status status = body.set_settings(settings)) {
+		return *status;
+	}
+	body.set_frozen(false);
+	body.set_active(true);
+	body.wake();
+
+	trial.dt_ = dt;
+	trial.hangs_ = body.has_pins();
+	trial.first_centre_ = measure_frame(body).centre;
+	const Vec2 pull = body.total_acceleration(gravity);
+	if (length(pull) > 0) {
+		trial.down_ = pull * (1 / length(pull));
+		if (!trial.hangs_) {
+			Real lowest = std::numeric_limits<Real>::lowest();
+			Vec2 lowest_point;
+			for (const Vec2 point : body.hull()) {
+				if (dot(point, trial.down_) > lowest) {
+					lowest = dot(point, trial.down_);
+					lowest_point = point;
+				}
+			}
+			Surface ground;
+			ground.layer = EVERY_LAYER;
+			if (Status status = world.add_border({ { lowest_point, -trial.down_ }, ground })) {
+				return *status;
+			}
+		}
+	}
+	world.add_soft_body(std::move(body));
+	trial.simulator_ = std::make_unique<Simulator>(world);
+	return trial;
+}
+
+bool LoadTrial::step() {
+	if (elapsed_ >= LONGEST || body().is_asleep()) {
+		return false;
+	}
+	simulator_->simulate(dt_);
+	elapsed_ += dt_;
+	return true;
+}
+
+Real LoadTrial::height_along(Vec2 down, std::span<const Vec2> points) const {
+	Real least = std::numeric_limits<Real>::max();
+	Real most = std::numeric_limits<Real>::lowest();
+	for (const Vec2 point : points) {
+		least = std::min(least, dot(point, down));
+		most = std::max(most, dot(point, down));
+	}
+	return most - least;
+}
+
+LoadOutcome LoadTrial::outcome() const {
+	LoadOutcome outcome;
+	const SoftBodyShape &shape = body().shape();
+	const BodyFrame frame = measure_frame(body());
+	outcome.folded = is_folded(body().hull());
+	outcome.area_loss = 1 - signed_area(body().hull()) / shape.rest_area();
+	outcome.rests = body().is_asleep();
+	if (length(down_) > 0) {
+		// A body that has rolled or toppled is compared with the height that it has lying so.
+		const Real height = height_along(frame.rotation.apply_inverse(down_), shape.rest_hull());
+		outcome.sag = hangs_ ? dot(frame.centre - first_centre_, down_) / height
+							 : 1 - height_along(down_, body().hull()) / height;
+	}
+	return outcome;
+}
+
+Real find_firm_factor(const SoftBodyData &body, Vec2 gravity, Real length_unit, Real dt, int most_steps) {
+	int steps = 0;
+	const auto holds_with = [&](Real factor) {
+		auto stiffer = made_stiffer(body, factor);
+		if (!stiffer) {
+			return false;
+		}
+		auto trial = LoadTrial::create(std::move(stiffer.value()), gravity, length_unit, dt);
+		if (!trial) {
+			return false;
+		}
+		while (steps < most_steps && trial.value().step()) {
+			++steps;
+		}
+		return !needs_more(trial.value().outcome());
+	};
+	Real low = 1;
+	if (holds_with(low)) {
+		return steps < most_steps ? low : Real(0);
+	}
+	Real high = 2;
+	while (!holds_with(high)) {
+		if (high >= LARGEST_FACTOR || steps >= most_steps) {
+			return 0;
+		}
+		low = high;
+		high *= 2;
+	}
+	while (high > FACTOR_PRECISION * low) {
+		const Real middle = std::sqrt(low * high);
+		(holds_with(middle) ? high : low) = middle;
+	}
+	return steps < most_steps ? high * FACTOR_PRECISION : Real(0);
+}
+
+} // namespace softbody

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Whether a body will hold: what its step rule chose, and how its springs compare with its weight. For those who set values.
+#pragma once
+
+#include "core/base/real.h"
+#include "core/base/vec2.h"
+#include "core/dynamics/substep_plan.h"
+
+namespace softbody {
+
+/// How much a body of the usual structure (hull and centre springs) sags on flat ground depends on
+/// q = k n R / (8 m g) alone (measured for 8 to 64 hull points): below 1 it folds, at 2 it has lost a tenth of its area,
+/// at 4 a twentieth, at 8 a fiftieth.
+inline constexpr Real FOLDING_STRENGTH = 1;
+inline constexpr Real FIRM_STRENGTH = 4;
+
+/// What `report_stability` finds.
+struct StabilityReport {
+	SubstepPlan plan; ///< what a step does
+	/// What it would do if the settings left the number of substeps open: `plan`, unless they fix it.
+	SubstepPlan automatic;
+	Real stiffness = 0; ///< mean of the springs [force/length]; 0 without springs
+	Real strength = 0; ///< q [1]; infinite where nothing weighs
+	Real folding_stiffness = 0; ///< where q is FOLDING_STRENGTH [force/length]
+	Real firm_stiffness = 0; ///< where q is FIRM_STRENGTH [force/length]
+	Real damping = 0; ///< mean of the springs [force·s/length]
+	/// Below DAMPING_FLOOR sqrt(k m), k and m being the means, strong deformations ring for long [force·s/length].
+	Real least_damping = 0;
+
+	bool is_too_soft() const { return strength < FOLDING_STRENGTH; }
+	bool rings() const { return damping < least_damping; }
+};
+
+/// Judges a body at rest. R is the radius of a disk of the hull's area, n the number of hull points. `gravity` [length/s²]
+/// is that of the world, before the settings' factor. `dt` [s] > 0. A formula: inner springs, pressure and painted
+/// springs carry more or less than it says, which `LoadTrial` finds out. O(springs).
+StabilityReport report_stability(const SoftBodyShape &shape, const BodySettings &settings, Vec2 gravity, Real dt,
+		bool has_contacts);
+
+} // namespace softbody

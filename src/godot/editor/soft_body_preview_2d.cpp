@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// A world of its own in which copies of SoftBody2D nodes move, for the editor's live preview.
+#include "godot/editor/soft_body_preview_2d.h"
+
+#include "godot/convert.h"
+#include "godot/nodes/soft_body_2d.h"
+
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+
+#include <utility>
+
+using softbody::to_core;
+using softbody::to_godot;
+
+namespace godot {
+
+namespace {
+
+// How far a grabbed point may lag behind the mouse before it is drawn along [px/s]: a jump of the mouse tears at no body.
+constexpr double GRAB_SPEED = 3000;
+
+} // namespace
+
+SoftBodyPreview2D::SoftBodyPreview2D() :
+		world_(std::make_unique<softbody::WorldData>()), simulator_(std::make_unique<softbody::Simulator>(*world_)) {
+	world_->set_length_unit(softbody::PIXELS_PER_METRE);
+	world_->set_gravity(SoftBody2D::project_gravity());
+}
+
+int SoftBodyPreview2D::add_body(SoftBody2D *p_body) {
+	ERR_FAIL_NULL_V_MSG(p_body, -1, "SoftBodyPreview2D: body is null: give a SoftBody2D.");
+	auto copy = p_body->make_copy();
+	ERR_FAIL_COND_V_MSG(!copy, -1, "SoftBodyPreview2D: " + p_body->describe() + " has no body: " + to_godot(copy.error().message()) + ".");
+	const bool is_reversed = softbody::signed_area(to_core(p_body->get_global_transform().xform(p_body->get_hull()))) < 0;
+	bodies_.push_back({ world_->add_soft_body(std::move(copy.value())), is_reversed });
+	return int(bodies_.size()) - 1;
+}
+
+void SoftBodyPreview2D::add_floor(const Vector2 &p_position, const Vector2 &p_normal) {
+	softbody::Surface surface;
+	surface.layer = UINT32_MAX;
+	const softbody::Status status = world_->add_border({ { to_core(p_position), to_core(p_normal.normalized()) }, surface });
+	ERR_FAIL_COND_MSG(status.has_value(), "SoftBodyPreview2D: floor refused: " + to_godot(status->message()) + ".");
+}
+
+void SoftBodyPreview2D::step(double p_delta) {
+	pull_grabbed_point(p_delta);
+	const softbody::StepReport report = simulator_->simulate(softbody::Real(p_delta));
+	ERR_FAIL_COND_MSG(report.refused.has_value(), "SoftBodyPreview2D: step refused: " + to_godot(report.refused->message()) + ".");
+}
+
+void SoftBodyPreview2D::pull_grabbed_point(double p_delta) {
+	if (grabbed_body_ < 0) {
+		return;
+	}
+	softbody::SoftBodyData *body = world_->find(bodies_[size_t(grabbed_body_)].id);
+	const Vector2 place = to_godot(body->positions()[grabbed_point_]);
+	body->set_pin_target(grabbed_point_, to_core(place.move_toward(grab_target_, real_t(GRAB_SPEED * p_delta))));
+}
+
+bool SoftBodyPreview2D::grab(const Vector2 &p_position, double p_max_distance) {
+	release();
+	double nearest = p_max_distance;
+	for (size_t i = 0; i < bodies_.size(); i++) {
+		const softbody::SoftBodyData *body = world_->find(bodies_[i].id);
+		for (uint32_t point = 0; point < body->point_count(); point++) {
+			const double distance = to_godot(body->positions()[point]).distance_to(p_position);
+			if (distance <= nearest && !body->is_pinned(point)) {
+				nearest = distance;
+				grabbed_body_ = int(i);
+				grabbed_point_ = point;
+			}
+		}
+	}
+	if (grabbed_body_ < 0) {
+		return false;
+	}
+	grab_target_ = p_position;
+	world_->find(bodies_[size_t(grabbed_body_)].id)->set_pinned(grabbed_point_, true);
+	return true;
+}
+
+void SoftBodyPreview2D::release() {
+	if (grabbed_body_ >= 0) {
+		world_->find(bodies_[size_t(grabbed_body_)].id)->set_pinned(grabbed_point_, false);
+		grabbed_body_ = -1;
+	}
+}
+
+Vector2 SoftBodyPreview2D::get_grabbed_position() const {
+	ERR_FAIL_COND_V_MSG(grabbed_body_ < 0, Vector2(), "SoftBodyPreview2D: no point is grabbed.");
+	return to_godot(world_->find(bodies_[size_t(grabbed_body_)].id)->positions()[grabbed_point_]);
+}
+
+const softbody::SoftBodyData *SoftBodyPreview2D::find(int p_index) const {
+	ERR_FAIL_INDEX_V_MSG(p_index, int(bodies_.size()), nullptr, "SoftBodyPreview2D: there are " + itos(int64_t(bodies_.size())) + " bodies.");
+	return world_->find(bodies_[size_t(p_index)].id);
+}
+
+PackedVector2Array SoftBodyPreview2D::get_hull(int p_index) const {
+	const softbody::SoftBodyData *body = find(p_index);
+	return body != nullptr ? get_point_positions(p_index).slice(0, int64_t(body->hull().size())) : PackedVector2Array();
+}
+
+PackedVector2Array SoftBodyPreview2D::get_point_positions(int p_index) const {
+	const softbody::SoftBodyData *body = find(p_index);
+	if (body == nullptr) {
+		return PackedVector2Array();
+	}
+	PackedVector2Array points = to_godot(body->positions());
+	if (bodies_[size_t(p_index)].is_reversed) {
+		// A reversed hull keeps its first point.
+		for (size_t low = 1, high = body->hull().size() - 1; low < high; low++, high--) {
+			const Vector2 kept = points[int64_t(low)];
+			points.set(int64_t(low), points[int64_t(high)]);
+			points.set(int64_t(high), kept);
+		}
+	}
+	return points;
+}
+
+void SoftBodyPreview2D::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("add_body", "body"), &SoftBodyPreview2D::add_body);
+	ClassDB::bind_method(D_METHOD("get_body_count"), &SoftBodyPreview2D::get_body_count);
+	ClassDB::bind_method(D_METHOD("add_floor", "position", "normal"), &SoftBodyPreview2D::add_floor, DEFVAL(Vector2(0, -1)));
+	ClassDB::bind_method(D_METHOD("step", "delta"), &SoftBodyPreview2D::step);
+	ClassDB::bind_method(D_METHOD("grab", "position", "max_distance"), &SoftBodyPreview2D::grab);
+	ClassDB::bind_method(D_METHOD("drag", "position"), &SoftBodyPreview2D::drag);
+	ClassDB::bind_method(D_METHOD("release"), &SoftBodyPreview2D::release);
+	ClassDB::bind_method(D_METHOD("is_grabbing"), &SoftBodyPreview2D::is_grabbing);
+	ClassDB::bind_method(D_METHOD("get_grabbed_position"), &SoftBodyPreview2D::get_grabbed_position);
+	ClassDB::bind_method(D_METHOD("get_hull", "index"), &SoftBodyPreview2D::get_hull);
+	ClassDB::bind_method(D_METHOD("get_point_positions", "index"), &SoftBodyPreview2D::get_point_positions);
+}
+
+} // namespace godot
