@@ -324,6 +324,22 @@ func test_a_platform_carries() -> void:
 	check_near(player.get_center_of_mass_position().x, 300, 60, "place of the jelly where the platform turns")
 
 
+func test_it_pushes_a_crate_and_stands_on_it() -> void:
+	_grip(add_floor(100))
+	var crate: RigidBody2D = (load("res://game/world/crate.tscn") as PackedScene).instantiate()
+	crate.position = Vector2(120, 74)
+	stage.add_child(crate)
+	var player := _add_player(Vector2(0, 50))
+	Input.action_press(&"game_right")
+	await seconds(1)
+	check_above(crate.position.x, 160, "place of the crate after a second of pushing")
+	_release()
+	await seconds(1)
+	player.place_at(crate.position + Vector2(0, -80))
+	await seconds(1.5)
+	check_below(player.get_center_of_mass_position().y, 50, "height of the jelly on the crate")
+
+
 func test_it_squishes_the_harder_the_deeper_it_falls() -> void:
 	_grip(add_floor(100))
 	var player := _add_player(Vector2(0, 60))
