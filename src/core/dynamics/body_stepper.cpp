@@ -87,7 +87,9 @@ void BodyStepper::begin(const Crew &crew) {
 	}
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		SoftBodyData &data = body(crew.bodies[lane]);
-		std::ranges::copy(data.positions(), data.mutable_previous_positions().begin());
+		if (is_finite(data.positions()[0])) { // or else this is all that tells where it was
+			std::ranges::copy(data.positions(), data.mutable_previous_positions().begin());
+		}
 	}
 }
 

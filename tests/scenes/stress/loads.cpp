@@ -40,7 +40,7 @@ StressScene stack(const StressSetup &setup) {
 			fastest = std::max(fastest, distance(measure_frame(world.soft_bodies()[i]).centre, (*then)[i]));
 		}
 		// An elastic column of a hundred goes on breathing for long: its slowest mode is hardly damped.
-		verdict.at_most("way in the last second", fastest, count > 20 ? 30 : 2);
+		verdict.at_most("way in the last second", fastest, count > 20 ? 30 : 5);
 	};
 	return scene;
 }

@@ -50,7 +50,7 @@ StressScene undamped_spring(const StressSetup &setup, double z) {
 	const double each = growth(setup.integrator, z);
 	// As long as the amplitude may grow to a hundredfold, which is the spring's own length and the end of its theory.
 	const double ticks = each > 1 + 1e-9 ? std::min(600.0, std::floor(std::log(100) / std::log(each))) : 600;
-	const double predicted = std::pow(each, ticks);
+	const double predicted = std::max(1.0, std::pow(each, ticks)); // the most that is seen is at least the start
 	scene.seconds = ticks / setup.rate;
 	scene.is_violent = false;
 	scene.judge = [predicted](const WorldData &, const StressLog &log, StressVerdict &verdict) {
