@@ -18,7 +18,7 @@ using namespace softbody::testing;
 
 namespace {
 
-constexpr int PILES = 8;
+constexpr int PILES = 12; ///< 36 crews: two tasks
 constexpr int BODIES_A_PILE = 3;
 constexpr std::uint32_t VICTIM = 1; ///< in the middle of the first pile
 constexpr int STRUCK_TICK = 40; ///< when piles lie on the ground and press

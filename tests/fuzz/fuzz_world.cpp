@@ -281,6 +281,9 @@ private:
 		const Real dt = choice == 255 ? bytes_.any(1) : TICKS[choice % TICKS.size()];
 		const StepReport report = simulator_.simulate(dt);
 		require(report.refused.has_value() == !(std::isfinite(dt) && dt > 0), "steps are refused for their time alone");
+		if (report.refused) {
+			return;
+		}
 		for (const BodyId reset : report.reset_bodies) {
 			require(world_.find(reset) != nullptr, "bodies that were reset are there");
 			hash_.add(reset.index);

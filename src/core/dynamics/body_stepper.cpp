@@ -470,6 +470,7 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 	data.touch_memory() = {};
 	data.one_ways().clear();
 	data.outside_hull().clear();
+	data.clear_external_forces(); // or they might ruin it once more
 	counts_.non_finite.push_back(place);
 }
 
