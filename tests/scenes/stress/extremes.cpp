@@ -55,7 +55,7 @@ StressScene tiny(const StressSetup &setup) {
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.85);
-		verdict.at_most("speed", worst_speed(world), 20);
+		verdict.rests("speed", worst_speed(world), 20);
 		verdict.holds("in its shape", !is_folded(world.soft_bodies()[0].hull()));
 	};
 	return scene;
@@ -74,7 +74,7 @@ StressScene tiny_pile(const StressSetup &setup) {
 		verdict.at_most("overlap", worst_overlap(world), 2 * VISIBLE);
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.85);
-		verdict.at_most("speed", worst_speed(world), 20);
+		verdict.rests("speed", worst_speed(world), 20);
 	};
 	return scene;
 }
@@ -87,7 +87,7 @@ StressScene thousand_points(const StressSetup &setup) {
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.9);
-		verdict.at_most("speed", worst_speed(world), 20);
+		verdict.rests("speed", worst_speed(world), 20);
 	};
 	return scene;
 }
@@ -110,7 +110,7 @@ StressScene far_away(const StressSetup &setup, double place) {
 		verdict.at_most("overlap", worst_overlap(world), VISIBLE);
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.85);
-		verdict.at_most("speed", worst_speed(world), std::max(20.0, rounding));
+		verdict.rests("speed", worst_speed(world), std::max(20.0, rounding));
 		for (const SoftBodyData &body : world.soft_bodies()) {
 			verdict.at_most("way from the middle", std::abs(double(measure_frame(body).centre.x) - place - 65), 140);
 		}
@@ -151,7 +151,7 @@ StressScene pin_jumps(const StressSetup &setup, bool by_target) {
 		verdict.at_most("distance of the pin from where it is to be", distance(pinned.positions()[12], { 0, -50 }), 0.01);
 		verdict.at_most("distance of the body from its pin", distance(measure_frame(pinned).centre, { 0, -50 }), 60);
 		verdict.at_least("area", least_area_share(world), 0.85);
-		verdict.at_most("way of the neighbour", distance(measure_frame(world.soft_bodies()[1]).centre, { 1000, 450 }), 10);
+		verdict.rests("way of the neighbour", distance(measure_frame(world.soft_bodies()[1]).centre, { 1000, 450 }), 10);
 	};
 	return scene;
 }

@@ -39,7 +39,7 @@ StressScene onto_seam(const StressSetup &setup) {
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.9);
-		verdict.at_most("way aside", std::abs(double(measure_frame(world.soft_bodies()[0]).centre.x)), 25);
+		verdict.rests("way aside", std::abs(double(measure_frame(world.soft_bodies()[0]).centre.x)), 25);
 	};
 	return scene;
 }
@@ -114,7 +114,7 @@ StressScene into_pile(const StressSetup &setup) {
 		verdict.at_most("overlap", worst_overlap(world), VISIBLE);
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.85);
-		verdict.at_most("speed", worst_speed(world), 30);
+		verdict.rests("speed", worst_speed(world), 30);
 	};
 	return scene;
 }

@@ -40,7 +40,7 @@ StressScene stack(const StressSetup &setup) {
 			fastest = std::max(fastest, distance(measure_frame(world.soft_bodies()[i]).centre, (*then)[i]));
 		}
 		// An elastic column of a hundred goes on breathing for long: its slowest mode is hardly damped.
-		verdict.at_most("way in the last second", fastest, count > 20 ? 30 : 5);
+		verdict.rests("way in the last second", fastest, count > 20 ? 30 : 5);
 	};
 	return scene;
 }
@@ -77,7 +77,7 @@ StressScene squeeze(const StressSetup &setup, bool has_lid, double least_gap) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.9);
 		verdict.at_most("deviation", worst_deviation(world), 0.2);
-		verdict.at_most("speed", worst_speed(world), 20);
+		verdict.rests("speed", worst_speed(world), 20);
 	};
 	return scene;
 }
@@ -102,7 +102,7 @@ StressScene funnel(const StressSetup &setup, double gap) {
 		verdict.at_least("area", area_share(body), 0.75); // wedged
 		const Vec2 centre = measure_frame(body).centre;
 		verdict.holds("between the walls or below them", centre.y > 0 || std::abs(centre.x) < 40 - centre.y);
-		verdict.at_most("speed", worst_speed(world), 20);
+		verdict.rests("speed", worst_speed(world), 20);
 	};
 	return scene;
 }
@@ -123,7 +123,7 @@ StressScene wild_gravity(const StressSetup &setup, const char *name, Real first,
 		verdict.at_most("overlap", worst_overlap(world), VISIBLE);
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.9);
-		verdict.at_most("speed", worst_speed(world), 30);
+		verdict.rests("speed", worst_speed(world), 30);
 	};
 	return scene;
 }

@@ -54,7 +54,7 @@ StressScene mass_within(const StressSetup &setup, double ratio) {
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.7);
-		verdict.at_most("speed", worst_speed(world), 20);
+		verdict.rests("speed", worst_speed(world), 20);
 	};
 	return scene;
 }
@@ -110,7 +110,7 @@ StressScene stiffness_between(const StressSetup &setup, double ratio, bool stiff
 		verdict.at_most("overlap", worst_overlap(world), VISIBLE);
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.85);
-		verdict.at_most("speed", worst_speed(world), 20);
+		verdict.rests("speed", worst_speed(world), 20);
 		// They fall 60 and 180 px: more than that much energy came from nowhere.
 		verdict.at_most("energy gained", log.most_motion - log.start_motion, 0.05 * 980 * 240);
 	};
@@ -134,7 +134,7 @@ StressScene stiffness_within(const StressSetup &setup, double ratio) {
 	scene.judge = [](const WorldData &world, const StressLog &log, StressVerdict &verdict) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.85);
-		verdict.at_most("speed", worst_speed(world), 20);
+		verdict.rests("speed", worst_speed(world), 20);
 		verdict.at_most("energy gained", log.most_motion - log.start_motion, 0.05 * 980 * 120);
 	};
 	return scene;

@@ -39,7 +39,7 @@ StressScene ruined_on_the_floor(const StressSetup &setup, int kind) {
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		verdict.at_least("area", least_area_share(world), 0.9);
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
-		verdict.at_most("speed", worst_speed(world), 20);
+		verdict.rests("speed", worst_speed(world), 20);
 	};
 	return scene;
 }
@@ -68,7 +68,7 @@ StressScene random_heap(const StressSetup &setup) {
 		verdict.at_least("area", least_area_share(world), 0.6);
 		verdict.at_most("overlap", worst_overlap(world), 2 * VISIBLE);
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
-		verdict.at_most("speed", worst_speed(world), 50);
+		verdict.rests("speed", worst_speed(world), 50);
 	};
 	return scene;
 }

@@ -63,6 +63,12 @@ void StressVerdict::at_least(const char *what, double value, double limit) {
 	}
 }
 
+void StressVerdict::rests(const char *what, double value, double limit) {
+	if (promises_rest_) {
+		at_most(what, value, limit);
+	}
+}
+
 void StressVerdict::holds(const char *what, bool holds) {
 	if (!holds) {
 		problems_.append("not ").append(what).append("; ");
@@ -106,6 +112,7 @@ StressResult run_stress(StressScene scene, const StressSetup &setup) {
 		}
 	}
 	StressVerdict verdict;
+	verdict.set_promises_rest(setup.integrator == Integrator::AUTOMATIC);
 	verdict.holds("finite", log.finite);
 	verdict.at_most("resets", double(log.resets), double(scene.allowed_resets));
 	if (scene.judge) {

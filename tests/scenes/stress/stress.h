@@ -24,12 +24,17 @@ public:
 	void at_most(const char *what, double value, double limit);
 	void at_least(const char *what, double value, double limit);
 	void holds(const char *what, bool holds);
+	/// A claim of rest: of the automatic choice alone. Methods whose velocity is ahead of the way just gone tremble beside
+	/// contacts, and wander; XPBD is softer than its springs.
+	void rests(const char *what, double value, double limit);
+	void set_promises_rest(bool promises) { promises_rest_ = promises; }
 	bool passed() const { return problems_.empty(); }
 	/// Every claim that did not hold, with its figures; empty if all did.
 	const std::string &problems() const { return problems_; }
 
 private:
 	std::string problems_;
+	bool promises_rest_ = true;
 };
 
 /// What was seen while a scene ran.

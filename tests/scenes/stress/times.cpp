@@ -29,7 +29,7 @@ StressScene hitch(const StressSetup &setup, double when) {
 	scene.seconds = 14;
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		judge_heap(world, verdict);
-		verdict.at_most("speed", worst_speed(world), 30);
+		verdict.rests("speed", worst_speed(world), 30);
 	};
 	return scene;
 }
@@ -48,7 +48,7 @@ StressScene time_scale(const StressSetup &setup, double scale) {
 			verdict.at_most("refused steps", log.refused, 0);
 		}
 		if (scale > 1) {
-			verdict.at_most("speed", worst_speed(world), 30);
+			verdict.rests("speed", worst_speed(world), 30);
 		}
 	};
 	return scene;
