@@ -4,6 +4,7 @@
 import argparse
 import json
 import os
+import platform
 import random
 import re
 import subprocess
@@ -94,7 +95,8 @@ def object_of(source):
 def compile_one(source, target, text=None):
     """Whether it compiles. `text` instead of what is in the file."""
     target.parent.mkdir(parents=True, exist_ok=True)
-    command = [os.environ.get("CXX", "g++"), *FLAGS, "-c", "-o", str(target)]
+    wide = ["-mavx2"] if source.name.endswith("_avx2.cpp") and platform.machine().lower() in ("x86_64", "amd64") else []
+    command = [os.environ.get("CXX", "g++"), *FLAGS, *wide, "-c", "-o", str(target)]
     if text is None:
         return subprocess.run([*command, str(source)], cwd=ROOT, stderr=subprocess.DEVNULL).returncode == 0
     # Beside the original's folder on the include path, as sources include by paths from src.
