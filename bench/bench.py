@@ -17,6 +17,7 @@ import tables_c
 import tables_editor
 import tables_engine
 import tables_peers
+import tables_stress
 import work_precision
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -59,6 +60,8 @@ BENCHES = {
     "peers": Bench(
         ("float",), tables_peers.summarize, tables_peers.print_table, timed=True, program="softbody_peers"
     ),
+    "stress": Bench(("float",), tables_stress.summarize, tables_stress.print_table),
+    "soak": Bench(("float",), tables_stress.summarize_soak, tables_stress.print_soak),
     "engine": Bench(("release",), tables_engine.summarize, tables_engine.print_table, timed=True, program=None),
     "editor": Bench(("debug",), tables_editor.summarize, tables_editor.print_table, timed=True, program=None),
 }

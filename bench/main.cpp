@@ -19,6 +19,8 @@ const std::map<std::string, bench::Bench> BENCHES = {
 	{ "pile", bench::pile },
 	{ "scaling", bench::scaling },
 	{ "contact-accuracy", bench::contact_accuracy },
+	{ "stress", bench::stress },
+	{ "soak", bench::soak },
 };
 
 int usage(const char *program) {

@@ -12,6 +12,8 @@
 #   pile            piles between walls: time, penetration, folded bodies, rest
 #   scaling         step time from 100 to 100,000 bodies, by phase, and what a second thread saves
 #   contact-accuracy friction, restitution and momentum against theory; penetration against time
+#   stress          scenes made to break bodies, under every method at 30 to 240 ticks a second
+#   soak            ten simulated hours: drift at rest, memory, bodies lost; with --quick, a third of an hour
 #   peers           a pile in other engines, Box2D and Chipmunk, against ours
 #   engine          nodes in an exported game: how many hold 60 ticks per second, and where their time goes
 #   editor          the editor addon's handlers: dragging, painting, drawing, tracing a picture
@@ -22,7 +24,7 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/bench.sh"
 
-names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy peers engine editor)
+names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy stress soak peers engine editor)
 name=
 for argument in "$@"; do
 	case $argument in

@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: MIT
 # Builds and runs all tests, and installs first what is missing for that; the last line is the result.
 #
-# Usage: scripts/test.sh [core|engine|editor|game|export|package]
-#   core    only the tests of the simulation core, which need neither Godot nor godot-cpp
-#   engine  only the tests inside of Godot
-#   editor  only the tests of the editor addon in a real editor, which no one sees if there is no screen
-#   game    only the scripted player, who has to win the game; leaves pictures in build/game
-#   export  only the test of the exported demo
-#   package only a newcomer's path: the packed addon in an empty project, and every example of the documentation
+# Usage: scripts/test.sh [core|engine|editor|game|export|package|determinism|sanitize]      without an argument: all up to package
+#   core         only the tests of the simulation core, which need neither Godot nor godot-cpp
+#   engine       only the tests inside of Godot
+#   editor       only the tests of the editor addon in a real editor, which no one sees if there is no screen
+#   game         only the scripted player, who has to win the game; leaves pictures in build/game
+#   export       only the test of the exported demo
+#   package      only a newcomer's path: the packed addon in an empty project, and every example of the documentation
+#   determinism  whether gcc and clang, at -O0, -O2 and -O3, on one to eight threads, compute the same bits
+#   sanitize     the core under AddressSanitizer and UndefinedBehaviorSanitizer, and what uses threads under ThreadSanitizer
+# The last two build the core anew for each variant: some minutes each, on two cores.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 . "$REPO_DIR/scripts/lib/godot.sh"
@@ -50,6 +53,53 @@ test_core() {
 		# shellcheck disable=SC2086 # Two numbers, or none if the program did not reach its end.
 		count "$status" $summary
 	done
+}
+
+# The same program by every compiler and at every level of optimisation: what they print must be alike.
+test_determinism() {
+	local compiler level name first= status
+	need_packages scons g++ clang || return 1
+	for compiler in g++ clang++; do
+		for level in O0 O2 O3; do
+			name=hashes_${compiler}_$level
+			step "Hashing scenes: $compiler -$level"
+			run_scons "$name" >"$LOG_DIR/$name.build.log" 2>&1 || { problem "the core does not compile (see $LOG_DIR/$name.build.log)"; return 1; }
+			status=0
+			limited $TIME_LIMIT "$REPO_DIR/build/determinism/$name" >"$LOG_DIR/$name.log" || status=$?
+			first=${first:-$LOG_DIR/$name.log}
+			if [[ $status -eq 0 ]] && cmp -s "$first" "$LOG_DIR/$name.log"; then
+				count 0 1 0
+			else
+				diff "$first" "$LOG_DIR/$name.log" || true
+				echo "FAILED: $compiler -$level computes other bits"
+				count 0 0 1
+			fi
+		done
+	done
+	cat "$first"
+}
+
+# Those that use threads, by the files that they are in.
+THREADED_TESTS='*test_work_team*,*test_golden*,*test_determinism*,*test_restore*,*test_side_by_side*,*test_pairs*,*test_rigid_contacts*,*test_broad_phase*'
+
+test_sanitize() {
+	need_packages scons g++ doctest-dev || return 1
+	export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
+	test_sanitized address || return 1
+	test_sanitized thread "--source-file=$THREADED_TESTS"
+}
+
+# test_sanitized NAME [ARGUMENTS…]: the tests of the core, compiled and run with these sanitizers.
+test_sanitized() {
+	local name=$1 log=$LOG_DIR/tests_$1.log status=0 summary
+	shift
+	step "Building the tests of the core with the $name sanitizer"
+	run_scons "tests_$name" || { problem "the core or its tests do not compile"; return 1; }
+	step "Testing the core with the $name sanitizer"
+	(cd "$REPO_DIR" && limited 3600 "build/tests/softbody_tests_$name" --no-colors=true "$@") 2>&1 | tee "$log" || status=$?
+	summary=$(sed -nE 's/^\[doctest\] test cases: .*\| *([0-9]+) passed \| *([0-9]+) failed.*/\1 \2/p' "$log" | tail -n 1)
+	# shellcheck disable=SC2086 # As above.
+	count "$status" $summary
 }
 
 # The nodes and resources, in the engine.
@@ -172,8 +222,10 @@ case ${1:-all} in
 	game) parts=(game) ;;
 	export) parts=(export) ;;
 	package) parts=(package) ;;
+	determinism | --determinism) parts=(determinism) ;;
+	sanitize | --sanitize) parts=(sanitize) ;;
 	all) parts=(core engine editor game export package) ;;
-	*) problem "usage: scripts/test.sh [core|engine|editor|game|export|package]" || exit 2 ;;
+	*) problem "usage: scripts/test.sh [core|engine|editor|game|export|package|determinism|sanitize]" || exit 2 ;;
 esac
 for part in "${parts[@]}"; do
 	"test_$part" || failed=$((failed + 1))

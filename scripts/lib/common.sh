@@ -32,6 +32,7 @@ has_package() {
 		ca-certificates) [[ -e /etc/ssl/certs/ca-certificates.crt ]] || ! command -v apt-get >/dev/null ;;
 		debian-archive-keyring) [[ -e /usr/share/keyrings/debian-archive-keyring.gpg ]] ;;
 		xvfb) command -v Xvfb >/dev/null && command -v xvfb-run >/dev/null ;;
+		libclang-rt-*-dev) [[ -n $(find /usr/lib/llvm-*/lib/clang -name 'libclang_rt.fuzzer*' -print -quit 2>/dev/null) ]] ;;
 		*) command -v "$1" >/dev/null ;;
 	esac
 }

@@ -53,6 +53,22 @@ TEST_CASE("the automatic choice is Verlet alone and semi-implicit Euler beside s
 	}
 }
 
+// Or a stack that stands at 60 ticks a second would be crushed at 30 (bench.sh stress: load/stack, size/tiny).
+TEST_CASE("a longer step takes as many more substeps for contacts and XPBD as it is longer, a shorter one no fewer") {
+	const auto plan = [](Real stiffness, Real dt) {
+		return plan_substeps(*thesis_shape_with_ratio(stiffness, Real(0.05)), {}, dt, true);
+	};
+	CHECK(plan(1, TICK).substeps == MIN_CONTACT_SUBSTEPS);
+	CHECK(plan(1, 2 * TICK).substeps == 2 * MIN_CONTACT_SUBSTEPS);
+	CHECK(plan(1, Real(1) / 50).substeps == 5); // 4.8
+	CHECK(plan(1, TICK / 4).substeps == MIN_CONTACT_SUBSTEPS);
+	CHECK(plan(1, 1).substeps == MAX_CONTACT_SUBSTEPS);
+	CHECK(plan(Real(1e8), TICK).substeps == XPBD_SUBSTEPS);
+	CHECK(plan(Real(1e8), 2 * TICK).substeps == 2 * XPBD_SUBSTEPS);
+	CHECK(plan(Real(1e8), TICK / 4).substeps == XPBD_SUBSTEPS);
+	CHECK(substeps_of_step(64, 1) == 64);
+}
+
 TEST_CASE("a fixed count is kept and judged") {
 	BodySettings settings;
 	settings.substeps = 2;

@@ -34,6 +34,7 @@ TEST_CASE("each setting outside its range is refused by its own name") {
 		{ "friction", [](BodySettings &s, Real x) { s.friction = x; }, { 0, 5 }, { Real(-0.001) } },
 		{ "rolling_resistance", [](BodySettings &s, Real x) { s.rolling_resistance = x; }, { 0, 5 }, { Real(-0.001) } },
 		{ "restitution", [](BodySettings &s, Real x) { s.restitution = x; }, { 0, 1 }, { Real(-0.001), Real(1.001) } },
+		{ "failure_response", [](BodySettings &s, Real x) { s.failure_response = FailureResponse(x == 0 || x == 1 ? int(x) : FAILURE_RESPONSE_COUNT); }, { 0, 1 }, { 2 } },
 		{ "gravity_scale", [](BodySettings &s, Real x) { s.gravity_scale = x; }, { -100, 0, 100 }, {} },
 	};
 	for (const Case &each : cases) {

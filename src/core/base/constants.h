@@ -21,6 +21,10 @@ inline constexpr Real CIRCLE_TOLERANCE = Real(1e-4);
 /// real time; the plan then reports itself as unsafe instead of growing without bound.
 inline constexpr int MAX_SUBSTEPS = 64;
 
+/// Length of the step [s] for which counts of substeps below are meant. A longer one takes more in proportion, or contacts
+/// and XPBD would be as much worse at 30 ticks a second as the step is longer.
+inline constexpr Real USUAL_STEP = Real(1) / 60;
+
 /// Fewest substeps the automatic rule gives a body that can touch something [1]. Contacts are
 /// found once a substep, and below four a resting body visibly sinks and creeps.
 inline constexpr int MIN_CONTACT_SUBSTEPS = 4;

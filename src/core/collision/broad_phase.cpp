@@ -38,7 +38,8 @@ Real extent_of(const Aabb &box) {
 }
 
 std::int32_t cell_coordinate(Real position, Real size) {
-	return std::int32_t(std::clamp(std::floor(position / size), -FARTHEST_CELL, FARTHEST_CELL));
+	// In this order, what is no number gets one.
+	return std::int32_t(std::max(-FARTHEST_CELL, std::min(FARTHEST_CELL, std::floor(position / size))));
 }
 
 std::uint64_t mix(std::uint64_t key) {

@@ -97,6 +97,10 @@ void give_back_pair_bounce(SoftBodyData &first, SoftBodyData &second, Vec2 push,
 		const Real keep = Real(std::sqrt(1 - from_wobble / std::max(wobble, 1e-300)));
 		const Real parting = std::sqrt(leaving * leaving + 2 * mobility * Real(paid));
 		const Vec2 impulse = normal * ((parting - leaving) / mobility);
+		if (!is_finite(impulse) || !std::isfinite(keep)) {
+			touch = {};
+			return; // who is about to be reset must not take the other along
+		}
 		for (Bouncing &body : pair) {
 			if (body.mobility > 0) {
 				body.change(impulse * (&body == &pair[0] ? body.mobility : -body.mobility), keep);

@@ -65,6 +65,9 @@ void resist_pair_rolling(TouchingBody &a, TouchingBody &b, Real normal_impulse) 
 	const Real most = std::min(a.rolling_resistance, b.rolling_resistance) * std::min(a.rolling_radius, b.rolling_radius) *
 			normal_impulse;
 	const Real impulse = std::clamp((b.spin - a.spin) / mobility, -most, most);
+	if (!std::isfinite(impulse)) {
+		return; // who is about to be reset must not take the other along
+	}
 	a.spin += impulse * mobility_a;
 	a.spin_change += impulse * mobility_a;
 	b.spin -= impulse * mobility_b;
@@ -90,6 +93,9 @@ bool part_bodies(TouchingBody &body, TouchingBody &other, Vec2 direction, Real d
 	}
 	const Real most = DEEP_OVERLAP * std::min(body.radius, other.radius);
 	const Vec2 shift = direction * (std::min(distance, most) / mobility);
+	if (!is_finite(shift)) {
+		return false;
+	}
 	move(body, shift * body.inverse_mass);
 	move(other, -shift * other.inverse_mass);
 	return true;
@@ -147,6 +153,9 @@ Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairCont
 	}
 	shift *= 1 / mobility;
 	velocity_change *= 1 / mobility;
+	if (!is_finite(shift) || !is_finite(velocity_change)) {
+		return 0; // who is about to be reset must not take the other along
+	}
 	body.positions[p] += shift * mobility_p;
 	body.velocities[p] += velocity_change * mobility_p;
 	other.positions[a] -= shift * mobility_a;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace softbody {
@@ -48,6 +49,25 @@ Vec2 centre_by_pins(const SoftBodyData &data, Rotation rotation, Vec2 otherwise)
 	return count > 0 ? sum * (1 / Real(count)) : otherwise;
 }
 
+// Where a body with points that are no numbers most probably is: amid those that are, else where the step began.
+Vec2 centre_by_finite_points(const SoftBodyData &data) {
+	for (const std::span<const Vec2> points : { data.positions(), data.previous_positions() }) {
+		Vec2 sum;
+		std::size_t count = 0;
+		for (const Vec2 p : points) {
+			if (is_finite(p)) {
+				sum += p;
+				++count;
+			}
+		}
+		const Vec2 mean = sum * (1 / Real(count));
+		if (count > 0 && is_finite(mean)) {
+			return mean;
+		}
+	}
+	return {};
+}
+
 } // namespace
 
 void BodyStepper::begin_step(WorldData &world, const SurroundingsIndex &surroundings, bool has_forces) {
@@ -67,7 +87,9 @@ void BodyStepper::begin(const Crew &crew) {
 	}
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		SoftBodyData &data = body(crew.bodies[lane]);
-		std::ranges::copy(data.positions(), data.mutable_previous_positions().begin());
+		if (is_finite(data.positions()[0])) { // or else this is all that tells where it was
+			std::ranges::copy(data.positions(), data.mutable_previous_positions().begin());
+		}
 	}
 }
 
@@ -422,10 +444,14 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 	const BodyFrame frame = measure_frame(data);
 	Vec2 centre = frame.centre;
 	Rotation rotation = data.rotation_memory();
+	if (!std::isfinite(rotation.c) || !std::isfinite(rotation.s)) {
+		rotation = {};
+		data.set_rotation_memory(rotation);
+	}
 	Vec2 velocity;
 	const bool is_whole = is_finite(centre) && is_together(data);
 	if (!is_finite(centre)) {
-		centre = is_finite(data.positions()[0]) ? data.positions()[0] : Vec2{};
+		centre = centre_by_finite_points(data);
 	} else if (is_whole) {
 		rotation = frame.rotation;
 		if (!data.has_pins() && length(frame.velocity) * dt <= CREDIBLE_REACH * data.shape().radius()) {
@@ -444,6 +470,7 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 	data.touch_memory() = {};
 	data.one_ways().clear();
 	data.outside_hull().clear();
+	data.clear_external_forces(); // or they might ruin it once more
 	counts_.non_finite.push_back(place);
 }
 

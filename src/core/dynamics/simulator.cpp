@@ -423,7 +423,7 @@ StepReport Simulator::simulate(Real dt) {
 void Simulator::step_coupled(Real dt) {
 	// A point that moves through several force substeps between two looks at its contacts trembles: each body gets as
 	// many looks as it has force substeps, up to a bound that keeps one very stiff body from slowing all the others.
-	int contact_substeps = world_.contact_substeps();
+	int contact_substeps = substeps_of_step(world_.contact_substeps(), dt);
 	for (const std::uint32_t i : coupled_crews_) {
 		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
 			const int needed = crews_[i].plan_of(lane, own_plans_).substeps;
@@ -497,8 +497,9 @@ void Simulator::check_touched_sleepers(Real dt) {
 
 // As they would among soft bodies, so that their fall does not depend on whether one is near.
 void Simulator::move_rigid_bodies_alone(Real dt) {
-	for (int substep = 0; substep < world_.contact_substeps(); ++substep) {
-		rigid_contacts_.begin_substep(dt / Real(world_.contact_substeps()));
+	const int contact_substeps = substeps_of_step(world_.contact_substeps(), dt);
+	for (int substep = 0; substep < contact_substeps; ++substep) {
+		rigid_contacts_.begin_substep(dt / Real(contact_substeps));
 	}
 }
 
@@ -610,6 +611,10 @@ void Simulator::collect(StepReport &report) {
 	non_finite.erase(std::unique(non_finite.begin(), non_finite.end()), non_finite.end());
 	for (const std::uint32_t place : non_finite) {
 		report.reset_bodies.push_back(world_.id_at(place));
+		SoftBodyData &body = world_.soft_bodies()[place];
+		if (body.settings().failure_response == FailureResponse::FREEZE) {
+			body.set_frozen(true);
+		}
 	}
 }
 

@@ -35,7 +35,7 @@ struct StepReport {
 	/// Bodies whose state became non-finite in this step, or that flew apart (CREDIBLE_REACH). Each was given its rest
 	/// shape again, with the centre, rotation and mean velocity that it had before, so that its next step starts
 	/// sane; at rest if that velocity cannot be believed or a point is pinned. Pinned points stay. The others are
-	/// untouched.
+	/// untouched. Those whose settings say so (FailureResponse::FREEZE) are frozen from the next step on.
 	std::vector<BodyId> reset_bodies;
 	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves answered, summed over substeps
 	/// Joints that bore more than they can (Joint::break_force) and are gone. Each is told once.
@@ -43,7 +43,7 @@ struct StepReport {
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
-/// other. Bodies that may touch one another or a dynamic rigid body, or are joined to something, take the world's contact substeps together: in each
+/// other. Bodies that may touch one another or a dynamic rigid body, or are joined to something, take the world's contact substeps together (more in a long step, see `substeps_of_step`): in each
 /// of them every body advances, in as many force substeps as it needs, and then contacts between bodies are answered,
 /// with dynamic rigid bodies, and joints. Owns nothing but scratch memory, which grows with the world.
 /// Islands of bodies at rest fall asleep (`Sleepers`).

@@ -92,7 +92,7 @@ SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shap
 		bool has_contacts) {
 	const bool automatic = settings.integrator == Integrator::AUTOMATIC;
 	has_contacts |= settings.self_collision;
-	const int least = has_contacts ? MIN_CONTACT_SUBSTEPS : 1;
+	const int least = has_contacts ? substeps_of_step(MIN_CONTACT_SUBSTEPS, dt) : 1;
 	SubstepPlan plan;
 	plan.frequency = Real(std::sqrt(bounds.frequency_squared));
 	plan.damping_rate = Real(bounds.damping_rate);
@@ -104,16 +104,17 @@ SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shap
 	const Integrator chosen = has_contacts ? Integrator::SEMI_IMPLICIT_EULER : Integrator::VELOCITY_VERLET;
 	plan.integrator = automatic ? chosen : settings.integrator;
 
-	const double wanted = std::ceil(double(dt) / largest_stable_step(plan.integrator, bounds, STABILITY_BUDGET));
+	// A damping of -0 is none, and gives a step of -0.
+	const double wanted = std::ceil(double(dt) / std::abs(largest_stable_step(plan.integrator, bounds, STABILITY_BUDGET)));
 	if (settings.substeps > 0) {
 		plan.substeps = settings.substeps;
 		plan.reason = PlanReason::FIXED;
 	} else if (automatic && wanted > EXPLICIT_SUBSTEP_CAP) {
 		plan.integrator = Integrator::XPBD;
-		plan.substeps = XPBD_SUBSTEPS;
+		plan.substeps = substeps_of_step(XPBD_SUBSTEPS, dt);
 		plan.reason = PlanReason::TOO_STIFF;
 	} else if (plan.integrator == Integrator::XPBD) {
-		plan.substeps = XPBD_SUBSTEPS;
+		plan.substeps = substeps_of_step(XPBD_SUBSTEPS, dt);
 		plan.reason = PlanReason::CONTACTS;
 	} else if (!(wanted <= MAX_SUBSTEPS)) { // not ">": an unstable method wants infinitely many
 		plan.substeps = MAX_SUBSTEPS;
@@ -132,6 +133,12 @@ SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shap
 }
 
 } // namespace
+
+// Rounded up but for rounding: a step of 1/60 s is no longer than one of 1/60 s.
+int substeps_of_step(int in_usual_step, Real dt) {
+	const double wanted = std::ceil(double(in_usual_step) * (double(dt) / double(USUAL_STEP)) - 1e-3);
+	return int(std::clamp(wanted, double(in_usual_step), double(std::max(in_usual_step, MAX_CONTACT_SUBSTEPS))));
+}
 
 FrequencyBounds frequency_bounds(const SoftBodyShape &shape, const BodySettings &settings) {
 	return bounds_with(shape, settings, hull_at_rest(shape, settings));

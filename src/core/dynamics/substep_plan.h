@@ -72,9 +72,14 @@ FrequencyBounds frequency_bounds(const SoftBodyData &body, Real dt);
 /// - Midpoint and Heun: h³ <= budget/2 · 4β/Ω² or h <= budget/2 · β, and hΓ <= budget.
 double largest_stable_step(Integrator integrator, const FrequencyBounds &bounds, double budget);
 
+/// As many substeps as `in_usual_step` are in a step of USUAL_STEP, in one of `dt` [s]: in proportion where it is longer, up
+/// to MAX_CONTACT_SUBSTEPS; never fewer.
+int substeps_of_step(int in_usual_step, Real dt);
+
 /// Chooses. AUTOMATIC is velocity Verlet where there is nothing to touch, semi-implicit Euler where there
 /// is (`has_contacts`), with the smallest n for which h = dt/n is within STABILITY_BUDGET, at least
-/// MIN_CONTACT_SUBSTEPS if `has_contacts`; past EXPLICIT_SUBSTEP_CAP it is XPBD with XPBD_SUBSTEPS. A named integrator
+/// MIN_CONTACT_SUBSTEPS if `has_contacts`; past EXPLICIT_SUBSTEP_CAP it is XPBD with XPBD_SUBSTEPS; both more in long steps
+/// (`substeps_of_step`). A named integrator
 /// keeps its name, with its own smallest n up to MAX_SUBSTEPS. A fixed count of the settings is kept, safe or not.
 /// `dt` [s] > 0. This is the plan of a body at its rest shape.
 SubstepPlan plan_substeps(const SoftBodyShape &shape, const BodySettings &settings, Real dt, bool has_contacts);

@@ -40,6 +40,9 @@ Status check_settings(const BodySettings &settings) {
 	if (Status status = check_between("integrator", int(settings.integrator), 0, INTEGRATOR_COUNT - 1, "")) {
 		return status;
 	}
+	if (Status status = check_between("failure_response", int(settings.failure_response), 0, FAILURE_RESPONSE_COUNT - 1, "")) {
+		return status;
+	}
 	return check_between("substeps", settings.substeps, 0, MAX_SUBSTEPS, "");
 }
 

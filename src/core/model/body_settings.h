@@ -10,6 +10,14 @@
 
 namespace softbody {
 
+/// What becomes of a body whose state has become non-finite, or that has flown apart. Either way it gets its rest shape
+/// back and is told in StepReport::reset_bodies.
+enum class FailureResponse : std::uint8_t {
+	RESET, ///< it goes on from there; if what ruined it lasts, it is reset again in the next step
+	FREEZE, ///< it is frozen (SoftBodyData::set_frozen) until somebody lets it go, and so told once
+};
+inline constexpr int FAILURE_RESPONSE_COUNT = 2;
+
 /// What a body is made of beyond its springs, and how it is stepped. A term whose coefficient is 0
 /// is not evaluated.
 struct BodySettings {
@@ -58,6 +66,9 @@ struct BodySettings {
 	/// inside (a thin body pressed flat). Friction is the body's. Such a body is stepped on its own, in at least
 	/// MIN_CONTACT_SUBSTEPS substeps; see `SelfCollision` for the rest of what it costs. Default false: costs nothing.
 	bool self_collision = false;
+
+	/// What becomes of it when it fails. Default RESET.
+	FailureResponse failure_response = FailureResponse::RESET;
 
 	/// Whether shape matching takes part at all.
 	bool matches_shape() const { return shape_stiffness > 0 || shape_damping > 0; }

@@ -99,11 +99,13 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::create(Description d
 	shape->masses_ = std::move(description.masses);
 	shape->springs_ = std::move(description.springs);
 	shape->hull_count_ = description.hull_count;
-	shape->derive();
+	if (Status status = shape->derive()) {
+		return *status;
+	}
 	return std::shared_ptr<const SoftBodyShape>(std::move(shape));
 }
 
-void SoftBodyShape::derive() {
+Status SoftBodyShape::derive() {
 	double mass = 0;
 	double x = 0;
 	double y = 0;
@@ -144,6 +146,32 @@ void SoftBodyShape::derive() {
 
 	spring_frequency_squared_ = Real(largest_rate(&Spring2D::stiffness));
 	spring_damping_rate_ = Real(largest_rate(&Spring2D::damping));
+	return check_derived();
+}
+
+// Each number may be in range and what follows from them not: areas of hulls of 1e20, inverses of masses of 1e-40.
+Status SoftBodyShape::check_derived() const {
+	const auto is_usable = [](Real value) { return std::isfinite(value) && value >= std::numeric_limits<Real>::min(); };
+	const auto refused = [](const char *name, const char *what, const char *remedy) {
+		return Error{ name, what, "must stay within the range of numbers", remedy };
+	};
+	const bool has_size = is_usable(rest_area_) && is_usable(radius_ * radius_) && is_usable(width_) &&
+			is_usable(shortest_hull_edge_ * shortest_hull_edge_) && is_finite(origin_offset_);
+	if (!has_size) {
+		return refused("hull", "too large or too small", "scale the outline");
+	}
+	const bool has_mass = is_usable(total_mass_) && std::ranges::all_of(inverse_masses_, is_usable) &&
+			is_usable(rest_inertia_) && is_usable(area_mobility_);
+	if (!has_mass) {
+		return refused("mass", "too large or too small", "give a mass that fits the body's size");
+	}
+	if (!std::isfinite(spring_frequency_squared_)) {
+		return refused("stiffness", "too large for the masses", "give less stiffness or more mass");
+	}
+	if (!std::isfinite(spring_damping_rate_)) {
+		return refused("damping", "too large for the masses", "give less damping or more mass");
+	}
+	return {};
 }
 
 double SoftBodyShape::largest_rate(Real Spring2D::*coefficient) const {
@@ -188,7 +216,9 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::with_spring_values(R
 		spring.stiffness = stiffness;
 		spring.damping = damping;
 	}
-	copy->derive();
+	if (Status status = copy->derive()) {
+		return *status;
+	}
 	return std::shared_ptr<const SoftBodyShape>(std::move(copy));
 }
 
@@ -201,7 +231,9 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::with_total_mass(Real
 	for (Real &mass : copy->masses_) {
 		mass *= factor;
 	}
-	copy->derive();
+	if (Status status = copy->derive()) {
+		return *status;
+	}
 	return std::shared_ptr<const SoftBodyShape>(std::move(copy));
 }
 

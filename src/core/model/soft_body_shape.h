@@ -30,7 +30,8 @@ public:
 	/// Checks everything and builds the shape. Refuses: a bad hull (see `check_hull`) or one of
 	/// negative winding, sizes that do not match, non-finite points, masses <= 0, springs whose
 	/// index is out of range, whose ends are the same point or repeat an earlier spring, whose rest
-	/// length is not > 0, or whose stiffness or damping is negative or not finite. O(points² + springs).
+	/// length is not > 0, or whose stiffness or damping is negative or not finite; and sizes and masses whose area, inertia,
+	/// inverse or frequency leaves the range of numbers. O(points² + springs).
 	static Result<std::shared_ptr<const SoftBodyShape>> create(Description description);
 
 	std::span<const Vec2> rest_positions() const { return rest_positions_; }
@@ -71,7 +72,8 @@ public:
 
 private:
 	SoftBodyShape() = default;
-	void derive();
+	Status derive();
+	Status check_derived() const;
 	double largest_rate(Real Spring2D::*coefficient) const;
 
 	std::vector<Vec2> rest_positions_;

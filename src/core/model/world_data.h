@@ -35,8 +35,9 @@ public:
 	bool has_sleeping() const { return sleeping_; }
 	void set_sleeping(bool sleeping);
 
-	/// Substeps a step in which bodies that may touch one another advance together, 1..MAX_SUBSTEPS. More: less
-	/// penetration and stiffer piles, at a cost that grows as fast. Default MIN_CONTACT_SUBSTEPS.
+	/// Substeps of a step of USUAL_STEP in which bodies that may touch one another advance together, 1..MAX_SUBSTEPS; longer
+	/// steps take more (`substeps_of_step`). More: less penetration and stiffer piles, at a cost that grows as fast. Default
+	/// MIN_CONTACT_SUBSTEPS.
 	int contact_substeps() const { return contact_substeps_; }
 	Status set_contact_substeps(int contact_substeps);
 

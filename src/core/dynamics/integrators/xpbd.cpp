@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace softbody {
 
@@ -226,8 +225,11 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 		rigid.velocity += input.external[i] * (input.h / body.shape().total_mass());
 		rigid.spin += double(input.h) * cross(before[i] - rigid.centre, input.external[i]);
 	}
-	const auto is_driven = [&](std::size_t i) { return w[i] == 0 && v[i] != Vec2{}; };
-	if (!is_free && std::ranges::any_of(std::views::iota(std::size_t(0), x.size()), is_driven)) {
+	bool is_driven = false;
+	for (std::size_t i = 0; !is_free && i < x.size(); ++i) {
+		is_driven |= w[i] == 0 && v[i] != Vec2{};
+	}
+	if (is_driven) {
 		const std::span<Vec2> forces(workspace.velocity_slopes.data(), x.size());
 		allowed += work_of_pins(body, before, x, v, forces);
 	}

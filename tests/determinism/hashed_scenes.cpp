@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Scenes whose end is compared to the last bit.
+#include "determinism/hashed_scenes.h"
+
+#include "core/creator/hulls.h"
+#include "scenes/mixed.h"
+
+#include <array>
+#include <vector>
+
+namespace softbody::testing {
+
+namespace {
+
+constexpr Real TICK = Real(1) / 60;
+
+// Octagons tied in a row, rigidly and by springs, one end on a pin that is carried about, the other in the air.
+WorldData chain_of_bodies() {
+	WorldData world;
+	world.set_gravity({ 0, Real(-9.81) });
+	world.add_border({ { { 0, -3 }, { 0, 1 } }, {} });
+	BodySettings settings;
+	settings.shape_stiffness = 200;
+	settings.shape_damping = 2;
+	const auto shape = octagon(Real(0.4), 800, 2);
+	BodyId last;
+	for (int i = 0; i < 10; ++i) {
+		const BodyId id = world.add_soft_body(SoftBodyData::create(shape, settings, { { Real(i), 2 }, {} }).value());
+		if (i > 0) {
+			Joint joint;
+			joint.first = JointAnchor::on_point(last, 0);
+			joint.second = JointAnchor::on_point(id, 4);
+			joint.rest_length = Real(0.2);
+			joint.stiffness = i % 2 == 0 ? Real(500) : joint.stiffness;
+			joint.damping = 1;
+			(void)world.add_joint(joint);
+		} else {
+			world.find(id)->set_pinned(4, true);
+		}
+		last = id;
+	}
+	return world;
+}
+
+void carry_pin(WorldData &world, int tick) {
+	const int phase = tick % 120; // there and back
+	const Real along = Real(phase < 60 ? phase : 120 - phase) / 60;
+	world.soft_bodies()[0].set_pin_target(4, { Real(-0.4) + along, 2 + along / 2 });
+}
+
+// Bodies that collide with themselves, fall into a narrow box and fold.
+WorldData folding_ribbons() {
+	WorldData world;
+	world.set_gravity({ 0, Real(-9.81) });
+	world.add_border({ { { 0, 0 }, { 0, 1 } }, {} });
+	world.add_border({ { { -1, 0 }, { 1, 0 } }, {} });
+	world.add_border({ { { 1, 0 }, { -1, 0 } }, {} });
+	const std::vector<Vec2> hull = box_hull({ Real(0.2), 3 }, Real(0.25)).value();
+	const auto shape = SoftBodyCreator::create_polygon(hull, { 1, 400, 2, false }).value();
+	for (int i = 0; i < 4; ++i) {
+		BodySettings settings;
+		settings.self_collision = true;
+		settings.shape_stiffness = 20;
+		settings.integrator = i == 3 ? Integrator::XPBD : Integrator::AUTOMATIC;
+		world.add_soft_body(SoftBodyData::create(shape, settings, { { Real(-0.6) + Real(0.4) * Real(i), Real(1.8) + Real(0.3) * Real(i) }, {} }).value());
+	}
+	return world;
+}
+
+// Enough like bodies to be stepped side by side and divided over threads; they fall asleep in the end.
+WorldData large_pile() {
+	WorldData world;
+	world.set_gravity({ 0, Real(-9.81) });
+	world.add_border({ { { 0, 0 }, { 0, 1 } }, {} });
+	world.add_border({ { { -6, 0 }, { 1, 0 } }, {} });
+	world.add_border({ { { 6, 0 }, { -1, 0 } }, {} });
+	for (int i = 0; i < 20; ++i) { // tiles and one-way platforms
+		ConvexCollider tile{ { { 0, 0 }, { Real(0.5), 0 }, { Real(0.5), Real(0.2) }, { 0, Real(0.2) } }, 0, {} };
+		for (Vec2 &p : tile.vertices) {
+			p += Vec2{ Real(-5) + Real(0.5) * Real(i), Real(0.6) + Real(0.8) * Real(i % 3) };
+		}
+		tile.one_way = i % 2 == 0 ? Vec2{ 0, 1 } : Vec2{};
+		world.add_collider(tile);
+	}
+	BodySettings settings;
+	settings.shape_stiffness = 400;
+	settings.shape_damping = 4;
+	settings.rolling_resistance = Real(0.05);
+	const auto shape = octagon(Real(0.25), 1000, 2);
+	for (int i = 0; i < 300; ++i) {
+		world.add_soft_body(SoftBodyData::create(shape, settings,
+				{ { Real(-5.6) + Real(0.56) * Real(i % 20) + Real(0.02) * Real(i / 20), Real(3) + Real(0.56) * Real(i / 20) }, {} })
+						.value());
+	}
+	return world;
+}
+
+class Run {
+public:
+	Run(const HashedScene &scene, const ParallelFor &parallel_for) :
+			scene_(scene), world_(scene.make()), simulator_(world_, parallel_for) {}
+
+	void advance(int ticks) {
+		for (int i = 0; i < ticks; ++i) {
+			if (scene_.drive) {
+				scene_.drive(world_, tick_);
+			}
+			simulator_.simulate(TICK);
+			hash_.add(hash_of_contacts(simulator_));
+			++tick_;
+		}
+	}
+	void make_detour(int ticks) {
+		std::vector<BodyState> states;
+		for (const SoftBodyData &body : world_.soft_bodies()) {
+			states.push_back(body.save_state());
+		}
+		const std::vector<RigidBody> rigid(world_.rigid_bodies().begin(), world_.rigid_bodies().end());
+		const BitHash hash = hash_;
+		const int tick = tick_;
+		advance(ticks);
+		for (std::size_t i = 0; i < states.size(); ++i) {
+			world_.soft_bodies()[i].restore_state(states[i]);
+		}
+		for (std::uint32_t i = 0; i < rigid.size(); ++i) {
+			world_.set_rigid_body(i, rigid[i]);
+		}
+		hash_ = hash;
+		tick_ = tick;
+	}
+	// What was told of touches is no part of a state: after a detour touches may be told to begin anew.
+	std::uint64_t state() const { return hash_of_state(world_); }
+	std::uint64_t all() {
+		hash_.add(state());
+		return hash_.value();
+	}
+
+private:
+	const HashedScene &scene_;
+	WorldData world_;
+	Simulator simulator_;
+	BitHash hash_;
+	int tick_ = 0;
+};
+
+} // namespace
+
+std::span<const HashedScene> hashed_scenes() {
+	static const std::array<HashedScene, 4> scenes = { HashedScene{ "mixed", [] { return mixed_world(); }, {} },
+		HashedScene{ "chain", chain_of_bodies, carry_pin }, HashedScene{ "ribbons", folding_ribbons, {} },
+		HashedScene{ "pile", large_pile, {} } };
+	return scenes;
+}
+
+std::uint64_t run_hashed(const HashedScene &scene, int ticks, const ParallelFor &parallel_for) {
+	Run run(scene, parallel_for);
+	run.advance(ticks);
+	return run.all();
+}
+
+std::uint64_t run_hashed_with_detour(const HashedScene &scene, int ticks, int detour, const ParallelFor &parallel_for) {
+	Run run(scene, parallel_for);
+	run.advance(ticks / 3);
+	if (detour > 0) {
+		run.make_detour(detour);
+	}
+	run.advance(ticks - ticks / 3);
+	return run.state();
+}
+
+} // namespace softbody::testing

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The same bits on any number of threads, and after a state was put back.
+#include "core/dynamics/simulator.h"
+#include "determinism/hashed_scenes.h"
+#include "support/threads.h"
+
+#include <doctest/doctest.h>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+TEST_CASE("scenes end in the same bits on one to eight threads") {
+	for (const HashedScene &scene : hashed_scenes()) {
+		CAPTURE(scene.name);
+		const std::uint64_t alone = run_hashed(scene, 90, {});
+		for (const std::size_t threads : { 2, 3, 5, 8 }) {
+			CAPTURE(threads);
+			CHECK(run_hashed(scene, 90, on_threads(threads)) == alone);
+		}
+	}
+}
+
+TEST_CASE("saved, stepped for 600 ticks and put back, scenes go on in the same bits for 600 more") {
+	for (const HashedScene &scene : hashed_scenes()) {
+		CAPTURE(scene.name);
+		const int ticks = 900;
+		CHECK(run_hashed_with_detour(scene, ticks, 600, {}) == run_hashed_with_detour(scene, ticks, 0, {}));
+	}
+}

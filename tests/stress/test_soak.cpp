@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What goes on for long neither grows nor drifts nor loses anybody.
+#include "scenes/stress/soak.h"
+#include "support/allocations.h"
+
+#include <doctest/doctest.h>
+
+using namespace softbody::testing;
+
+// Ten hours of it: scripts/bench.sh soak.
+TEST_CASE("in ten simulated minutes nothing at rest drifts, nobody is lost and no memory grows") {
+	const SoakResult result = soak(600, allocated_bytes);
+	CHECK(result.drift < 0.1); // what nobody sees
+	CHECK(result.sleeping_drift == 0);
+	CHECK(result.lost == 0);
+	CHECK(result.resets == 0);
+	CHECK(result.growth <= 4096); // lists of touches and contacts of a stirred bin may find a new maximum
+}
