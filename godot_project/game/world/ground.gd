@@ -4,8 +4,8 @@ extends StaticBody2D
 ## Ground: a static body whose [CollisionPolygon2D] children are all that there is to its looks and its shape.
 ##
 ## Filled darker towards the inside, with a rim, and grass on what faces up. Soft bodies collide with it as with any
-## static body. The engine would cut each outline into convex pieces that lie edge to edge, and a soft skin finds every
-## seam; here each edge of the outline becomes a piece that reaches under its neighbours, with a core of such pieces below.
+## static body. The engine would cut each outline into convex pieces that lie edge to edge, and a soft skin that is pressed
+## hard finds the seams; here each edge of the outline becomes a piece that reaches under its neighbours, with a core below.
 
 const Palette := preload("res://game/palette.gd")
 ## How far inside each darker layer begins, in pixels.
