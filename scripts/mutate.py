@@ -64,7 +64,9 @@ def candidates():
             for pattern, replacement, kind in RULES:
                 for match in re.finditer(pattern, line):
                     mutated = line[: match.start()] + replacement + line[match.end() :]
-                    if mutated != line:
+                    if mutated != line and all(mutated.count(a) == mutated.count(b) for a, b in ("()", "[]", "{}")) == all(
+                        line.count(a) == line.count(b) for a, b in ("()", "[]", "{}")
+                    ):
                         found.append((kind, file.relative_to(ROOT), number, mutated))
     return found
 
@@ -173,7 +175,7 @@ def main():
             noticed += 1
         else:
             survivors.append({"kind": kind, "place": f"{source}:{number + 1}", "was": before, "became": line.strip()})
-            print(f"  survived: {source}:{number + 1}: {kind}: {before}  ->  {line.strip()}", flush=True)
+            print(f"  survived ({len(survivors)} of {noticed + len(survivors)}): {source}:{number + 1}: {kind}: {before}  ->  {line.strip()}", flush=True)
     total = noticed + len(survivors)
     result = {
         "seed": arguments.seed,

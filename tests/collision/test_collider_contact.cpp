@@ -93,3 +93,22 @@ TEST_CASE("a point against a moving collider is that point against the collider 
 	}
 	CHECK(hits > 300);
 }
+
+// Found by scripts/mutate.sh: nothing noticed when no corner of a concave collider was looked at any more.
+TEST_CASE("the tip of a concave collider inside a hull is a contact, the bottom of its dent is not") {
+	ConvexCollider crown{ { { -3, -2 }, { 3, -2 }, { 3, -1 }, { 1, Real(-1.5) }, { 0, Real(0.25) }, { -1, Real(-1.5) }, { -3, -1 } }, 0, {} };
+	crown.concave = true;
+	REQUIRE_FALSE(check_collider(crown));
+	const auto contact_of = [&](std::size_t corner, Real height) {
+		const std::vector<Vec2> hull = { { -2, height }, { 2, height }, { 2, height + 4 }, { -2, height + 4 } };
+		return find_contact_of_corner({ hull, hull }, bounding_box(hull), crown, corner, {});
+	};
+	constexpr std::size_t TIP = 4;
+	constexpr std::size_t DENT = 3;
+	const auto tip = contact_of(TIP, 0);
+	REQUIRE(tip);
+	CHECK(tip->normal == Vec2{ 0, 1 }); // the hull goes up
+	CHECK(tip->depth == Real(0.25));
+	CHECK_FALSE(contact_of(TIP, Real(0.5)));
+	CHECK_FALSE(contact_of(DENT, Real(-1.75)));
+}

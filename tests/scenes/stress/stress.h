@@ -28,6 +28,7 @@ public:
 	/// contacts, and wander; XPBD is softer than its springs.
 	void rests(const char *what, double value, double limit);
 	void set_promises_rest(bool promises) { promises_rest_ = promises; }
+	bool promises_rest() const { return promises_rest_; }
 	bool passed() const { return problems_.empty(); }
 	/// Every claim that did not hold, with its figures; empty if all did.
 	const std::string &problems() const { return problems_; }
