@@ -38,6 +38,8 @@ func test_a_disk_is_traced_within_its_budget() -> void:
 		check_near(absf(HullEdit.signed_area(trace.outline)), polygon, 0.09 * polygon, "area with %d points" % budget)
 		check_near(HullEdit.bounds(trace.outline).get_center(), Vector2(50, 50), 3, "middle")
 		check_equal(trace.islands, 1, "islands")
+		for i in trace.outline.size():
+			check_above(trace.outline[i].distance_to(trace.outline[i - 1]), 0.2 * TAU * 40 / budget, "distance of two points of %d" % budget)
 
 
 func test_an_outline_can_be_grown() -> void:

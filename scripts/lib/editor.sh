@@ -12,7 +12,7 @@ make_editor_project() {
 	mkdir -p "$EDITOR_DIR"
 	cp -R "$PROJECT_DIR/." "$EDITOR_DIR/" || return 1
 	# What the editor of an earlier run, or the user's own, remembers would change what is seen.
-	rm -rf "$EDITOR_DIR/.godot/editor"
+	rm -rf "$EDITOR_DIR/.godot/editor" "$REPO_DIR/build/editor_home"
 	sed -i 's|^enabled=PackedStringArray(.*|enabled=PackedStringArray("res://addons/soft_body_2d/plugin.cfg", "res://tests/editor/plugin.cfg")|' \
 		"$EDITOR_DIR/project.godot"
 	grep -q 'tests/editor/plugin.cfg' "$EDITOR_DIR/project.godot" || problem "project.godot enables no plugins"

@@ -4,6 +4,12 @@ extends "suite.gd"
 ## The pictures of docs/editor.md, taken of the running editor by scripts/editor_pictures.sh.
 
 const COLOR := Color("6ab7a8")
+const CAT := """<svg xmlns='http://www.w3.org/2000/svg' width='160' height='150'>
+<path d='M22 12 58 34Q80 28 102 34L138 12Q152 60 146 92 130 144 80 144T14 92Q8 60 22 12z' fill='#e8a35c'/>
+<path d='M32 30 48 40 34 52zM128 30 112 40 126 52z' fill='#f6c9a0'/>
+<circle cx='55' cy='80' r='9' fill='#2d2a32'/><circle cx='105' cy='80' r='9' fill='#2d2a32'/>
+<path d='M72 100h16l-8 9z' fill='#c4566b'/><path d='M80 109q-10 14-24 6M80 109q10 14 24 6' fill='none' stroke='#2d2a32' stroke-width='3'/>
+</svg>"""
 
 
 func set_up(driver: EditorPlugin, error_log: RefCounted) -> void:
@@ -72,10 +78,11 @@ func picture_preview() -> void:
 		await frames(1)
 		if plugin.preview.played > 120:
 			break
-	press(plugin.canvas.scene_to_screen(body) * plugin.preview.world.get_hull(0)[13])
-	move(on_screen(Vector2(60, -40)))
-	await frames(20)
-	await shot("preview", _around())
+	var top: Vector2 = plugin.canvas.scene_to_screen(body) * plugin.preview.world.get_hull(0)[12]
+	press(top)
+	move(top + Vector2(50, -70))
+	await frames(25)
+	await shot("preview", _around(Vector2i(560, 500)))
 	release()
 
 
@@ -92,8 +99,9 @@ func picture_traced() -> void:
 	await open_scene({"color": Color.WHITE})
 	var sprite := Sprite2D.new()
 	sprite.name = "Picture"
-	sprite.texture = load("res://textures/beach_ball.svg")
-	sprite.scale = Vector2.ONE * 160 / sprite.texture.get_width()
+	var picture := Image.new()
+	picture.load_svg_from_string(CAT)
+	sprite.texture = ImageTexture.create_from_image(picture)
 	sprite.position = body.position
 	root().add_child(sprite)
 	sprite.owner = root()

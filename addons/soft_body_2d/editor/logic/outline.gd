@@ -39,10 +39,15 @@ static func simplified(outline: PackedVector2Array, budget: int) -> PackedVector
 	var count := outline.size()
 	if count <= budget or budget < 3:
 		return outline.duplicate()
-	# A closed outline is divided at two points that are far apart.
-	var far := 0
+	# A closed outline is divided at two points that are far out, and so will not be missed.
+	var middle := HullEdit.mean(outline)
+	var start := 0
 	for i in count:
-		if outline[i].distance_squared_to(outline[0]) > outline[far].distance_squared_to(outline[0]):
+		if outline[i].distance_squared_to(middle) > outline[start].distance_squared_to(middle):
+			start = i
+	var far := 0 # counted from there, as all that follows
+	for i in count:
+		if _at(outline, start + i).distance_squared_to(outline[start]) > _at(outline, start + far).distance_squared_to(outline[start]):
 			far = i
 	var worth := PackedFloat64Array()
 	worth.resize(count)
@@ -55,14 +60,14 @@ static func simplified(outline: PackedVector2Array, budget: int) -> PackedVector
 		var last: int = part[1]
 		if last - first < 2:
 			continue
-		var a := outline[first]
-		var b := outline[last % count]
-		var along := b - a
+		var a := _at(outline, start + first)
+		var along := _at(outline, start + last) - a
 		var length := along.length()
 		var farthest := first + 1
 		var most := -1.0
 		for i in range(first + 1, last):
-			var distance := absf(along.cross(outline[i] - a)) / length if length > 0 else outline[i].distance_to(a)
+			var way := outline[(start + i) % count] - a
+			var distance := absf(along.cross(way)) / length if length > 0 else way.length()
 			if distance > most:
 				most = distance
 				farthest = i
@@ -71,12 +76,16 @@ static func simplified(outline: PackedVector2Array, budget: int) -> PackedVector
 		parts.append([farthest, last, worth[farthest]])
 	var order := range(count)
 	order.sort_custom(func(i: int, j: int) -> bool: return worth[i] > worth[j] or (worth[i] == worth[j] and i < j))
-	var kept := order.slice(0, budget)
+	var kept := order.slice(0, budget).map(func(i: int) -> int: return (start + i) % count)
 	kept.sort()
 	var result := PackedVector2Array()
 	for i: int in kept:
 		result.append(outline[i])
 	return result
+
+
+static func _at(outline: PackedVector2Array, index: int) -> Vector2:
+	return outline[index % outline.size()]
 
 
 ## Turned over about the line through the middle of its box, upright if `horizontally`.

@@ -14,6 +14,8 @@ const LONGEST_SIDE := 1024
 const ROUGHNESS := 0.8
 ## Corners that are kept before the budget is looked at.
 const MOST_CORNERS := 1024
+## Of the points of an outline, as a share of the mean one.
+const LEAST_SPACING := 0.25
 
 ## Outline in pixels of the picture; empty when `problem` is not.
 var outline := PackedVector2Array()
@@ -107,6 +109,8 @@ func _finish(traced: PackedVector2Array, budget: int, margin: float) -> PackedVe
 	var points := budget
 	while points >= 3 and not whole.is_empty():
 		var reduced := Outline.simplified(whole, points)
+		# Steps of pixels leave points side by side, which a body has nothing of.
+		reduced = Outline.without_repeats(reduced, LEAST_SPACING * Outline.perimeter(reduced) / reduced.size())
 		if SoftBody2D.get_hull_problem(reduced) == "":
 			return reduced
 		points = mini(points - 1, int(points * 0.9))
