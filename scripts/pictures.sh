@@ -11,11 +11,29 @@ set -euo pipefail
 
 # name  scene  first second  last second
 CLIPS=(
-	"demo  res://demo/main.tscn  0  4"
 	"pile  res://examples/pile.tscn  0  4"
+	"petri_dish  res://miniatures/petri_dish.tscn  1  6"
+	"jelly_wrestlers  res://miniatures/jelly_wrestlers.tscn  1  6"
+	"crates  res://examples/crates_and_lift.tscn  0  4"
 )
 FRAMES_PER_SECOND=15
 WIDTH=480
+
+# slides NAME: what the scripted player of the game saw in its three levels, a second each.
+slides() {
+	local name=$1 folder=$REPO_DIR/build/pictures/$1 log=$LOG_DIR/picture_$1.log
+	step "$name: the game"
+	rm -rf "$folder"
+	mkdir -p "$folder"
+	if ! godot_windowed 600 --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/play/play_game.gd -- "--pictures=$folder" \
+		>"$log" 2>&1; then
+		tail -n 5 "$log" >&2
+		problem "the scripted player did not win (see $log)"
+		return 1
+	fi
+	find "$folder" -name '*.png' ! -name 'level_*' -delete
+	"$BENCH_PYTHON" "$REPO_DIR/scripts/lib/animate.py" "$folder" "$REPO_DIR/docs/pictures/$name.webp" 1 "$WIDTH" 0
+}
 
 # film NAME SCENE BEGIN END: plays the scene by the clock of its frames, and keeps what was drawn from BEGIN on.
 film() {
@@ -44,3 +62,4 @@ for clip in "${CLIPS[@]}"; do
 	[[ $# -eq 0 || " $* " == *" ${words[0]} "* ]] || continue
 	film "${words[@]}"
 done
+[[ $# -ne 0 && " $* " != *" moonjelly "* ]] || slides moonjelly

@@ -15,7 +15,7 @@ var other_values := {
 	"contact_monitor": false, "max_contacts_reported": 2, "can_sleep": false, "sleeping": true, "freeze": true,
 	"color": Color.RED, "outline_width": 3.0, "smooth": true, "antialiased": true, "position": Vector2(5, -80),
 	"rotation": 0.5, "scale": Vector2(1.5, 1.5), "process_mode": Node.PROCESS_MODE_DISABLED, "visible": false,
-	"simulate_off_screen": false, "pinned_points": PackedInt32Array([0, 3]),
+	"simulate_off_screen": false, "failure_mode": SoftBody2D.FAILURE_MODE_FREEZE, "pinned_points": PackedInt32Array([0, 3]),
 }
 
 
@@ -190,3 +190,33 @@ func test_arrays_that_name_what_is_not_there_are_left_out_with_a_word() -> void:
 		check(not body.get_warnings().is_empty(), "nothing is said of " + line)
 		take_errors()
 		body.free()
+
+
+func test_a_body_that_fails_is_named_and_reset_or_frozen_and_no_other_moves_differently() -> void:
+	for mode: int in [SoftBody2D.FAILURE_MODE_RESET, SoftBody2D.FAILURE_MODE_FREEZE]:
+		var ways: Array[PackedVector2Array] = []
+		for fails: bool in [false, true]:
+			add_floor(100)
+			var failing := add_body(Vector2(-400, 0), { "failure_mode": mode, "name": "Doomed" })
+			var other := add_body(Vector2(100, 0))
+			await ticks(10)
+			take_errors()
+			if fails:
+				failing.set_point_velocity(3, Vector2(1e30, 0))
+			await ticks(1)
+			var errors := take_errors()
+			ways.append(other.get_point_positions())
+			if fails:
+				check_equal(errors.size(), 1, "number of messages")
+				check("Doomed" in errors[0], "the message names the body: %s" % errors)
+				check(("frozen" in errors[0]) == (mode == SoftBody2D.FAILURE_MODE_FREEZE), "the message tells what became of it")
+				check_equal(failing.freeze, mode == SoftBody2D.FAILURE_MODE_FREEZE, "frozen")
+				_check_sound(failing, "the body that failed")
+				check_near(failing.get_area(), failing.get_rest_area(), 1, "area of the body that failed")
+				var before := failing.global_position
+				await ticks(20)
+				check_equal(failing.global_position == before, failing.freeze, "whether the body stays where it failed")
+			for child in stage.get_children():
+				child.free()
+			await ticks(1)
+		check(ways[0] == ways[1], "another body moves in the same bits beside one that fails")

@@ -68,6 +68,12 @@ public:
 		DAMP_MODE_REPLACE,
 	};
 
+	/// What becomes of a body whose motion is no longer finite.
+	enum FailureMode {
+		FAILURE_MODE_RESET,
+		FAILURE_MODE_FREEZE,
+	};
+
 	SoftBody2D();
 	~SoftBody2D();
 
@@ -207,6 +213,10 @@ public:
 	bool is_sleeping() const;
 	void set_can_sleep(bool p_able);
 	bool is_able_to_sleep() const { return can_sleep_; }
+	void set_failure_mode(FailureMode p_mode);
+	FailureMode get_failure_mode() const { return failure_mode_; }
+	/// The core has put the body back, and frozen it if that is its mode: says so, and follows.
+	void note_failure();
 	void set_simulate_off_screen(bool p_enabled) { simulate_off_screen_ = p_enabled; }
 	bool is_simulating_off_screen() const { return simulate_off_screen_; }
 	void set_freeze_enabled(bool p_freeze);
@@ -460,6 +470,7 @@ private:
 	Vector2 constant_force_;
 	double constant_torque_ = 0;
 	bool can_sleep_ = true;
+	FailureMode failure_mode_ = FAILURE_MODE_RESET;
 	bool simulate_off_screen_ = true;
 	bool freeze_ = false;
 	Integrator integrator_ = INTEGRATOR_AUTOMATIC;
@@ -521,3 +532,4 @@ private:
 VARIANT_ENUM_CAST(SoftBody2D::Integrator);
 VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);
 VARIANT_ENUM_CAST(SoftBody2D::DampMode);
+VARIANT_ENUM_CAST(SoftBody2D::FailureMode);

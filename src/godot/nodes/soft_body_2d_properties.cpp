@@ -121,6 +121,7 @@ softbody::BodySettings SoftBody2D::make_settings(double p_mass) const {
 	settings.can_sleep = can_sleep_;
 	settings.contact_monitor = contact_monitor_;
 	settings.self_collision = self_collision_;
+	settings.failure_response = failure_mode_ == FAILURE_MODE_FREEZE ? softbody::FailureResponse::FREEZE : softbody::FailureResponse::RESET;
 	if (const softbody::SoftBodyData *found = body()) { // Of areas, too: `feel_areas` sets them.
 		settings.linear_damp = found->settings().linear_damp;
 		settings.angular_damp = found->settings().angular_damp;

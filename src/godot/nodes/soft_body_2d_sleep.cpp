@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether the node's body moves at all: sleep, freezing, and being seen.
+// Whether the node's body moves at all: sleep, freezing, being seen, and having failed.
 #include "godot/nodes/soft_body_2d.h"
 
 #include "godot/server/body_signals.h"
@@ -36,6 +36,22 @@ void SoftBody2D::set_freeze_enabled(bool p_freeze) {
 	}
 }
 
+void SoftBody2D::set_failure_mode(FailureMode p_mode) {
+	if (accept("failure_mode", softbody::check_between("failure_mode", p_mode, FAILURE_MODE_RESET, FAILURE_MODE_FREEZE, ""))) {
+		failure_mode_ = p_mode;
+		apply_settings();
+	}
+}
+
+void SoftBody2D::note_failure() {
+	String consequence = "it has its rest shape again, where it was before this tick";
+	if (failure_mode_ == FAILURE_MODE_FREEZE) {
+		freeze_ = true;
+		consequence += ", and is frozen";
+	}
+	ERR_PRINT(describe() + ": its motion became non-finite or tore it apart; " + consequence + ". Lower the stiffness or the forces, or raise the substeps.");
+}
+
 void SoftBody2D::take_sleep(softbody::BodySignals &r_signals) {
 	const softbody::SoftBodyData *found = body();
 	if (found != nullptr && found->is_asleep() != sleeping_) {
@@ -49,6 +65,8 @@ void SoftBody2D::bind_sleep() {
 	ClassDB::bind_method(D_METHOD("is_sleeping"), &SoftBody2D::is_sleeping);
 	ClassDB::bind_method(D_METHOD("set_can_sleep", "able_to_sleep"), &SoftBody2D::set_can_sleep);
 	ClassDB::bind_method(D_METHOD("is_able_to_sleep"), &SoftBody2D::is_able_to_sleep);
+	ClassDB::bind_method(D_METHOD("set_failure_mode", "mode"), &SoftBody2D::set_failure_mode);
+	ClassDB::bind_method(D_METHOD("get_failure_mode"), &SoftBody2D::get_failure_mode);
 	ClassDB::bind_method(D_METHOD("set_simulate_off_screen", "enabled"), &SoftBody2D::set_simulate_off_screen);
 	ClassDB::bind_method(D_METHOD("is_simulating_off_screen"), &SoftBody2D::is_simulating_off_screen);
 	ClassDB::bind_method(D_METHOD("set_freeze_enabled", "freeze"), &SoftBody2D::set_freeze_enabled);
@@ -59,8 +77,12 @@ void SoftBody2D::bind_sleep() {
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "can_sleep"), "set_can_sleep", "is_able_to_sleep");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "freeze"), "set_freeze_enabled", "is_freeze_enabled");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "simulate_off_screen"), "set_simulate_off_screen", "is_simulating_off_screen");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "failure_mode", PROPERTY_HINT_ENUM, "Reset,Freeze"), "set_failure_mode", "get_failure_mode");
 
 	ADD_SIGNAL(MethodInfo("sleeping_state_changed"));
+
+	BIND_ENUM_CONSTANT(FAILURE_MODE_RESET);
+	BIND_ENUM_CONSTANT(FAILURE_MODE_FREEZE);
 }
 
 } // namespace godot

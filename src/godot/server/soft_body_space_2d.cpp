@@ -146,9 +146,8 @@ void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
 	awake_body_count_ = count_awake();
 	for (const BodyId id : report.reset_bodies) {
-		if (const SoftBody2D *node = node_of(id)) {
-			ERR_PRINT(node->describe() + ": its motion became non-finite or tore it apart; it has its rest shape "
-										 "again, where it was before this tick. Lower the stiffness or the forces, or raise the substeps.");
+		if (SoftBody2D *node = node_of(id)) {
+			node->note_failure();
 		}
 	}
 	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });
