@@ -91,7 +91,8 @@ func _exit_tree() -> void:
 
 
 func _handles(object: Object) -> bool:
-	return object is SoftBody2D or (object != null and object.get_class() == "MultiNodeEdit" and not _selected().is_empty())
+	return object is SoftBody2D or (object != null and object.get_class() == "MultiNodeEdit"
+			and not _selected().is_empty())
 
 
 func _edit(object: Object) -> void:

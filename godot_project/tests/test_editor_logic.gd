@@ -38,7 +38,8 @@ func _check_fits(values: Dictionary, what: String) -> void:
 	for property in BodyValues.PROPERTIES:
 		check(BodyValues.is_same_value(body.get(property), values[property]), "%s: %s was not taken" % [what, property])
 	var warnings := "\n".join(body.get_warnings())
-	check(not "Left out" in warnings and not "refused" in warnings and not "pinned" in warnings, "%s: %s" % [what, warnings])
+	check(not "Left out" in warnings and not "refused" in warnings and not "pinned" in warnings, "%s: %s" % [what,
+			warnings])
 	body.free()
 
 
@@ -53,7 +54,8 @@ func test_the_nearest_point_and_edge_within_the_radius_are_found() -> void:
 
 
 func test_points_are_inserted_erased_moved_and_boxed() -> void:
-	check_equal(HullEdit.inserted(SQUARE, 3, Vector2(-1, 5)), PackedVector2Array(Array(SQUARE) + [Vector2(-1, 5)]), "after an insertion into the last edge")
+	check_equal(HullEdit.inserted(SQUARE, 3, Vector2(-1, 5)), PackedVector2Array(Array(SQUARE) + [Vector2(-1, 5)]),
+			"after an insertion into the last edge")
 	check_equal(HullEdit.erased(SQUARE, [0, 2]), PackedVector2Array([Vector2(10, 0), Vector2(0, 10)]), "after an erasure")
 	check_equal(HullEdit.moved(SQUARE, [1], Vector2(2, 3))[1], Vector2(12, 3), "moved point")
 	check_equal(HullEdit.points_in_box(SQUARE, Rect2(-1, -1, 12, 2)), PackedInt32Array([0, 1]), "points in a box")
@@ -122,7 +124,8 @@ func test_an_inserted_point_is_held_like_its_neighbours_and_indices_follow() -> 
 	for pair: Array in [[2, 3], [3, 4], [3, 9], [2, 9], [4, 9], [8, 10], [8, 0]]:
 		check(SpringEdit.find(joined, pair[0], pair[1]) >= 0, "points %s are joined" % [pair])
 	check_equal(joined.size() / 2, 13, "springs")
-	check_equal(after[&"spring_stiffness_scales"][SpringEdit.find(joined, 2, 3)], 3.0, "factor of a half of the divided spring")
+	check_equal(after[&"spring_stiffness_scales"][SpringEdit.find(joined, 2, 3)], 3.0,
+			"factor of a half of the divided spring")
 	check_equal(after[&"spring_stiffness_scales"][SpringEdit.find(joined, 8, 10)], 11.0, "factor of a spring that stays")
 	check_equal(after[&"pinned_points"], PackedInt32Array([1, 6, 10]), "pinned points")
 	check_equal(after[&"pin_targets"], [^"../A", ^"", ^"../B"] as Array[NodePath], "targets")
@@ -139,7 +142,8 @@ func test_factors_of_automatic_springs_stay_with_their_points() -> void:
 	var hull := SoftBody2D.make_circle_hull(50, 8)
 	var values := _values(hull, {"spring_stiffness_scales": PackedFloat32Array(range(1, 17))})
 	var old_springs := BodyValues.springs(values)
-	var after := StructureRemap.with_hull(values, HullEdit.inserted(hull, 4, (hull[4] + hull[5]) / 2), PackedInt32Array([0, 1, 2, 3, 4, -1, 5, 6, 7]))
+	var after := StructureRemap.with_hull(values, HullEdit.inserted(hull, 4, (hull[4] + hull[5]) / 2),
+			PackedInt32Array([0, 1, 2, 3, 4, -1, 5, 6, 7]))
 	_check_fits(after, "an insertion")
 	var springs := BodyValues.springs(after)
 	check_equal(after[&"spring_stiffness_scales"].size(), springs.size() / 2, "factors")
@@ -148,14 +152,17 @@ func test_factors_of_automatic_springs_stay_with_their_points() -> void:
 		var a: int = new_of[old_springs[2 * i]]
 		var b: int = new_of[old_springs[2 * i + 1]]
 		if i != 4: # the one that was divided
-			check_equal(after[&"spring_stiffness_scales"][SpringEdit.find(springs, a, b)], i + 1.0, "factor of the spring from %d to %d" % [a, b])
+			check_equal(after[&"spring_stiffness_scales"][SpringEdit.find(springs, a, b)], i + 1.0,
+					"factor of the spring from %d to %d" % [a, b])
 	for half: Array in [[4, 5], [5, 6]]:
-		check_equal(after[&"spring_stiffness_scales"][SpringEdit.find(springs, half[0], half[1])], 5.0, "factor of the half %s" % [half])
+		check_equal(after[&"spring_stiffness_scales"][SpringEdit.find(springs, half[0], half[1])], 5.0,
+				"factor of the half %s" % [half])
 
 
 func test_another_outline_takes_nothing_along_that_would_mean_nothing_and_says_so() -> void:
 	var hull := SoftBody2D.make_circle_hull(50, 8)
-	var values := _values(hull, {"inner_points": PackedVector2Array([Vector2(3, 3)]), "pinned_points": PackedInt32Array([2]),
+	var values := _values(hull, {"inner_points": PackedVector2Array([Vector2(3, 3)]),
+			"pinned_points": PackedInt32Array([2]),
 			"pin_targets": [^"../A"] as Array[NodePath]})
 	check_equal(StructureRemap.losses(values), PackedStringArray(["inner_points", "pinned_points"]), "losses")
 	_check_fits(StructureRemap.with_other_outline(values, SQUARE), "another outline")
@@ -207,7 +214,8 @@ func test_pins_keep_what_they_follow() -> void:
 
 
 func test_values_come_back_byte_for_byte() -> void:
-	var body := add_body(Vector2.ZERO, {"pinned_points": PackedInt32Array([3, 1]), "pin_targets": [^"..", ^""] as Array[NodePath]})
+	var body := add_body(Vector2.ZERO, {"pinned_points": PackedInt32Array([3, 1]), "pin_targets": [^"..",
+			^""] as Array[NodePath]})
 	var before := BodyValues.take(body)
 	BodyValues.put(body, StructureRemap.with_other_outline(before, SoftBody2D.make_box_hull(Vector2(80, 60), 20)))
 	BodyValues.put(body, before)
@@ -218,7 +226,8 @@ func test_values_come_back_byte_for_byte() -> void:
 
 func test_every_preset_makes_a_body_that_finds_its_shape_again() -> void:
 	for hull: PackedVector2Array in [SoftBody2D.make_circle_hull(50, 16), SoftBody2D.make_box_hull(Vector2(120, 60), 20),
-			PackedVector2Array([Vector2(-60, -40), Vector2(60, -40), Vector2(60, 40), Vector2(20, 40), Vector2(20, 0), Vector2(-60, 0)])]:
+			PackedVector2Array([Vector2(-60, -40), Vector2(60, -40), Vector2(60, 40), Vector2(20, 40), Vector2(20, 0),
+					Vector2(-60, 0)])]:
 		for preset: int in Presets.Preset.values():
 			var what := "preset %s of %d points" % [Presets.Preset.keys()[preset], hull.size()]
 			var after := Presets.with_preset(_values(hull, {"pinned_points": PackedInt32Array([1, hull.size()])}), preset)
@@ -262,7 +271,8 @@ func test_the_brush_is_full_in_the_middle_and_fades_evenly() -> void:
 	check_equal(brush.weight(0), 1.0, "weight in the middle")
 	check_equal(brush.weight(4.9), 1.0, "weight where it is still full")
 	check_near(brush.weight(7.5), 0.5, 1e-6, "weight half-way")
-	check_near(brush.weight(6.25), 1 - 0.25 * 0.25 * 2.5, 1e-6, "weight a quarter of the way: it begins to fade without a kink")
+	check_near(brush.weight(6.25), 1 - 0.25 * 0.25 * 2.5, 1e-6,
+			"weight a quarter of the way: it begins to fade without a kink")
 	check_equal(brush.weight(10), 0.0, "weight at the edge")
 	var last := 1.0
 	for i in 101:
@@ -283,7 +293,8 @@ func test_the_brush_paints_towards_its_factor_and_only_what_it_touches() -> void
 	check(once[0] > 1 and once[0] < 4, "painted once: %s" % once[0])
 	check_equal(once[1], 1.0, "factor of a spring that it does not touch")
 	# Two strokes of half the time do what one does.
-	var twice := brush.painted(brush.painted(factors, points, springs, Vector2(5, 0), 0.05), points, springs, Vector2(5, 0), 0.05)
+	var twice := brush.painted(brush.painted(factors, points, springs, Vector2(5, 0), 0.05), points, springs, Vector2(5,
+			0), 0.05)
 	check_near(twice[0], once[0], 1e-5, "factor after two half strokes")
 	check_equal(brush.painted(factors, points, springs, Vector2(5, 0), 10)[0], 4.0, "factor after a long stroke")
 	check_equal(factors, PackedFloat32Array([1, 1]), "what was painted on")
@@ -310,7 +321,8 @@ func test_start_shapes_have_their_sizes_and_counts_and_bad_numbers_are_told() ->
 	var hexagon := StartShapes.regular_polygon(50, 6, 3)
 	check_equal(hexagon.size(), 18, "points of a hexagon")
 	check_near(absf(HullEdit.signed_area(hexagon)), 1.5 * sqrt(3) * 2500, 1, "area of a hexagon")
-	for bad: Callable in [StartShapes.circle.bind(-1.0, 12), StartShapes.circle.bind(30.0, 2), StartShapes.circle.bind(30.0, 100000),
+	for bad: Callable in [StartShapes.circle.bind(-1.0, 12), StartShapes.circle.bind(30.0, 2),
+			StartShapes.circle.bind(30.0, 100000),
 			StartShapes.rectangle.bind(Vector2(0, 10), 5.0), StartShapes.rectangle.bind(Vector2(100, 10), 0.0),
 			StartShapes.capsule.bind(30.0, 40.0, 5.0), StartShapes.regular_polygon.bind(30.0, 2, 1)]:
 		check_equal(bad.call(), PackedVector2Array(), "outline of bad numbers")
@@ -324,11 +336,13 @@ func test_polygons_and_paths_lie_where_they_were() -> void:
 	var made := StartShapes.from_polygon(polygon, Transform2D(0, Vector2(100, 0)))
 	check_equal(made[0], Vector2(105, 0), "first point of a Polygon2D")
 	polygon.polygon = [Vector2(0, 0), Vector2(10, 10), Vector2(10, 0), Vector2(0, 10)]
-	check_equal(StartShapes.from_polygon(polygon, Transform2D.IDENTITY), PackedVector2Array(), "outline of one that crosses itself")
+	check_equal(StartShapes.from_polygon(polygon, Transform2D.IDENTITY), PackedVector2Array(),
+			"outline of one that crosses itself")
 	check("edge 0-1 meets edge 2-3." in StartShapes.last_problem, "the message: " + StartShapes.last_problem)
 	polygon.free()
 	var path := Path2D.new()
-	check_equal(StartShapes.from_path(path, Transform2D.IDENTITY, 12), PackedVector2Array(), "outline of a path without a curve")
+	check_equal(StartShapes.from_path(path, Transform2D.IDENTITY, 12), PackedVector2Array(),
+			"outline of a path without a curve")
 	path.curve = Curve2D.new()
 	for corner in SQUARE:
 		path.curve.add_point(10 * corner)
@@ -354,14 +368,17 @@ func test_simplified_outlines_keep_what_matters() -> void:
 	var circle := SoftBody2D.make_circle_hull(100, 720)
 	var few := Outline.simplified(circle, 24)
 	check_equal(few.size(), 24, "points of a circle")
-	check_above(absf(HullEdit.signed_area(few)) / absf(HullEdit.signed_area(circle)), 0.95, "share of the circle's area that is left")
+	check_above(absf(HullEdit.signed_area(few)) / absf(HullEdit.signed_area(circle)), 0.95,
+			"share of the circle's area that is left")
 	check_equal(Outline.simplified(SQUARE, 10), SQUARE, "an outline within its budget")
 
 
 func test_mirrored_and_symmetric_outlines() -> void:
 	var wedge: PackedVector2Array = [Vector2(0, 0), Vector2(30, 0), Vector2(30, 10), Vector2(0, 20)]
-	check_equal(Outline.mirrored(wedge, true, Vector2(15, 0)), PackedVector2Array([Vector2(30, 0), Vector2(0, 0), Vector2(0, 10), Vector2(30, 20)]), "mirrored")
-	check_equal(Outline.mirrored(Outline.mirrored(wedge, false, Vector2(0, 7)), false, Vector2(0, 7)), wedge, "mirrored twice")
+	check_equal(Outline.mirrored(wedge, true, Vector2(15, 0)), PackedVector2Array([Vector2(30, 0), Vector2(0, 0),
+			Vector2(0, 10), Vector2(30, 20)]), "mirrored")
+	check_equal(Outline.mirrored(Outline.mirrored(wedge, false, Vector2(0, 7)), false, Vector2(0, 7)), wedge,
+			"mirrored twice")
 	var symmetric := Outline.symmetric(wedge, true, Vector2(15, 10), -1)
 	check_near(absf(HullEdit.signed_area(symmetric)), 2 * (15 * 15 + 15 * 5 / 2.0), 0.5, "area of a left half twice")
 	check_equal(SoftBody2D.get_hull_problem(symmetric), "", "problem of the symmetric outline")

@@ -41,7 +41,8 @@ func test_the_report_says_what_the_plan_says_and_what_the_body_then_does() -> vo
 
 
 func test_the_advised_stiffness_holds_and_the_present_one_does_not() -> void:
-	for properties: Dictionary in [{}, {"scale": Vector2(3, 3)}, {"mass": 10.0}, {"center_point": false, "shape_matching": 0.6},
+	for properties: Dictionary in [{}, {"scale": Vector2(3, 3)}, {"mass": 10.0}, {"center_point": false,
+			"shape_matching": 0.6},
 			{"inner_points": PackedVector2Array([Vector2(20, 0), Vector2(-20, 0), Vector2(0, 20), Vector2(0, -20)])}]:
 		var body := add_body(Vector2.ZERO, {"stiffness": 2.0}.merged(properties))
 		var before := body.get_stability_report(LONG)
@@ -57,7 +58,8 @@ func test_the_advised_stiffness_holds_and_the_present_one_does_not() -> void:
 
 func test_substeps_that_are_too_many_or_too_few_are_told_of() -> void:
 	var body := add_body(Vector2.ZERO, {"substeps": 40})
-	check_equal(_advice_for(body).get(&"substeps"), body.get_stability_report(LONG)["automatic_substeps"], "advised substeps")
+	check_equal(_advice_for(body).get(&"substeps"), body.get_stability_report(LONG)["automatic_substeps"],
+			"advised substeps")
 	body.substeps = 1
 	body.stiffness = 2000
 	check(not body.get_stability_report(LONG)["safe"], "one substep is not stable")
@@ -188,13 +190,15 @@ func test_bodies_of_a_preview_collide_and_hulls_of_either_winding_keep_their_ord
 	var preview := SoftBodyPreview2D.new()
 	preview.add_body(lower)
 	preview.add_body(upper)
-	check_points_near(preview.get_hull(1), upper.get_global_transform() * reversed, 0.01, "hull of a body that winds the other way")
+	check_points_near(preview.get_hull(1), upper.get_global_transform() * reversed, 0.01,
+			"hull of a body that winds the other way")
 	preview.add_floor(Vector2(0, 100))
 	preview.add_floor(Vector2(-60, 0), Vector2(1, 0))
 	preview.add_floor(Vector2(64, 0), Vector2(-1, 0))
 	for i in 200:
 		preview.step(1.0 / 60)
-	check_below(bounds_of(preview.get_hull(1)).get_center().y, bounds_of(preview.get_hull(0)).get_center().y - 60, "height of the upper one")
+	check_below(bounds_of(preview.get_hull(1)).get_center().y, bounds_of(preview.get_hull(0)).get_center().y - 60,
+			"height of the upper one")
 
 
 func test_previews_refuse_what_they_cannot_do() -> void:
@@ -202,7 +206,8 @@ func test_previews_refuse_what_they_cannot_do() -> void:
 	check_refused(func() -> void: preview.add_body(null), ["null"], "no body")
 	check_refused(func() -> void: preview.step(0), ["step refused"], "no time")
 	check_refused(func() -> void: preview.get_hull(3), ["0 bodies"], "a body that is not there")
-	check_refused(func() -> void: preview.add_floor(Vector2.ZERO, Vector2.ZERO), ["floor refused"], "a floor without a direction")
+	check_refused(func() -> void: preview.add_floor(Vector2.ZERO, Vector2.ZERO), ["floor refused"],
+			"a floor without a direction")
 	check_refused(func() -> void: preview.get_grabbed_position(), ["no point"], "nothing grabbed")
 
 

@@ -31,7 +31,8 @@ func test_a_disk_is_traced_within_its_budget() -> void:
 	for budget: int in [8, 16, 48]:
 		var trace := _traced(_disk(100, 40), budget)
 		check_equal(trace.problem, "", "problem")
-		check(trace.outline.size() <= budget and trace.outline.size() >= 3, "%d points of %d" % [trace.outline.size(), budget])
+		check(trace.outline.size() <= budget and trace.outline.size() >= 3, "%d points of %d" % [trace.outline.size(),
+				budget])
 		check_equal(SoftBody2D.get_hull_problem(trace.outline), "", "what keeps it from being a hull")
 		# An inscribed regular polygon of n corners; pixels' corners stand out by up to one.
 		var polygon := budget / 2.0 * sin(TAU / budget) * 1600
@@ -39,7 +40,8 @@ func test_a_disk_is_traced_within_its_budget() -> void:
 		check_near(HullEdit.bounds(trace.outline).get_center(), Vector2(50, 50), 3, "middle")
 		check_equal(trace.islands, 1, "islands")
 		for i in trace.outline.size():
-			check_above(trace.outline[i].distance_to(trace.outline[i - 1]), 0.2 * TAU * 40 / budget, "distance of two points of %d" % budget)
+			check_above(trace.outline[i].distance_to(trace.outline[i - 1]), 0.2 * TAU * 40 / budget,
+					"distance of two points of %d" % budget)
 
 
 func test_an_outline_can_be_grown() -> void:
@@ -71,13 +73,16 @@ func test_thin_arms_and_a_single_pixel_give_a_hull_or_a_message() -> void:
 		return from_middle.length() < 12 + 44 * pow(absf(cos(2.5 * from_middle.angle())), 12))
 	for budget: int in [3, 6, 12, 40]:
 		var trace := _traced(star, budget)
-		check((trace.problem == "") == (SoftBody2D.get_hull_problem(trace.outline) == ""), "%d points: %s" % [budget, trace.problem])
+		check((trace.problem == "") == (SoftBody2D.get_hull_problem(trace.outline) == ""), "%d points: %s" % [budget,
+				trace.problem])
 	var dot := Image.create(8, 8, false, Image.FORMAT_RGBA8)
 	dot.set_pixel(3, 3, Color.WHITE)
 	var tiny := _traced(dot, 16)
 	check(tiny.problem != "" or SoftBody2D.get_hull_problem(tiny.outline) == "", "one pixel: %s" % tiny.problem)
-	var chequered := _traced(_picture(Vector2i(32, 32), func(p: Vector2) -> bool: return (int(p.x) + int(p.y)) % 2 == 0), 32)
-	check(chequered.problem != "" or SoftBody2D.get_hull_problem(chequered.outline) == "", "a chequered picture: %s" % chequered.problem)
+	var chequered := _traced(_picture(Vector2i(32, 32), func(p: Vector2) -> bool: return (int(p.x) + int(p.y)) % 2 == 0),
+			32)
+	check(chequered.problem != "" or SoftBody2D.get_hull_problem(chequered.outline) == "",
+			"a chequered picture: %s" % chequered.problem)
 
 
 func test_large_pictures_are_traced_as_exactly_as_it_takes_and_say_how_far_they_are() -> void:
@@ -115,8 +120,11 @@ func test_frames_regions_and_flips_of_a_sprite_lie_where_they_are_seen() -> void
 	sprite.offset = Vector2(3, 0)
 	check_equal(SpriteOutline.part_of(sprite), Rect2(20, 0, 20, 20), "part of the texture")
 	check_equal(SpriteOutline.picture_of(sprite).get_used_rect(), Rect2i(0, 0, 8, 10), "opaque part of the frame")
-	check_equal(SpriteOutline.to_local(sprite, [Vector2(0, 0), Vector2(8, 10)]), PackedVector2Array([Vector2(-7, -10), Vector2(1, 0)]), "places in the sprite")
+	check_equal(SpriteOutline.to_local(sprite, [Vector2(0, 0), Vector2(8, 10)]), PackedVector2Array([Vector2(-7, -10),
+			Vector2(1, 0)]), "places in the sprite")
 	sprite.flip_h = true
-	check_equal(SpriteOutline.to_local(sprite, [Vector2(0, 0)]), PackedVector2Array([Vector2(13, -10)]), "place when it is flipped")
-	check_equal(SpriteOutline.to_texture(sprite, [Vector2(8, 10)]), PackedVector2Array([Vector2(28, 10)]), "place in the texture")
+	check_equal(SpriteOutline.to_local(sprite, [Vector2(0, 0)]), PackedVector2Array([Vector2(13, -10)]),
+			"place when it is flipped")
+	check_equal(SpriteOutline.to_texture(sprite, [Vector2(8, 10)]), PackedVector2Array([Vector2(28, 10)]),
+			"place in the texture")
 	sprite.free()

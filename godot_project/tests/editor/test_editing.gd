@@ -111,7 +111,8 @@ func test_a_node_that_is_added_and_edited_is_saved_and_comes_back() -> void:
 	plugin.set_mode(3)
 	await click(hull_on_screen(4), MOUSE_BUTTON_RIGHT)
 	var before := values()
-	check_equal([body.hull.size(), body.pinned_points.size(), body.spring_stiffness_scales.size()], [17, 1, 34], "points, pins and factors")
+	check_equal([body.hull.size(), body.pinned_points.size(), body.spring_stiffness_scales.size()], [17, 1, 34],
+			"points, pins and factors")
 	await save_and_reload()
 	for property: StringName in BodyValues.PROPERTIES:
 		check_equal(body.get(property), before[property], "%s after loading" % property)
@@ -304,7 +305,8 @@ func _trace(image: Image) -> void:
 	plugin.shapes.run(&"sprite_2d", {"count": 24, "threshold": 0.5, "margin": 0.0}, _sprite(image))
 	for i in 600:
 		await frames(1)
-		if not is_instance_valid(plugin.shapes.job) and (plugin.canvas.last_message != "" or history().get_version() > version):
+		if not is_instance_valid(plugin.shapes.job) and (plugin.canvas.last_message != ""
+				or history().get_version() > version):
 			break
 
 
@@ -313,7 +315,8 @@ func test_bad_pictures_are_told_of_and_large_ones_show_how_far_they_are() -> voi
 	var before := values()
 	var version := history().get_version()
 	await _trace(Image.create(64, 64, false, Image.FORMAT_RGBA8))
-	check("no opaque pixel" in plugin.canvas.last_message, "the message of an empty picture: " + plugin.canvas.last_message)
+	check("no opaque pixel" in plugin.canvas.last_message,
+			"the message of an empty picture: " + plugin.canvas.last_message)
 	check(bytes(body) == _bytes_of(before), "the body is as it was")
 	check_equal(history().get_version(), version, "steps of undo")
 	var islands := Image.create(64, 64, false, Image.FORMAT_RGBA8)
@@ -334,7 +337,8 @@ func test_bad_pictures_are_told_of_and_large_ones_show_how_far_they_are() -> voi
 		await frames(1)
 	check(seen, "a bar shows how far it is")
 	check_equal(history().get_version(), version + 2, "steps of undo after a picture of 4096 pixels")
-	check_near(preload("res://addons/soft_body_2d/editor/logic/hull_edit.gd").bounds(body.hull).size, Vector2(3000, 2000), 10, "size of its outline")
+	check_near(preload("res://addons/soft_body_2d/editor/logic/hull_edit.gd").bounds(body.hull).size, Vector2(3000,
+			2000), 10, "size of its outline")
 
 
 func test_menus_ask_and_do_what_they_say() -> void:
@@ -350,7 +354,8 @@ func test_menus_ask_and_do_what_they_say() -> void:
 	dialog.get_ok_button().pressed.emit()
 	await frames(2)
 	check_equal(body.hull.size(), 24, "points")
-	check("spring_stiffness_scales" in plugin.canvas.last_message, "the message names what is gone: " + plugin.canvas.last_message)
+	check("spring_stiffness_scales" in plugin.canvas.last_message,
+			"the message names what is gone: " + plugin.canvas.last_message)
 	await check_one_step(before, version, "a start shape")
 	before = values()
 	version = history().get_version()
@@ -368,4 +373,5 @@ func test_menus_ask_and_do_what_they_say() -> void:
 	plugin.toolbar.help_button.pressed.emit()
 	await frames(10)
 	var help := EditorInterface.get_script_editor().find_children("*", "EditorHelp", true, false)
-	check(help.any(func(page: Control) -> bool: return page.name == "SoftBody2D"), "the class reference is open: %s" % [help])
+	check(help.any(func(page: Control) -> bool: return page.name == "SoftBody2D"),
+			"the class reference is open: %s" % [help])

@@ -201,7 +201,8 @@ func test_several_bodies_are_edited_together() -> void:
 	other.stiffness = 90
 	await frames(3)
 	var panel: Control = plugin.inspector.panel
-	if not check(is_instance_valid(panel) and panel.is_inside_tree() and panel._bodies.size() == 2, "the inspector shows a panel of both"):
+	if not check(is_instance_valid(panel) and panel.is_inside_tree() and panel._bodies.size() == 2,
+			"the inspector shows a panel of both"):
 		return
 	panel.refresh()
 	version = history().get_version()

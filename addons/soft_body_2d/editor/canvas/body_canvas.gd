@@ -139,7 +139,8 @@ func _tell_inheritance(body: SoftBody2D) -> void:
 	elif body.scene_file_path == "" and body.owner != null and body.owner != root:
 		inherited = body.owner.scene_file_path
 	if inherited != "":
-		tell(Words.say("'%s' comes from %s: what you change is kept in this scene, over what it says there.") % [body.name, inherited.get_file()])
+		tell(Words.say("'%s' comes from %s: what you change is kept in this scene, over what it says there.") % [body.name,
+				inherited.get_file()])
 
 
 func _inherited_state(root: Node) -> SceneState:
@@ -229,7 +230,8 @@ func draw_text(overlay: Control, place: Vector2, text: String, color: Color) -> 
 	var size: int = overlay.get_theme_font_size(&"main_size", &"EditorFonts")
 	var width := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, size).x
 	place.x = clampf(place.x, 4 * scale(), maxf(4 * scale(), overlay.size.x - width - 8 * scale()))
-	overlay.draw_string_outline(font, place, text, HORIZONTAL_ALIGNMENT_LEFT, -1, size, roundi(4 * scale()), Color(0, 0, 0, 0.7))
+	overlay.draw_string_outline(font, place, text, HORIZONTAL_ALIGNMENT_LEFT, -1, size, roundi(4 * scale()), Color(0, 0,
+			0, 0.7))
 	overlay.draw_string(font, place, text, HORIZONTAL_ALIGNMENT_LEFT, -1, size, color)
 
 

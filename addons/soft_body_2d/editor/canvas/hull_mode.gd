@@ -303,7 +303,8 @@ func _move(event: InputEventMouseMotion) -> bool:
 		Drag.SCALE:
 			var corners := SelectionBox.corners(_begin_box)
 			var anchor := _begin_box.get_center() if event.alt_pressed else corners[(_corner + 2) % 4]
-			_transform_on_screen(SelectionBox.scale_about(anchor, corners[_corner], canvas.snapped_on_screen(canvas.bodies[0], event.position), event.shift_pressed))
+			_transform_on_screen(SelectionBox.scale_about(anchor, corners[_corner], canvas.snapped_on_screen(canvas.bodies[0],
+					event.position), event.shift_pressed))
 	return true
 
 
@@ -480,7 +481,8 @@ func _draw_selection_box(overlay: Control) -> void:
 func _draw_drawing(overlay: Control) -> void:
 	var body := canvas.bodies[0]
 	if drawing.is_empty() or not canvas.is_editable(body):
-		canvas.draw_text(overlay, Vector2(48, 96) * canvas.scale(), Words.say("Click to place points; click the first again to close."), BodyCanvas.SELECTED)
+		canvas.draw_text(overlay, Vector2(48, 96) * canvas.scale(),
+				Words.say("Click to place points; click the first again to close."), BodyCanvas.SELECTED)
 		return
 	var points := canvas.to_screen(body) * drawing
 	var line := points.duplicate()

@@ -42,7 +42,8 @@ func input(event: InputEvent) -> bool:
 		if is_boxing():
 			for body in canvas.bodies:
 				if canvas.is_editable(body):
-					selection.add(body, HullEdit.points_in_box(canvas.to_screen(body) * BodyValues.points(BodyValues.take(body)), box()))
+					selection.add(body, HullEdit.points_in_box(canvas.to_screen(body) * BodyValues.points(BodyValues.take(body)),
+							box()))
 			box_from = Vector2.INF
 			canvas.changed.emit()
 			canvas.redraw()
@@ -130,7 +131,8 @@ func _draw_body(overlay: Control, body: SoftBody2D) -> void:
 		if pinned:
 			var target := body.get_node_or_null(body.get_pin_target(i)) as Node2D if body.get_pin_target(i) != NodePath() else null
 			if target != null:
-				overlay.draw_dashed_line(points[i], canvas.scene_to_screen(body) * target.global_position, PIN, canvas.scale(), 6 * canvas.scale())
+				overlay.draw_dashed_line(points[i], canvas.scene_to_screen(body) * target.global_position, PIN, canvas.scale(),
+						6 * canvas.scale())
 			_draw_pin(overlay, points[i], PIN if body.get_pin_target(i) == NodePath() or target != null else BodyCanvas.BAD)
 		var color := BodyCanvas.SELECTED if selection.has(body, i) else (PIN if pinned else BodyCanvas.LINE)
 		canvas.draw_point(overlay, points[i], color, selection.has(body, i) or _hover == [body, i])

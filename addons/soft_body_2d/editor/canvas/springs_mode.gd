@@ -249,7 +249,8 @@ func _find_spring(place: Vector2) -> Array:
 func draw(overlay: Control) -> void:
 	_palette.clear()
 	for body in canvas.bodies:
-		_palette.include(body.stiffness if body.soft_body_material == null else body.soft_body_material.stiffness, body.spring_stiffness_scales)
+		_palette.include(body.stiffness if body.soft_body_material == null else body.soft_body_material.stiffness,
+				body.spring_stiffness_scales)
 	for body in canvas.bodies:
 		if canvas.is_editable(body):
 			_draw_body(overlay, body)
@@ -260,7 +261,8 @@ func draw(overlay: Control) -> void:
 	if tool == Tool.BRUSH and _mouse != Vector2.INF and not canvas.bodies.is_empty():
 		var radius: float = brush.radius * canvas.scene_to_screen(canvas.bodies[0]).get_scale().x
 		overlay.draw_arc(_mouse, radius, 0, TAU, 48, BodyCanvas.SELECTED, canvas.scale(), true)
-		overlay.draw_arc(_mouse, radius * (1 - brush.falloff), 0, TAU, 48, Color(BodyCanvas.SELECTED, 0.5), canvas.scale(), true)
+		overlay.draw_arc(_mouse, radius * (1 - brush.falloff), 0, TAU, 48, Color(BodyCanvas.SELECTED, 0.5), canvas.scale(),
+				true)
 
 
 func _draw_body(overlay: Control, body: SoftBody2D) -> void:
@@ -302,4 +304,5 @@ func _draw_legend(overlay: Control) -> void:
 		overlay.draw_rect(part, _palette.ramp((i + 0.5) / STEPS))
 	var below := bar.position + Vector2(0, bar.size.y + 16 * canvas.scale())
 	canvas.draw_text(overlay, below, Advice.number(_palette.least), BodyCanvas.SELECTED)
-	canvas.draw_text(overlay, below + Vector2(bar.size.x - 60 * canvas.scale(), 0), "%s N/m" % Advice.number(_palette.most), BodyCanvas.SELECTED)
+	canvas.draw_text(overlay, below + Vector2(bar.size.x - 60 * canvas.scale(), 0),
+			"%s N/m" % Advice.number(_palette.most), BodyCanvas.SELECTED)

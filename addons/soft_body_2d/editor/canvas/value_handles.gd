@@ -42,7 +42,8 @@ static func radius_of(hull: PackedVector2Array) -> float:
 static func with_radius(hull: PackedVector2Array, radius: float) -> PackedVector2Array:
 	var center := HullEdit.mean(hull)
 	var factor := maxf(radius, LEAST_RADIUS) / maxf(radius_of(hull), 1e-6)
-	return Transform2D(0, center) * Transform2D(0, Vector2(factor, factor), 0, Vector2.ZERO) * Transform2D(0, -center) * hull
+	return Transform2D(0, center) * Transform2D(0, Vector2(factor, factor), 0, Vector2.ZERO) * Transform2D(0,
+			-center) * hull
 
 
 func press(place: Vector2) -> bool:
@@ -83,7 +84,8 @@ func drag(place: Vector2) -> void:
 				if not _before[body][&"inner_points"].is_empty():
 					var real := radius_of(resized) / radius_of(_before[body][&"hull"])
 					var middle := HullEdit.mean(resized)
-					body.inner_points = Transform2D(0, middle) * Transform2D(0, Vector2(real, real), 0, Vector2.ZERO) * Transform2D(0, -middle) * (_before[body][&"inner_points"] as PackedVector2Array)
+					body.inner_points = Transform2D(0, middle) * Transform2D(0, Vector2(real, real), 0,
+							Vector2.ZERO) * Transform2D(0, -middle) * (_before[body][&"inner_points"] as PackedVector2Array)
 		_text = Words.say("radius %s px") % Advice.number(radius_of(_body.hull))
 	elif _kind == Kind.PRESSURE:
 		var unit := 2 * _body.stiffness / (ARROW * _canvas.scale())
@@ -139,7 +141,8 @@ func draw(overlay: Control) -> void:
 		var foot := _top(body)
 		overlay.draw_line(foot, tip, color, 2 * _canvas.scale(), true)
 		var head := 6 * _canvas.scale()
-		overlay.draw_colored_polygon([tip + Vector2(0, -head), tip + Vector2(-head, head / 2), tip + Vector2(head, head / 2)], color)
+		overlay.draw_colored_polygon([tip + Vector2(0, -head), tip + Vector2(-head, head / 2), tip + Vector2(head,
+				head / 2)], color)
 		if _body == body and _kind != Kind.NONE:
 			var place := radius_place if _kind == Kind.RADIUS else tip
 			_canvas.draw_text(overlay, place + Vector2(14, 4) * _canvas.scale(), _text, BodyCanvas.SELECTED)

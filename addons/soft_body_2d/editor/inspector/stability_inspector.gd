@@ -12,7 +12,8 @@ var panel: StabilityPanel
 
 
 func _can_handle(object: Object) -> bool:
-	return object is SoftBody2D or (object != null and object.get_class() == "MultiNodeEdit" and not _selected().is_empty())
+	return object is SoftBody2D or (object != null and object.get_class() == "MultiNodeEdit"
+			and not _selected().is_empty())
 
 
 func _parse_begin(object: Object) -> void:

@@ -61,7 +61,8 @@ func _look() -> void:
 				body.gravity_scale, body.integrator, body.substeps, body.collision_mask, body.global_transform.x,
 				body.global_transform.y])
 		var source: Object = body if body.soft_body_material == null else body.soft_body_material
-		for property: StringName in [&"stiffness", &"damping", &"shape_matching", &"shape_damping", &"pressure", &"inflation"]:
+		for property: StringName in [&"stiffness", &"damping", &"shape_matching", &"shape_damping", &"pressure",
+				&"inflation"]:
 			values.append(source.get(property))
 	values.append(Engine.physics_ticks_per_second)
 	var known := hash(values)

@@ -47,7 +47,8 @@ static func simplified(outline: PackedVector2Array, budget: int) -> PackedVector
 			start = i
 	var far := 0 # counted from there, as all that follows
 	for i in count:
-		if _at(outline, start + i).distance_squared_to(outline[start]) > _at(outline, start + far).distance_squared_to(outline[start]):
+		if _at(outline, start + i).distance_squared_to(outline[start]) > _at(outline,
+				start + far).distance_squared_to(outline[start]):
 			far = i
 	var worth := PackedFloat64Array()
 	worth.resize(count)
@@ -92,7 +93,8 @@ static func _at(outline: PackedVector2Array, index: int) -> Vector2:
 static func mirrored(points: PackedVector2Array, horizontally: bool, about: Vector2) -> PackedVector2Array:
 	var result := points.duplicate()
 	for i in points.size():
-		result[i] = Vector2(2 * about.x - points[i].x, points[i].y) if horizontally else Vector2(points[i].x, 2 * about.y - points[i].y)
+		result[i] = Vector2(2 * about.x - points[i].x, points[i].y) if horizontally else Vector2(points[i].x,
+				2 * about.y - points[i].y)
 	return result
 
 
@@ -107,7 +109,8 @@ static func symmetric(outline: PackedVector2Array, horizontally: bool, about: Ve
 	else:
 		half = Rect2(box.position.x, about.y, box.size.x, box.end.y - about.y) if side > 0 \
 				else Rect2(box.position.x, box.position.y, box.size.x, about.y - box.position.y)
-	var clip := PackedVector2Array([half.position, Vector2(half.end.x, half.position.y), half.end, Vector2(half.position.x, half.end.y)])
+	var clip := PackedVector2Array([half.position, Vector2(half.end.x, half.position.y), half.end,
+			Vector2(half.position.x, half.end.y)])
 	var parts := Geometry2D.intersect_polygons(outline, clip)
 	if parts.size() != 1:
 		return PackedVector2Array()

@@ -51,7 +51,8 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 			Level.BAD if unstable else (Level.FAIR if stiff else Level.GOOD),
 			say.call("An upper bound of the body's fastest oscillation. It grows with the square root of stiffness over the mass of a point.")))
 	found.append(Row.new(say.call("Substeps"), say.call("%d (%s)") % [report["substeps"], say.call(reason_text(reason))],
-			Level.BAD if unstable else (Level.FAIR if stiff or report["substeps"] > report["automatic_substeps"] else Level.GOOD),
+			Level.BAD if unstable else (Level.FAIR if stiff
+					or report["substeps"] > report["automatic_substeps"] else Level.GOOD),
 			say.call("Into how many parts a physics tick is divided for this body.")))
 	var margin: float = report["stability_margin"]
 	found.append(Row.new(say.call("Margin"), say.call("unlimited") if is_inf(margin) else "%s ×" % number(margin),
@@ -103,7 +104,8 @@ static func advice(report: Dictionary, own: Dictionary, say: Callable) -> Array[
 		var damping: float = own["damping"]
 		# What is painted on single springs stays: the node's own value makes up for it.
 		var least := rounded_up(report["least_damping"] * (damping / report["damping"] if report["damping"] > 0 else 1.0))
-		found.append(Advice.new(say.call("Damping %s lets strong deformations ring: use ≥ %s") % [number(damping), number(least)],
+		found.append(Advice.new(say.call("Damping %s lets strong deformations ring: use ≥ %s") % [number(damping),
+				number(least)],
 				{&"damping": least}))
 	return found
 

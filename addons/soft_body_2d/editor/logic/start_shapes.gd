@@ -59,7 +59,8 @@ static func from_polygon(polygon: Polygon2D, to_body: Transform2D) -> PackedVect
 
 ## The curve of a Path2D, closed, with `count` points at even distances.
 static func from_path(path: Path2D, to_body: Transform2D, count: int) -> PackedVector2Array:
-	if not _check(path.curve != null and path.curve.point_count >= 2, Words.say("The Path2D has no curve: it needs at least 2 points.")) \
+	if not _check(path.curve != null and path.curve.point_count >= 2,
+			Words.say("The Path2D has no curve: it needs at least 2 points.")) \
 			or not _check_count(count):
 		return PackedVector2Array()
 	return _checked(Outline.resampled(Outline.without_repeats(to_body * path.curve.tessellate()), count))
@@ -76,7 +77,8 @@ static func _check_count(count: int) -> bool:
 
 
 static func _check_spacing(length: float, spacing: float) -> bool:
-	return _check(spacing > 0 and length / spacing <= MOST_POINTS - 8, Words.say("The distance between points is too small: more than %d points.") % MOST_POINTS)
+	return _check(spacing > 0 and length / spacing <= MOST_POINTS - 8,
+			Words.say("The distance between points is too small: more than %d points.") % MOST_POINTS)
 
 
 static func _check(condition: bool, problem: String) -> bool:

@@ -126,7 +126,8 @@ static func _share(hull: PackedVector2Array, beside: Vector2i, place: Vector2) -
 	return clampf((place - hull[beside.x]).dot(edge) / square, 0, 1) if square > 0 else 0.5
 
 
-static func _remap_springs(values: Dictionary, after: Dictionary, new_points: Dictionary, old_points: PackedInt32Array) -> void:
+static func _remap_springs(values: Dictionary, after: Dictionary, new_points: Dictionary,
+		old_points: PackedInt32Array) -> void:
 	var old: PackedInt32Array = values[&"springs"]
 	var springs := PackedInt32Array()
 	var sources := PackedInt32Array() # the old spring that a new one takes after

@@ -82,7 +82,8 @@ func trace(picture: Image, budget: int, threshold := 0.5, margin := 0.0) -> void
 
 func _readable(picture: Image) -> Image:
 	var work := picture
-	if picture.is_compressed() or picture.get_format() != Image.FORMAT_RGBA8 or maxi(picture.get_width(), picture.get_height()) > LONGEST_SIDE:
+	if picture.is_compressed() or picture.get_format() != Image.FORMAT_RGBA8 or maxi(picture.get_width(),
+			picture.get_height()) > LONGEST_SIDE:
 		work = picture.duplicate()
 	if work.is_compressed() and work.decompress() != OK:
 		problem = Words.say("The picture is compressed in a way that cannot be read here. Import it as lossless.")
@@ -91,7 +92,8 @@ func _readable(picture: Image) -> Image:
 	if maxi(work.get_width(), work.get_height()) > LONGEST_SIDE:
 		var shrink := float(LONGEST_SIDE) / maxi(work.get_width(), work.get_height())
 		work.clear_mipmaps()
-		work.resize(maxi(1, roundi(work.get_width() * shrink)), maxi(1, roundi(work.get_height() * shrink)), Image.INTERPOLATE_BILINEAR)
+		work.resize(maxi(1, roundi(work.get_width() * shrink)), maxi(1, roundi(work.get_height() * shrink)),
+				Image.INTERPOLATE_BILINEAR)
 	return work
 
 

@@ -135,9 +135,11 @@ func draw(overlay: Control) -> void:
 		return
 	var view := canvas.scene_to_screen(_played_bodies[0])
 	var floor_place := view * Vector2(0, floor_y)
-	overlay.draw_line(Vector2(0, floor_place.y), Vector2(overlay.size.x, floor_place.y), Color(BodyCanvas.SELECTED, 0.8), 2 * canvas.scale())
+	overlay.draw_line(Vector2(0, floor_place.y), Vector2(overlay.size.x, floor_place.y), Color(BodyCanvas.SELECTED, 0.8),
+			2 * canvas.scale())
 	for x in range(0, int(overlay.size.x), int(24 * canvas.scale())):
-		overlay.draw_line(Vector2(x, floor_place.y + 10 * canvas.scale()), Vector2(x + 10 * canvas.scale(), floor_place.y), Color(BodyCanvas.SELECTED, 0.35), canvas.scale())
+		overlay.draw_line(Vector2(x, floor_place.y + 10 * canvas.scale()), Vector2(x + 10 * canvas.scale(), floor_place.y),
+				Color(BodyCanvas.SELECTED, 0.35), canvas.scale())
 	for i in _played_bodies.size():
 		var body := _played_bodies[i]
 		var hull := view * world.get_hull(i)

@@ -14,8 +14,10 @@ static func of(name: String, theme: Theme) -> Texture2D:
 	var svg := FileAccess.get_file_as_string(FOLDER.path_join(name + ".svg"))
 	if svg == "":
 		return null
-	var is_dark := not theme.has_color(&"font_color", &"Editor") or theme.get_color(&"font_color", &"Editor").get_luminance() > 0.5
+	var is_dark := not theme.has_color(&"font_color", &"Editor") or theme.get_color(&"font_color",
+			&"Editor").get_luminance() > 0.5
 	var image := Image.new()
-	if image.load_svg_from_string(svg if is_dark else svg.replace(INK, INK_ON_LIGHT), EditorInterface.get_editor_scale()) != OK:
+	if image.load_svg_from_string(svg if is_dark else svg.replace(INK, INK_ON_LIGHT),
+			EditorInterface.get_editor_scale()) != OK:
 		return null
 	return ImageTexture.create_from_image(image)

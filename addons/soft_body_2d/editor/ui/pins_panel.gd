@@ -24,10 +24,14 @@ func set_up(mode: PinsMode) -> void:
 	title.theme_type_variation = &"HeaderSmall"
 	add_child(title)
 	add_child(_count)
-	pin_button = _add_button(Words.say("Pin"), Words.say("Hold the selected points where they are. Right-click or double-click pins a single one."), _mode.pin_selected.bind(true))
-	unpin_button = _add_button(Words.say("Unpin"), Words.say("Let the selected points go."), _mode.pin_selected.bind(false))
-	assign_button = _add_button(Words.say("Follow Node…"), Words.say("Pin the selected points to a node: they keep their places beside it."), _choose_node)
-	_add_button(Words.say("Follow the World"), Words.say("The selected points stay where they are."), _mode.assign_selected.bind(null))
+	pin_button = _add_button(Words.say("Pin"),
+			Words.say("Hold the selected points where they are. Right-click or double-click pins a single one."), _mode.pin_selected.bind(true))
+	unpin_button = _add_button(Words.say("Unpin"), Words.say("Let the selected points go."),
+			_mode.pin_selected.bind(false))
+	assign_button = _add_button(Words.say("Follow Node…"),
+			Words.say("Pin the selected points to a node: they keep their places beside it."), _choose_node)
+	_add_button(Words.say("Follow the World"), Words.say("The selected points stay where they are."),
+			_mode.assign_selected.bind(null))
 	_list.size_flags_vertical = SIZE_EXPAND_FILL
 	_list.custom_minimum_size.y = 120 * EditorInterface.get_editor_scale()
 	_list.select_mode = ItemList.SELECT_MULTI

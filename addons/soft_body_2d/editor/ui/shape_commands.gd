@@ -45,7 +45,8 @@ func choose(shape: StringName, title: String) -> void:
 			return
 		var defaults := {}
 		if shape == &"circle":
-			defaults = {"radius": snappedf(ValueHandles.radius_of(canvas.bodies[0].hull), 0.5), "count": canvas.bodies[0].hull.size()}
+			defaults = {"radius": snappedf(ValueHandles.radius_of(canvas.bodies[0].hull), 0.5),
+					"count": canvas.bodies[0].hull.size()}
 		elif shape == &"resample":
 			defaults = {"count": canvas.bodies[0].hull.size()}
 		dialog.ask(shape, title, defaults)
@@ -108,9 +109,11 @@ func _make(shape: StringName, values: Dictionary, body: SoftBody2D, before: Dict
 		&"regular_polygon":
 			outline = StartShapes.regular_polygon(values["radius"], int(values["sides"]), int(values["per_side"]))
 		&"polygon_2d":
-			outline = StartShapes.from_polygon(source as Polygon2D, body.get_global_transform().affine_inverse() * source.get_global_transform())
+			outline = StartShapes.from_polygon(source as Polygon2D,
+					body.get_global_transform().affine_inverse() * source.get_global_transform())
 		&"path_2d":
-			outline = StartShapes.from_path(source as Path2D, body.get_global_transform().affine_inverse() * source.get_global_transform(), int(values["count"]))
+			outline = StartShapes.from_path(source as Path2D,
+					body.get_global_transform().affine_inverse() * source.get_global_transform(), int(values["count"]))
 		&"resample":
 			outline = Outline.resampled(hull, int(values["count"]))
 		&"mirror_horizontally", &"mirror_vertically":

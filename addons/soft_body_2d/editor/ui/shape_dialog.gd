@@ -8,13 +8,18 @@ const Words := preload("../logic/words.gd")
 ## Of each shape its fields: name, label, least, most, step, default.
 const FIELDS := {
 	&"circle": [["radius", "Radius (px)", 1, 10000, 0.5, 50], ["count", "Points", 3, 4096, 1, 16]],
-	&"rectangle": [["width", "Width (px)", 1, 10000, 0.5, 100], ["height", "Height (px)", 1, 10000, 0.5, 60], ["spacing", "Distance of points (px)", 1, 1000, 0.5, 20]],
-	&"capsule": [["radius", "Radius (px)", 1, 10000, 0.5, 30], ["height", "Height (px)", 2, 20000, 0.5, 120], ["spacing", "Distance of points (px)", 1, 1000, 0.5, 16]],
-	&"regular_polygon": [["radius", "Radius (px)", 1, 10000, 0.5, 50], ["sides", "Sides", 3, 256, 1, 6], ["per_side", "Pieces per side", 1, 64, 1, 3]],
+	&"rectangle": [["width", "Width (px)", 1, 10000, 0.5, 100], ["height", "Height (px)", 1, 10000, 0.5, 60], ["spacing",
+			"Distance of points (px)", 1, 1000, 0.5, 20]],
+	&"capsule": [["radius", "Radius (px)", 1, 10000, 0.5, 30], ["height", "Height (px)", 2, 20000, 0.5, 120], ["spacing",
+			"Distance of points (px)", 1, 1000, 0.5, 16]],
+	&"regular_polygon": [["radius", "Radius (px)", 1, 10000, 0.5, 50], ["sides", "Sides", 3, 256, 1, 6], ["per_side",
+			"Pieces per side", 1, 64, 1, 3]],
 	&"polygon_2d": [],
 	&"path_2d": [["count", "Points", 3, 4096, 1, 24]],
-	&"sprite_2d": [["count", "Points at most", 3, 1024, 1, 32], ["threshold", "Opaque above alpha", 0.01, 0.99, 0.01, 0.5], ["margin", "Grow (px)", -100, 100, 0.5, 0]],
-	&"texture": [["count", "Points at most", 3, 1024, 1, 32], ["threshold", "Opaque above alpha", 0.01, 0.99, 0.01, 0.5], ["margin", "Grow (px)", -100, 100, 0.5, 0]],
+	&"sprite_2d": [["count", "Points at most", 3, 1024, 1, 32], ["threshold", "Opaque above alpha", 0.01, 0.99, 0.01,
+			0.5], ["margin", "Grow (px)", -100, 100, 0.5, 0]],
+	&"texture": [["count", "Points at most", 3, 1024, 1, 32], ["threshold", "Opaque above alpha", 0.01, 0.99, 0.01, 0.5],
+			["margin", "Grow (px)", -100, 100, 0.5, 0]],
 	&"resample": [["count", "Points", 3, 4096, 1, 24]],
 }
 

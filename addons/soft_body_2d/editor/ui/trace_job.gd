@@ -26,7 +26,8 @@ func start(picture: Image, budget: int, threshold: float, margin: float) -> void
 	_bar.custom_minimum_size = Vector2(300, 24) * EditorInterface.get_editor_scale()
 	add_child(_bar)
 	canceled.connect(func() -> void: trace.cancelled = true)
-	_task = WorkerThreadPool.add_task(trace.trace.bind(picture, budget, threshold, margin), false, "SoftBody2D: trace a picture")
+	_task = WorkerThreadPool.add_task(trace.trace.bind(picture, budget, threshold, margin), false,
+			"SoftBody2D: trace a picture")
 	if picture != null and picture.get_width() * picture.get_height() > LARGE:
 		_waited = PATIENCE
 
