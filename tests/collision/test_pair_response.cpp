@@ -261,3 +261,31 @@ TEST_CASE("rolling resistance between bodies brakes their relative spin by at mo
 	resist_pair_rolling(a, b, 1000);
 	CHECK(a.spin == 5);
 }
+
+TEST_CASE("what is about to be reset hands no number that is none to the body that it touches") {
+	for (const Real bad : { NOT_A_NUMBER, INFINITE, -INFINITE }) {
+		for (const bool is_place : { false, true }) {
+			Meeting meeting;
+			meeting.friction = Real(0.5);
+			meeting.velocity_leads = true; // then all of an endless approach would count
+			(is_place ? meeting.upper[0] : meeting.upper_velocities[0]) = { 0, bad };
+			const std::array<Vec2, 3> places = meeting.lower;
+			const Real impulse = meeting.answer(Real(0.01));
+			CHECK(std::isfinite(impulse));
+			CHECK(all_finite(meeting.lower));
+			CHECK(all_finite(meeting.lower_velocities));
+			CHECK(largest_distance(meeting.lower, places) < 0.02); // the depth, and no more than twice
+		}
+		TouchingBody spinning;
+		TouchingBody other;
+		for (TouchingBody *body : { &spinning, &other }) {
+			body->inertia = 1;
+			body->rolling_resistance = Real(0.1);
+			body->rolling_radius = 1;
+		}
+		spinning.spin = bad;
+		resist_pair_rolling(spinning, other, 1);
+		CHECK(std::isfinite(other.spin));
+		CHECK(std::isfinite(other.spin_change));
+	}
+}
