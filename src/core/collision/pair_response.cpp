@@ -153,8 +153,9 @@ Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const PairCont
 	}
 	shift *= 1 / mobility;
 	velocity_change *= 1 / mobility;
-	if (!is_finite(shift) || !is_finite(velocity_change)) {
-		return 0; // who is about to be reset must not take the other along
+	// Who is about to be reset must not take the other along. A sum is finite only if all of it is: one question for four.
+	if (!std::isfinite((shift.x + shift.y) + (velocity_change.x + velocity_change.y))) {
+		return 0;
 	}
 	body.positions[p] += shift * mobility_p;
 	body.velocities[p] += velocity_change * mobility_p;
