@@ -215,3 +215,15 @@ class Fuse extends SoftBody2D:
 		added = SoftBody2D.new()
 		added.position = position + Vector2(-200, 0)
 		get_parent().add_child(added)
+
+
+func test_frozen_and_paused_bodies_do_not_count_as_awake() -> void:
+	var bodies: Array[SoftBody2D] = []
+	for i in 4:
+		bodies.append(add_weightless_body(Vector2(200 * i, 0), { "linear_velocity": Vector2(0, 5), "can_sleep": false }))
+	await ticks(3)
+	check_equal(SoftBodyServer2D.get_awake_body_count(), 4, "awake bodies")
+	bodies[0].freeze = true
+	bodies[1].process_mode = Node.PROCESS_MODE_DISABLED
+	await ticks(2)
+	check_equal(SoftBodyServer2D.get_awake_body_count(), 2, "awake bodies with one frozen and one paused")

@@ -194,7 +194,7 @@ void SoftBodySpace2D::move_proxies() {
 
 int64_t SoftBodySpace2D::count_awake() const {
 	return std::ranges::count_if(world_.soft_bodies(), [](const SoftBodyData &p_body) {
-		return p_body.is_active() && !p_body.is_asleep();
+		return p_body.is_active() && !p_body.is_asleep() && !p_body.is_frozen();
 	});
 }
 
