@@ -196,6 +196,9 @@ double SoftBodyShape::largest_rate(Real Spring2D::*coefficient) const {
 		if (!(bound > 0)) {
 			return 0;
 		}
+		if (!std::isfinite(bound)) {
+			return bound; // what follows from it would be no numbers, and pass for a bound
+		}
 		// A point without such springs keeps its entry positive, or it could not be divided by.
 		for (std::size_t i = 0; i < image.size(); ++i) {
 			x[i] = std::max(image[i] / bound, 1e-3 * x[i]);
