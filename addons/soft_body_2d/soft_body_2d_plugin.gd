@@ -4,6 +4,7 @@ extends EditorPlugin
 ## The editor tools of SoftBody2D. Thin: it hands input and drawing to the mode that is on, and ties the parts together.
 
 const BodyCanvas := preload("editor/canvas/body_canvas.gd")
+const EditedBodies := preload("editor/ui/edited_bodies.gd")
 const HullMode := preload("editor/canvas/hull_mode.gd")
 const LivePreview := preload("editor/preview/live_preview.gd")
 const Mode := preload("editor/canvas/mode.gd")
@@ -91,17 +92,11 @@ func _exit_tree() -> void:
 
 
 func _handles(object: Object) -> bool:
-	return object is SoftBody2D or (object != null and object.get_class() == "MultiNodeEdit"
-			and not _selected().is_empty())
+	return EditedBodies.has_any(object)
 
 
 func _edit(object: Object) -> void:
-	var bodies: Array[SoftBody2D] = []
-	if object is SoftBody2D:
-		bodies.append(object)
-	elif object != null:
-		bodies = _selected()
-	_set_bodies(bodies)
+	_set_bodies(EditedBodies.of(object))
 
 
 func _make_visible(visible: bool) -> void:
@@ -188,17 +183,9 @@ func _set_bodies(bodies: Array[SoftBody2D]) -> void:
 	update_overlays()
 
 
-func _selected() -> Array[SoftBody2D]:
-	var bodies: Array[SoftBody2D] = []
-	for node in EditorInterface.get_selection().get_selected_nodes():
-		if node is SoftBody2D:
-			bodies.append(node)
-	return bodies
-
-
 # The editor asks `_edit` of several nodes with an object of its own, which says nothing of which ones they are.
 func _on_selection_changed() -> void:
-	var bodies := _selected()
+	var bodies := EditedBodies.selected()
 	if not bodies.is_empty() and toolbar.visible:
 		_set_bodies(bodies)
 

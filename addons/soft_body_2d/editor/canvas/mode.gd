@@ -39,6 +39,28 @@ func follow_bodies() -> void:
 	pass
 
 
+## What is said to whom asks for a change and has nothing selected.
+func selection_request() -> String:
+	return ""
+
+
+## Changes the bodies of which something is selected, in one step of undo: [param change] gets a body, its values and what
+## is chosen of it, and gives the new values.
+func change_selected(action: String, change: Callable) -> void:
+	if not canvas.may_edit():
+		return
+	var before := {}
+	var after := {}
+	for body in canvas.bodies:
+		var chosen := selection.of(body)
+		if not chosen.is_empty():
+			before[body] = BodyValues.take(body)
+			after[body] = change.call(body, before[body], chosen)
+	if after.is_empty():
+		canvas.tell(selection_request())
+	canvas.commit(action, before, after)
+
+
 func is_boxing() -> bool:
 	return box_from != Vector2.INF
 

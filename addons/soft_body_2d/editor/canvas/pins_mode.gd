@@ -10,6 +10,10 @@ const PIN := Color("ffd166")
 var _hover := []
 
 
+func selection_request() -> String:
+	return Words.say("Select points first: click them, or draw a box around them.")
+
+
 func follow_bodies() -> void:
 	var counts := PackedInt32Array()
 	for body in canvas.bodies:
@@ -83,7 +87,7 @@ func _toggle_pin(place: Vector2) -> void:
 
 ## Pins what is selected, or lets it go.
 func pin_selected(pinned: bool) -> void:
-	_change_selected(Words.say("Pin Points") if pinned else Words.say("Unpin Points"),
+	change_selected(Words.say("Pin Points") if pinned else Words.say("Unpin Points"),
 			func(_body: SoftBody2D, values: Dictionary, chosen: PackedInt32Array) -> Dictionary:
 				return PinEdit.with_pins(values, chosen, pinned))
 
@@ -94,24 +98,9 @@ func assign_selected(target: Node2D) -> void:
 		if target == body and not selection.of(body).is_empty():
 			canvas.warn(Words.say("A point of '%s' cannot follow the body itself. Choose another node.") % body.name)
 			return
-	_change_selected(Words.say("Pin Points to Node"),
+	change_selected(Words.say("Pin Points to Node"),
 			func(body: SoftBody2D, values: Dictionary, chosen: PackedInt32Array) -> Dictionary:
 				return PinEdit.with_target(values, chosen, body.get_path_to(target) if target != null else NodePath()))
-
-
-func _change_selected(action: String, change: Callable) -> void:
-	if not canvas.may_edit():
-		return
-	var before := {}
-	var after := {}
-	for body in canvas.bodies:
-		var chosen := selection.of(body)
-		if not chosen.is_empty():
-			before[body] = BodyValues.take(body)
-			after[body] = change.call(body, before[body], chosen)
-	if after.is_empty():
-		canvas.tell(Words.say("Select points first: click them, or draw a box around them."))
-	canvas.commit(action, before, after)
 
 
 func draw(overlay: Control) -> void:

@@ -28,6 +28,10 @@ var _join_from := [] # body and point a new spring begins at
 var _palette := StiffnessColors.new()
 
 
+func selection_request() -> String:
+	return Words.say("Select springs first: click them, or draw a box around them.")
+
+
 func follow_bodies() -> void:
 	var counts := PackedInt32Array()
 	for body in canvas.bodies:
@@ -70,33 +74,20 @@ func select_none() -> void:
 
 ## Sets a factor of all selected springs.
 func set_scale(property: StringName, scale: float) -> void:
-	_change_selected(Words.say("Set Springs"), func(values: Dictionary, chosen: PackedInt32Array) -> Dictionary:
-		return SpringEdit.with_scale(values, property, chosen, scale))
+	change_selected(Words.say("Set Springs"),
+			func(_body: SoftBody2D, values: Dictionary, chosen: PackedInt32Array) -> Dictionary:
+				return SpringEdit.with_scale(values, property, chosen, scale))
 
 
 func remove_selected() -> void:
-	_change_selected(Words.say("Remove Springs"), func(values: Dictionary, chosen: PackedInt32Array) -> Dictionary:
-		var after := SpringEdit.without_springs(values, chosen)
-		if is_same(after, values):
-			canvas.warn(Words.say("A body keeps at least one spring: without any it would get the automatic ones."))
-		return after)
+	change_selected(Words.say("Remove Springs"),
+			func(_body: SoftBody2D, values: Dictionary, chosen: PackedInt32Array) -> Dictionary:
+				var after := SpringEdit.without_springs(values, chosen)
+				if is_same(after, values):
+					canvas.warn(Words.say("A body keeps at least one spring: without any it would get the automatic ones."))
+				return after)
 	selection.clear()
 	canvas.changed.emit()
-
-
-func _change_selected(action: String, change: Callable) -> void:
-	if not canvas.may_edit():
-		return
-	var before := {}
-	var after := {}
-	for body in canvas.bodies:
-		var chosen := selection.of(body)
-		if not chosen.is_empty():
-			before[body] = BodyValues.take(body)
-			after[body] = change.call(before[body], chosen)
-	if after.is_empty():
-		canvas.tell(Words.say("Select springs first: click them, or draw a box around them."))
-	canvas.commit(action, before, after)
 
 
 func input(event: InputEvent) -> bool:

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+@tool
+extends RefCounted
+## Which soft bodies the editor means when it edits an object: for several nodes at once it gives one of its own, which says
+## nothing of which ones they are.
+
+
+static func has_any(object: Object) -> bool:
+	return object is SoftBody2D or (object != null and object.get_class() == "MultiNodeEdit"
+			and not selected().is_empty())
+
+
+## Empty for null, as the editor has it when it stops editing.
+static func of(object: Object) -> Array[SoftBody2D]:
+	var bodies: Array[SoftBody2D] = []
+	if object is SoftBody2D:
+		bodies.append(object)
+	elif object != null:
+		bodies = selected()
+	return bodies
+
+
+static func selected() -> Array[SoftBody2D]:
+	var bodies: Array[SoftBody2D] = []
+	for node in EditorInterface.get_selection().get_selected_nodes():
+		if node is SoftBody2D:
+			bodies.append(node)
+	return bodies
