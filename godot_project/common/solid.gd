@@ -23,6 +23,16 @@ const BOUNDARY_REACH := 3000.0
 		queue_redraw()
 
 
+## Gives a body that a script builds another box to collide with, in the body's coordinates.
+static func add_box(solid: StaticBody2D, box: Rect2) -> void:
+	var shape := CollisionShape2D.new()
+	var rectangle := RectangleShape2D.new()
+	rectangle.size = box.size
+	shape.shape = rectangle
+	shape.position = box.get_center()
+	solid.add_child(shape)
+
+
 func _ready() -> void:
 	set_process(Engine.is_editor_hint())
 

@@ -5,6 +5,7 @@ extends Node2D
 const Curves := preload("res://laboratory/curves.gd")
 const MaterialPanel := preload("res://laboratory/material_panel.gd")
 const StabilityText := preload("res://laboratory/stability_text.gd")
+const Solid := preload("res://common/solid.gd")
 const Grabber := preload("res://common/grabber.gd")
 
 enum Load { DROP, PRESS, THROW }
@@ -72,34 +73,25 @@ func _ready() -> void:
 
 func _build_lanes() -> void:
 	var solid := StaticBody2D.new()
-	solid.set_script(preload("res://common/solid.gd"))
+	solid.set_script(Solid)
 	for row in 2:
 		var count := MODELS.size() if row == 0 else COLORS.size()
 		var width := (RIGHT - LEFT) / count
-		_add_box(solid, Rect2(LEFT - WALL / 2, FLOORS[row], RIGHT - LEFT + WALL, 20))
+		Solid.add_box(solid, Rect2(LEFT - WALL / 2, FLOORS[row], RIGHT - LEFT + WALL, 20))
 		for i in count + 1:
-			_add_box(solid, Rect2(LEFT + i * width - WALL / 2, FLOORS[row] - ROOM, WALL, ROOM + 1))
+			Solid.add_box(solid, Rect2(LEFT + i * width - WALL / 2, FLOORS[row] - ROOM, WALL, ROOM + 1))
 		var plate := AnimatableBody2D.new()
-		plate.set_script(preload("res://common/solid.gd"))
+		plate.set_script(Solid)
 		plate.set(&"fill", Color("8a4f5d"))
 		plate.set(&"edge", Color("d98e8e"))
 		plate.sync_to_physics = false
 		for i in count:
-			_add_box(plate, Rect2(LEFT + i * width + WALL, -14, width - 2 * WALL, 14))
+			Solid.add_box(plate, Rect2(LEFT + i * width + WALL, -14, width - 2 * WALL, 14))
 			var radius := minf(width * 0.3, 46)
 			_add_body(row, i, Vector2(LEFT + (i + 0.5) * width, FLOORS[row] - ROOM + radius + 30), radius)
 		add_child(plate)
 		_plates.append(plate)
 	add_child(solid)
-
-
-func _add_box(solid: StaticBody2D, box: Rect2) -> void:
-	var shape := CollisionShape2D.new()
-	var rectangle := RectangleShape2D.new()
-	rectangle.size = box.size
-	shape.shape = rectangle
-	shape.position = box.get_center()
-	solid.add_child(shape)
 
 
 func _add_body(row: int, index: int, place: Vector2, radius: float) -> void:

@@ -3,6 +3,7 @@ extends "res://common/toy.gd"
 ## A crash in the manner of Wreckfest: soft cars with soft wheels, a wall at the end of
 ## the road, and other cars before it.
 
+const Solid := preload("res://common/solid.gd")
 const Steering := preload("res://common/steering.gd")
 const Car := preload("res://miniatures/car.gd")
 
@@ -35,34 +36,25 @@ func _build() -> void:
 	_top_speed = 0
 	_started = false
 	var ground := StaticBody2D.new()
-	ground.set_script(preload("res://common/solid.gd"))
+	ground.set_script(Solid)
 	ground.set(&"fill", Color("41435a"))
 	ground.set(&"edge", Color("c9cbd8"))
 	ground.physics_material_override = PhysicsMaterial.new()
 	ground.physics_material_override.friction = 1
 	ground.physics_material_override.rough = true
-	_add_box(ground, Rect2(LEFT - 600, ROAD_Y, RIGHT - LEFT + 1200, 400))
+	Solid.add_box(ground, Rect2(LEFT - 600, ROAD_Y, RIGHT - LEFT + 1200, 400))
 	world.add_child(ground)
 	# The walls are smooth, or the wheels would climb them.
 	var walls := StaticBody2D.new()
-	walls.set_script(preload("res://common/solid.gd"))
+	walls.set_script(Solid)
 	walls.set(&"fill", Color("8a4f5d"))
 	walls.set(&"edge", Color("d98e8e"))
-	_add_box(walls, Rect2(RIGHT, ROAD_Y - 330, 200, 330))
-	_add_box(walls, Rect2(LEFT - 200, ROAD_Y - 330, 200, 330))
+	Solid.add_box(walls, Rect2(RIGHT, ROAD_Y - 330, 200, 330))
+	Solid.add_box(walls, Rect2(LEFT - 200, ROAD_Y - 330, 200, 330))
 	world.add_child(walls)
 	player = _add_car(Color("ffb347"), 0, 1)
 	player.name = "Player"
 	others = [_add_car(Color("5aa9e6"), 2560, 1), _add_car(Color("a8d672"), 1900, -1)]
-
-
-func _add_box(solid: StaticBody2D, box: Rect2) -> void:
-	var shape := CollisionShape2D.new()
-	var rectangle := RectangleShape2D.new()
-	rectangle.size = box.size
-	shape.shape = rectangle
-	shape.position = box.get_center()
-	solid.add_child(shape)
 
 
 func _add_car(tint: Color, x: float, direction: float) -> Car:

@@ -3,6 +3,7 @@ extends "res://common/toy.gd"
 ## Two wrestlers in the manner of Gang Beasts, each of six joined soft bodies: who pushes the other off the roof wins
 ## the round.
 
+const Solid := preload("res://common/solid.gd")
 const Steering := preload("res://common/steering.gd")
 const Wrestler := preload("res://miniatures/wrestler.gd")
 
@@ -33,23 +34,14 @@ func _build() -> void:
 	_age = 0
 	_over = -1
 	var roof := StaticBody2D.new()
-	roof.set_script(preload("res://common/solid.gd"))
-	_add_box(roof, ROOF)
-	_add_box(roof, Rect2(ROOF.position.x + 60, ROOF.end.y, ROOF.size.x - 120, 300))
+	roof.set_script(Solid)
+	Solid.add_box(roof, ROOF)
+	Solid.add_box(roof, Rect2(ROOF.position.x + 60, ROOF.end.y, ROOF.size.x - 120, 300))
 	world.add_child(roof)
 	player = _add_wrestler(Color("4ecdc4"), Vector2(480, 380), 1)
 	player.name = "Player"
 	rival = _add_wrestler(Color("ff6b6b"), Vector2(800, 380), -1)
 	rival.name = "Rival"
-
-
-func _add_box(solid: StaticBody2D, box: Rect2) -> void:
-	var shape := CollisionShape2D.new()
-	var rectangle := RectangleShape2D.new()
-	rectangle.size = box.size
-	shape.shape = rectangle
-	shape.position = box.get_center()
-	solid.add_child(shape)
 
 
 func _add_wrestler(tint: Color, place: Vector2, direction: float) -> Wrestler:
