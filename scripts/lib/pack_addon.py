@@ -4,21 +4,16 @@
 Usage: pack_addon.py REPOSITORY OUTPUT.zip
 Below `addons/soft_body_2d`, as Godot's asset library wants it. The same files make the same bytes."""
 
-import re
 import sys
 import zipfile
 from pathlib import Path, PurePosixPath
 
+from markdown import linked_files
+
 ADDON = PurePosixPath("addons/soft_body_2d")
 # Of the documentation, what is about using the addon.
 MANUAL = ("manual.md", "editor.md", "performance.md", "troubleshooting.md", "limits.md", "accuracy.md")
-LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 LONG_AGO = (1980, 1, 1, 0, 0, 0)
-
-
-def linked_files(text):
-    """Relative files that a Markdown text links or shows."""
-    return [link for link in LINK.findall(text) if "://" not in link and not link.startswith("mailto:")]
 
 
 def packed_files(repository):

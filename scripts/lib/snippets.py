@@ -9,8 +9,9 @@ import re
 import sys
 from pathlib import Path
 
+from markdown import linked_files
+
 BLOCK = re.compile(r"^```gdscript\n(.*?)^```", re.MULTILINE | re.DOTALL)
-LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 HEAD = "extends Node2D\nvar jelly: SoftBody2D\nvar other: SoftBody2D\nvar crate: StaticBody2D\n\nfunc _ready() -> void:\n"
 
 
@@ -33,8 +34,8 @@ def main():
             (folder / f"{name}_{number}.gd").write_text(as_script(code), encoding="utf-8")
             if name == "readme" and number == 1:
                 (folder / "first.gd").write_text(code, encoding="utf-8")
-        for link in LINK.findall(text):
-            if "://" not in link and not (page.parent / link).exists():
+        for link in linked_files(text):
+            if not (page.parent / link).exists():
                 dead.append(f"{page.relative_to(repository)} links {link}, which is not there")
     if dead:
         sys.exit("\n".join(dead))
