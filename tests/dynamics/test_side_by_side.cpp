@@ -51,6 +51,19 @@ std::size_t bodies_in_crews(const Roster &roster) {
 	return count;
 }
 
+// The sums of what so many steps count; nobody may be reset in them.
+StepReport run_steps(WorldData &world, int steps) {
+	Simulator simulator(world);
+	StepReport sums;
+	for (int i = 0; i < steps; ++i) {
+		const StepReport report = simulator.simulate(Real(1) / 60);
+		CHECK(report.reset_bodies.empty());
+		sums.contacts += report.contacts;
+		sums.substeps += report.substeps;
+	}
+	return sums;
+}
+
 bool same_state(const SoftBodyData &a, const SoftBodyData &b) {
 	return std::ranges::equal(a.positions(), b.positions()) && std::ranges::equal(a.velocities(), b.velocities()) &&
 			a.rotation_memory().c == b.rotation_memory().c && a.rotation_memory().s == b.rotation_memory().s;
@@ -81,25 +94,15 @@ TEST_CASE("bodies side by side end in the same bits as each of them alone, with 
 			for (const SoftBodyData &body : bodies) {
 				together.add_soft_body(body);
 			}
-			Simulator simulator(together);
-			StepReport sums;
-			for (int i = 0; i < 60; ++i) {
-				const StepReport report = simulator.simulate(Real(1) / 60);
-				CHECK(report.reset_bodies.empty());
-				sums.contacts += report.contacts;
-				sums.substeps += report.substeps;
-			}
+			const StepReport sums = run_steps(together, 60);
 			StepReport alone_sums;
 			for (std::size_t i = 0; i < bodies.size(); ++i) {
 				WorldData alone;
 				prepare(alone);
 				alone.add_soft_body(bodies[i]);
-				Simulator single(alone);
-				for (int step = 0; step < 60; ++step) {
-					const StepReport report = single.simulate(Real(1) / 60);
-					alone_sums.contacts += report.contacts;
-					alone_sums.substeps += report.substeps;
-				}
+				const StepReport single = run_steps(alone, 60);
+				alone_sums.contacts += single.contacts;
+				alone_sums.substeps += single.substeps;
 				CHECK(same_state(alone.soft_bodies()[0], together.soft_bodies()[i]));
 			}
 			CHECK(sums.contacts > 0);
@@ -195,29 +198,17 @@ TEST_CASE("bodies of a crew end in the same bits as alone where some of them lie
 			for (const SoftBodyData &body : bodies) {
 				together.add_soft_body(body);
 			}
-			Simulator simulator(together);
-			StepReport sums;
-			for (int i = 0; i < 90; ++i) {
-				const StepReport report = simulator.simulate(Real(1) / 60);
-				CHECK(report.reset_bodies.empty());
-				sums.contacts += report.contacts;
-				sums.substeps += report.substeps;
-			}
+			const StepReport sums = run_steps(together, 90);
 			StepReport alone_sums;
 			for (std::size_t i = 0; i < bodies.size(); ++i) {
 				CAPTURE(i);
 				WorldData alone;
 				prepare_colliders(alone);
 				alone.add_soft_body(bodies[i]);
-				Simulator single(alone);
-				std::uint64_t contacts = 0;
-				for (int step = 0; step < 90; ++step) {
-					const StepReport report = single.simulate(Real(1) / 60);
-					contacts += report.contacts;
-					alone_sums.substeps += report.substeps;
-				}
-				CHECK((contacts > 0 || i == 2 || i > 5)); // or else nothing is tested
-				alone_sums.contacts += contacts;
+				const StepReport single = run_steps(alone, 90);
+				CHECK((single.contacts > 0 || i == 2 || i > 5)); // or else nothing is tested
+				alone_sums.contacts += single.contacts;
+				alone_sums.substeps += single.substeps;
 				CHECK(same_state(alone.soft_bodies()[0], together.soft_bodies()[i]));
 			}
 			CHECK(sums.contacts == alone_sums.contacts);
