@@ -72,9 +72,9 @@ void strike(SoftBodyData &body, Place place, Real value) {
 }
 
 struct Run {
-	/// Of each body, after the tick in which the blow is noticed. Later, those who were near it lie otherwise, and the order
-	/// in which contacts are answered goes by all pairs of a world.
+	/// Of each body, after the tick in which the blow is noticed. Later, those who were near it lie otherwise.
 	std::vector<std::vector<Vec2>> positions;
+	std::vector<std::vector<Vec2>> ends; ///< of each body in the end
 	std::vector<std::uint32_t> reports; ///< places of the bodies that were reset
 	int calls = 0; ///< how often tasks were divided in the struck tick
 	bool is_finite = true; ///< positions and velocities after every tick
@@ -110,6 +110,9 @@ Run run(int call, Place place, Real value, Integrator integrator = Integrator::A
 			}
 		}
 	}
+	for (const SoftBodyData &body : world.soft_bodies()) {
+		result.ends.push_back(copy_of(body.positions()));
+	}
 	result.victim_is_frozen = world.soft_bodies()[VICTIM].is_frozen();
 	return result;
 }
@@ -124,6 +127,7 @@ void check_harm(const Run &struck, const Run &sound) {
 		CAPTURE(i);
 		if (i >= BODIES_A_PILE) {
 			CHECK(identical(struck.positions[i], sound.positions[i]));
+			CHECK(identical(struck.ends[i], sound.ends[i]));
 		} else {
 			// Who touches it feels that it has another shape now, and no more; the struck one may have turned.
 			CHECK(largest_distance(struck.positions[i], sound.positions[i]) < (i == VICTIM ? 0.8 : 0.1));

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <type_traits>
 
 namespace softbody {
 
@@ -24,11 +26,14 @@ constexpr std::size_t TASKS = 32;
 // Level of all boxes that are larger than so many doublings of the smallest cells: everybody looks at all of them.
 constexpr std::uint32_t ALL_SIZES = 23;
 
-// Extent of the largest bodies that are grouped, and side of the squares by which they are, in extents of most bodies.
-// Two grouped bodies that touch are less than 2 of them apart, so that all who share a body with a pair are within 4 of
-// it: see group_pairs.
+// Extent of the largest bodies of a level, and side of the squares by which pairs are grouped, in the level's unit. Two bodies
+// of a level that touch are less than 2 units apart, so that all who share a body with a pair are within 4 of it.
 constexpr Real GROUPED_EXTENT = Real(1.99);
 constexpr Real GROUP_SQUARE = 4;
+constexpr std::uint32_t SQUARE_COLOURS = 4;
+
+// The level of pairs with a body that has no size one could tell: all in one group, after all others.
+constexpr std::uint32_t UNGROUPED = 1 << 16;
 
 // Bodies flung to where no cell has a number are gathered at the edge.
 constexpr Real FARTHEST_CELL = Real(1 << 30);
@@ -40,6 +45,22 @@ Real extent_of(const Aabb &box) {
 std::int32_t cell_coordinate(Real position, Real size) {
 	// In this order, what is no number gets one.
 	return std::int32_t(std::max(-FARTHEST_CELL, std::min(FARTHEST_CELL, std::floor(position / size))));
+}
+
+// The least n with extent < GROUPED_EXTENT 2^n, counted from LOWEST_LEVEL.
+constexpr int LOWEST_LEVEL = std::numeric_limits<Real>::min_exponent - 2;
+
+std::uint32_t level_of(Real extent) {
+	constexpr int DIGITS = std::numeric_limits<Real>::digits - 1; // of the fraction; above it the exponent
+	using Bits = std::conditional_t<sizeof(Real) == 8, std::uint64_t, std::uint32_t>;
+	if (!(extent < std::numeric_limits<Real>::max() / GROUP_SQUARE)) {
+		return UNGROUPED;
+	}
+	return std::uint32_t(std::bit_cast<Bits>(extent / GROUPED_EXTENT) >> DIGITS); // of what is not negative
+}
+
+Real unit_of(std::uint32_t level) {
+	return std::ldexp(Real(1), int(level) + LOWEST_LEVEL + 1);
 }
 
 std::uint64_t mix(std::uint64_t key) {
@@ -267,35 +288,22 @@ void BroadPhase::keep_overlapping(std::span<const BroadPhaseBody> bodies, std::s
 	}
 }
 
-// The plane is divided into squares of four times the extent of most bodies that have a pair, coloured like the points
-// (even, even), (odd, even), ... Each pair belongs to the square that holds the centre of its first body. Two pairs that
-// share a body have first bodies less than four such extents apart, while different squares of one colour are more than
-// that apart: so they are in the same group or of different colours. Pairs with a larger body form one last group.
+// Pairs are sorted by the extent of their larger body into levels, each twice as large as the one before. For each level the
+// plane is divided into squares of GROUP_SQUARE of its units, coloured like the points (even, even), (odd, even), ... A pair
+// belongs to the square that holds the centre of its first body. Two pairs of one level that share a body have first bodies
+// less than the side of a square apart, while different squares of one colour are at least that far apart: so they are in the
+// same group or of different colours. Which group a pair falls into depends on its two boxes and nothing else, so that
+// what happens elsewhere does not change the order in which the contacts of a heap are answered.
 void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 	constexpr std::uint32_t NONE = UINT32_MAX;
 	groups_.clear();
-	first_group_.fill(0);
+	first_groups_.clear();
 	pairs_.resize(overlapping_.size());
-	if (overlapping_.empty()) {
-		return;
-	}
-	extents_.clear();
-	for (std::uint32_t last = NONE; const BodyPair pair : overlapping_) {
-		if (pair.a != last) {
-			extents_.push_back(extent_of(bodies[pair.a].box));
-			last = pair.a;
-		}
-	}
-	const auto most = extents_.begin() + std::ptrdiff_t(extents_.size() * 3 / 4);
-	std::nth_element(extents_.begin(), most, extents_.end());
-	const Real extent = *most > 0 ? *most : Real(1);
-	const Real size = GROUP_SQUARE * extent;
-	constexpr std::uint64_t LARGE = UINT64_MAX >> 1; // no square has this key: coordinates stop at 2^30
 	squares_.clear();
-	square_at_.assign(std::bit_ceil(2 * extents_.size() + 4), NONE); // at most half of it is taken
+	square_at_.assign(std::bit_ceil(2 * overlapping_.size() + 4), NONE); // at most half of it is taken
 	const auto square_of = [&](std::uint64_t key, std::uint32_t colour) {
-		std::size_t slot = std::size_t(mix(key)) & (square_at_.size() - 1);
-		while (square_at_[slot] != NONE && squares_[square_at_[slot]].key != key) {
+		std::size_t slot = std::size_t(mix(key + colour)) & (square_at_.size() - 1);
+		while (square_at_[slot] != NONE && (squares_[square_at_[slot]].key != key || squares_[square_at_[slot]].colour != colour)) {
 			slot = (slot + 1) & (square_at_.size() - 1);
 		}
 		if (square_at_[slot] == NONE) {
@@ -306,48 +314,51 @@ void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 	};
 	square_of_pair_.resize(overlapping_.size());
 	std::uint32_t last_body = NONE;
+	std::uint32_t last_level = NONE;
 	std::uint32_t last_square = NONE;
-	const auto is_large = [&](std::uint32_t body) { return !(extent_of(bodies[body].box) <= GROUPED_EXTENT * extent); };
 	for (std::size_t i = 0; i < overlapping_.size(); ++i) {
 		const BodyPair pair = overlapping_[i];
-		std::uint32_t square = NONE;
-		if (is_large(pair.a) || is_large(pair.b)) {
-			square = square_of(LARGE, COLOURS - 1);
-		} else if (pair.a == last_body) {
-			square = last_square;
-		} else {
+		const std::uint32_t level = level_of(std::max(extent_of(bodies[pair.a].box), extent_of(bodies[pair.b].box)));
+		if (level == UNGROUPED) {
+			last_square = square_of(0, level * SQUARE_COLOURS);
+		} else if (pair.a != last_body || level != last_level) {
+			const Real size = GROUP_SQUARE * unit_of(level);
 			const Vec2 centre = (bodies[pair.a].box.min + bodies[pair.a].box.max) * Real(0.5);
 			const std::int32_t x = cell_coordinate(centre.x, size);
 			const std::int32_t y = cell_coordinate(centre.y, size);
-			square = square_of((std::uint64_t(std::uint32_t(x)) << 32) | std::uint32_t(y),
-					std::uint32_t(x & 1) | (std::uint32_t(y & 1) << 1));
-			last_body = pair.a;
-			last_square = square;
+			last_square = square_of((std::uint64_t(std::uint32_t(x)) << 32) | std::uint32_t(y),
+					level * SQUARE_COLOURS + std::uint32_t(x & 1) + 2 * std::uint32_t(y & 1));
 		}
-		++squares_[square].count;
-		square_of_pair_[i] = square;
+		last_body = pair.a;
+		last_level = level;
+		++squares_[last_square].count;
+		square_of_pair_[i] = last_square;
 	}
 	// Squares by colour, in the order in which pairs first fell into them; then each pair to its place.
+	in_order_.resize(squares_.size());
+	std::iota(in_order_.begin(), in_order_.end(), 0u);
+	std::ranges::stable_sort(in_order_, {}, [&](std::uint32_t square) { return squares_[square].colour; });
 	std::uint32_t begin = 0;
-	for (std::uint32_t colour = 0; colour < COLOURS; ++colour) {
-		first_group_[colour] = groups_.size();
-		for (Square &square : squares_) {
-			if (square.colour == colour) {
-				const std::uint32_t end = begin + square.count;
-				groups_.push_back({ begin, end });
-				square.count = begin;
-				begin = end;
-			}
+	std::uint32_t colour = NONE;
+	for (const std::uint32_t i : in_order_) {
+		Square &square = squares_[i];
+		if (square.colour != colour) {
+			first_groups_.push_back(groups_.size());
+			colour = square.colour;
 		}
+		const std::uint32_t end = begin + square.count;
+		groups_.push_back({ begin, end });
+		square.count = begin;
+		begin = end;
 	}
-	first_group_[COLOURS] = groups_.size();
+	first_groups_.push_back(groups_.size());
 	for (std::size_t i = 0; i < overlapping_.size(); ++i) {
 		pairs_[squares_[square_of_pair_[i]].count++] = overlapping_[i];
 	}
 }
 
 std::span<const BroadPhase::Group> BroadPhase::groups(std::size_t colour) const {
-	return { groups_.data() + first_group_[colour], first_group_[colour + 1] - first_group_[colour] };
+	return { groups_.data() + first_groups_[colour], first_groups_[colour + 1] - first_groups_[colour] };
 }
 
 } // namespace softbody

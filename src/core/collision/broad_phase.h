@@ -5,7 +5,6 @@
 #include "core/base/parallel_for.h"
 #include "core/geometry/aabb.h"
 
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <span>
@@ -35,23 +34,23 @@ struct BodyPair {
 ///
 /// The pairs come in groups that several threads may work on at once: no two groups of one colour share a body.
 /// Pairs, groups and their order depend on the present boxes alone, not on where bodies were in earlier steps, so that a
-/// state that is put back goes on as it did.
+/// state that is put back goes on as it did; and the order of two pairs that share a body depends on their own boxes alone,
+/// so that a heap does the same whatever happens elsewhere.
 class BroadPhase {
 public:
-	/// How many colours there are; the groups of the last one may share bodies and must be worked on in order.
-	static constexpr std::size_t COLOURS = 5;
-
 	/// `version` tells whether the list still means the same bodies. O(bodies) expected.
 	/// `exceptions`, sorted, are no pairs.
 	void update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for = {},
 			std::span<const BodyPair> exceptions = {});
 
 	std::span<const BodyPair> pairs() const { return pairs_; }
-	/// The groups of a colour, each a run of `pairs()`.
+	/// How many colours there are now: one after the other.
+	std::size_t colour_count() const { return first_groups_.empty() ? 0 : first_groups_.size() - 1; }
 	struct Group {
 		std::uint32_t begin = 0;
 		std::uint32_t end = 0;
 	};
+	/// The groups of a colour, which are runs of `pairs()` and follow one another.
 	std::span<const Group> groups(std::size_t colour) const;
 	/// How often candidates were sought anew, of all bodies or of some.
 	std::uint64_t rebuild_count() const { return rebuild_count_; }
@@ -80,7 +79,7 @@ private:
 	std::vector<Aabb> boxes_; ///< with margin
 	std::vector<BodyPair> pairs_;
 	std::vector<Group> groups_;
-	std::array<std::size_t, COLOURS + 1> first_group_{}; ///< of each colour, and the end
+	std::vector<std::size_t> first_groups_; ///< of each colour, and the end
 	std::uint64_t version_ = 0;
 	std::uint64_t rebuild_count_ = 0;
 	std::uint64_t sought_bodies_ = 0;
@@ -107,6 +106,7 @@ private:
 	std::vector<Square> squares_;
 	std::vector<std::uint32_t> square_at_; ///< a hash table
 	std::vector<std::uint32_t> square_of_pair_;
+	std::vector<std::uint32_t> in_order_;
 };
 
 } // namespace softbody
