@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -49,7 +50,9 @@ std::vector<Vec2> state_of(WorldData &world) {
 	return all;
 }
 
-std::optional<std::uint64_t> advance(WideStepper &stepper, WorldData &world, Integrator integrator) {
+/// `touching`: whose extents it is to measure, or none.
+std::optional<std::uint64_t> advance(WideStepper &stepper, WorldData &world, Integrator integrator,
+		std::span<TouchingBody> touching = {}) {
 	Roster roster;
 	roster.update(world);
 	REQUIRE(roster.crews().size() == 2);
@@ -61,6 +64,12 @@ std::optional<std::uint64_t> advance(WideStepper &stepper, WorldData &world, Int
 	stretch.h = H;
 	stretch.substeps = 3;
 	stretch.reach = 50;
+	for (std::size_t lane = 0; lane < touching.size(); ++lane) {
+		const Crew &crew = roster.crews()[lane / PACK_WIDTH];
+		SoftBodyData &body = world.soft_bodies()[crew.bodies[lane % PACK_WIDTH]];
+		touching[lane].positions = body.mutable_positions();
+		stretch.touching[lane] = &touching[lane];
+	}
 	StateAhead ahead;
 	return stepper.advance(stretch, ahead);
 }
@@ -114,6 +123,37 @@ TEST_CASE("two crews at once end in the bits of the scalar code, and count its c
 			CHECK(scalar_contacts > 0);
 			CHECK(*contacts == scalar_contacts);
 		}
+	}
+}
+
+TEST_CASE("two crews at once have the extents that each body would measure") {
+	const auto stepper = make_wide_stepper();
+	if (stepper == nullptr) {
+		return; // as above
+	}
+	WorldData world;
+	fill(world, SIZE_MAX);
+	std::array<std::vector<Vec2>, WIDE_WIDTH> before;
+	for (std::size_t i = 0; i < WIDE_WIDTH; ++i) {
+		const auto hull = world.soft_bodies()[i].hull();
+		before[i].assign(hull.begin(), hull.end());
+	}
+	std::array<TouchingBody, WIDE_WIDTH> touching;
+	REQUIRE(advance(*stepper, world, Integrator::SEMI_IMPLICIT_EULER, touching).has_value());
+	for (TouchingBody &body : touching) {
+		const std::size_t place = std::size_t(std::ranges::find_if(world.soft_bodies(), [&](const SoftBodyData &data) {
+			return data.positions().data() == body.positions.data();
+		}) - world.soft_bodies().begin());
+		TouchingBody alone;
+		alone.positions = body.positions;
+		alone.before = before[place];
+		alone.measure_extent();
+		CHECK(alone.way > 0);
+		CHECK(body.box.min == alone.box.min);
+		CHECK(body.box.max == alone.box.max);
+		CHECK(body.centre == alone.centre);
+		CHECK(body.radius == alone.radius);
+		CHECK(body.way == alone.way);
 	}
 }
 

@@ -6,6 +6,7 @@
 #include "core/geometry/segment.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace softbody {
@@ -22,7 +23,6 @@ void PairHandling::begin_response(const WorldData &world) {
 std::size_t PairHandling::handle(TouchingBody &a, TouchingBody &b) {
 	impulse_ = 0;
 	push_ = {};
-	first_ = &a;
 	const Real reach = a.radius + b.radius;
 	const Real distance_squared = length_squared(a.centre - b.centre);
 	if (!a.box.overlaps(b.box) || distance_squared > reach * reach) {
@@ -36,7 +36,7 @@ std::size_t PairHandling::handle(TouchingBody &a, TouchingBody &b) {
 	if (!are_fast && distance_squared < near * near && handle_crossing(a, b)) {
 		return 1;
 	}
-	return handle_points(a, b, are_fast) + handle_points(b, a, are_fast);
+	return handle_points(a, b, are_fast);
 }
 
 // Two hulls can lie across each other with no point inside the other: the points then have nothing to say.
@@ -68,30 +68,46 @@ bool PairHandling::handle_crossing(TouchingBody &a, TouchingBody &b) {
 	return true;
 }
 
-// How many points are looked at before those that are near are handled.
+namespace {
+
+// How many points of each body are looked at before those that are near are handled.
 constexpr std::uint32_t NEAR_BITS = 32;
 
-std::size_t PairHandling::handle_points(TouchingBody &body, TouchingBody &other, bool are_fast) {
-	// Few points are near the other body: the others are left out several at a time.
+// Of up to NEAR_BITS hull points from `first` on, a bit for each that is nearer than `reach` to `centre`. Few points are near
+// the other body: the others are left out several at a time.
+std::uint32_t near_points(std::span<const Vec2> hull, std::uint32_t first, Vec2 centre, Real reach) {
+	const BasicVec2<RealPack> middle = in_all_lanes<RealPack>(centre);
+	const std::uint32_t end = std::min(std::uint32_t(hull.size()), first + NEAR_BITS);
+	std::uint32_t near = 0;
+	std::uint32_t i = first;
+	for (; i + PACK_WIDTH <= end; i += PACK_WIDTH) {
+		const RealPack distance = length_squared(consecutive(&hull[i]) - middle);
+		near |= bits(distance < RealPack(reach * reach)) << (i - first);
+	}
+	for (; i < end; ++i) {
+		near |= std::uint32_t(length_squared(hull[i] - centre) < reach * reach) << (i - first);
+	}
+	return near;
+}
+
+} // namespace
+
+// The points of both in one loop: where it ends is what a processor guesses wrong.
+std::size_t PairHandling::handle_points(TouchingBody &a, TouchingBody &b, bool are_fast) {
+	const std::array<TouchingBody *, 2> bodies = { &a, &b };
+	constexpr std::array<Real, 2> SIDES = { 1, -1 };
+	const Real reach_a = b.radius + (are_fast ? a.way : Real(0));
+	const Real reach_b = a.radius + (are_fast ? b.way : Real(0));
 	std::size_t contacts = 0;
-	has_edges_ = false;
-	const std::span<Vec2> hull = body.hull();
-	const std::uint32_t count = std::uint32_t(hull.size());
-	const Real reach = other.radius + (are_fast ? body.way : Real(0));
-	const BasicVec2<RealPack> centre = in_all_lanes<RealPack>(other.centre);
+	edges_of_ = nullptr;
+	const std::uint32_t count = std::uint32_t(std::max(a.hull().size(), b.hull().size()));
 	for (std::uint32_t first = 0; first < count; first += NEAR_BITS) {
-		std::uint32_t near = 0;
-		const std::uint32_t end = std::min(count, first + NEAR_BITS);
-		std::uint32_t i = first;
-		for (; i + PACK_WIDTH <= end; i += PACK_WIDTH) {
-			const RealPack distance = length_squared(consecutive(&hull[i]) - centre);
-			near |= bits(distance < RealPack(reach * reach)) << (i - first);
-		}
-		for (; i < end; ++i) {
-			near |= std::uint32_t(length_squared(hull[i] - other.centre) < reach * reach) << (i - first);
-		}
+		std::uint64_t near = near_points(a.hull(), first, b.centre, reach_a) |
+				std::uint64_t(near_points(b.hull(), first, a.centre, reach_b)) << NEAR_BITS;
 		for (; near != 0; near &= near - 1) {
-			contacts += handle_point(body, other, first + std::uint32_t(std::countr_zero(near)), are_fast);
+			const std::uint32_t bit = std::uint32_t(std::countr_zero(near));
+			const std::uint32_t which = bit / NEAR_BITS;
+			contacts += handle_point(*bodies[which], *bodies[1 - which], first + bit % NEAR_BITS, SIDES[which], are_fast);
 		}
 	}
 	return contacts;
@@ -131,13 +147,13 @@ std::optional<HullContact> find_passage(const TouchingBody &body, const Touching
 
 } // namespace
 
-bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::uint32_t point, bool are_fast) {
+bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::uint32_t point, Real side, bool are_fast) {
 	std::optional<HullContact> found = are_fast ? find_passage(body, other, point) : std::nullopt;
 	const bool is_fresh = found.has_value();
 	if (!found) {
-		if (!has_edges_) {
+		if (edges_of_ != &other) {
 			edges_.assign(other.hull());
-			has_edges_ = true;
+			edges_of_ = &other;
 		}
 		found = edges_.find(body.positions[point], outward_at(body.hull(), point));
 	}
@@ -145,15 +161,15 @@ bool PairHandling::handle_point(TouchingBody &body, TouchingBody &other, std::ui
 		return false;
 	}
 	const std::uint32_t end = found->edge + 1 == other.before.size() ? 0 : found->edge + 1;
+	edges_of_ = nullptr; // as both change
 	const Real impulse = answer_pair_contact(body, other,
 			{ point, found->edge, end, found->t, found->normal, found->depth, is_fresh }, h_);
 	impulse_ += impulse;
-	push_ += found->normal * (&body == first_ ? impulse : -impulse);
+	push_ += found->normal * (impulse * side);
 	if (body.is_monitored || other.is_monitored) {
 		log_.add({ body.place, ContactOther::Kind::SOFT_BODY, other.place, point, point, found->t < Real(0.5) ? found->edge : end,
 				body.positions[point], found->normal, impulse, found->depth });
 	}
-	has_edges_ = false; // another near point is rare, and reading all edges cheap
 	return true;
 }
 

@@ -39,18 +39,17 @@ public:
 	ContactLog &log() { return log_; }
 
 private:
-	std::size_t handle_points(TouchingBody &body, TouchingBody &other, bool are_fast);
-	bool handle_point(TouchingBody &body, TouchingBody &other, std::uint32_t point, bool are_fast);
+	std::size_t handle_points(TouchingBody &a, TouchingBody &b, bool are_fast);
+	bool handle_point(TouchingBody &body, TouchingBody &other, std::uint32_t point, Real side, bool are_fast);
 	bool handle_crossing(TouchingBody &a, TouchingBody &b);
 
-	HullEdges edges_; ///< of the other body, once a point has come near
-	bool has_edges_ = false;
+	HullEdges edges_;
+	const TouchingBody *edges_of_ = nullptr; ///< whose hull they are, as it is now
 	ContactResponse response_ = ContactResponse::POSITION_BASED;
 	SeparationForce separation_force_;
 	Real h_ = 0;
 	Real impulse_ = 0;
 	Vec2 push_;
-	const TouchingBody *first_ = nullptr;
 	ContactLog log_;
 };
 

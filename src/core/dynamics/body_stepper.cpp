@@ -103,8 +103,9 @@ void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &pl
 	}
 }
 
-void BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed,
-		Real duration, int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled, StateAhead &ahead) {
+bool BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed,
+		Real duration, int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled,
+		const std::array<TouchingBody *, WIDE_WIDTH> &touching, StateAhead &ahead) {
 	const auto advance_one = [&](std::size_t i) {
 		advance(*crews[i], ALL_LANES, plan, elapsed, duration, substeps, swept_from[i], are_coupled);
 	};
@@ -112,21 +113,23 @@ void BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const Substep
 		ahead.ask_all();
 		advance_one(0);
 		advance_one(1);
-		return;
+		return false;
 	}
 	const std::uint32_t alone = lanes_answered_alone(*crews[0], elapsed, duration);
 	if (alone != 0) {
 		ahead.ask_all();
 		advance_side_by_side(*crews[0], alone, plan, duration, substeps, swept_from[0]);
 		advance_one(1);
-		return;
+		return false;
 	}
 	const std::uint32_t other_alone = lanes_answered_alone(*crews[1], elapsed, duration);
-	if (other_alone != 0 || !advance_wide(crews, plan, duration, substeps, ahead)) {
+	if (other_alone != 0 || !advance_wide(crews, plan, duration, substeps, touching, ahead)) {
 		ahead.ask_all();
 		advance_side_by_side(*crews[0], alone, plan, duration, substeps, swept_from[0]);
 		advance_side_by_side(*crews[1], other_alone, plan, duration, substeps, swept_from[1]);
+		return false;
 	}
+	return touching[0] != nullptr;
 }
 
 void BodyStepper::advance_one_by_one(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed,
@@ -198,7 +201,7 @@ BodyLanes<RealPack> BodyStepper::gather_lanes(const Crew &crew) {
 		{ pack_positions_.data(), count }, { pack_velocities_.data(), count } };
 	if (crew.settings->matches_shape()) {
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-			const Rotation memory = body(crew.bodies[lane]).rotation_memory();
+			const Rotation memory = crew.rotation_memory(lane);
 			lanes.model.rotation_memory.c.set(lane, memory.c);
 			lanes.model.rotation_memory.s.set(lane, memory.s);
 		}
@@ -297,7 +300,7 @@ RealPack BodyStepper::answer_alone(const Crew &crew, std::uint32_t answered_alon
 
 // What is monitored writes a log, and what is ruined is reset, by the narrower code alone.
 bool BodyStepper::advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration,
-		int substeps, StateAhead &ahead) {
+		int substeps, const std::array<TouchingBody *, WIDE_WIDTH> &touching, StateAhead &ahead) {
 	if (wide_ == nullptr || (crews[0]->monitored | crews[1]->monitored) != 0) {
 		return false;
 	}
@@ -309,8 +312,9 @@ bool BodyStepper::advance_wide(const std::array<Crew *, 2> &crews, const Substep
 	stretch.h = duration / Real(substeps);
 	stretch.substeps = substeps;
 	stretch.reach = credible_reach(*crews[0]->shape, plan);
+	stretch.touching = touching;
 	for (std::size_t lane = 0; crews[0]->settings->matches_shape() && lane < WIDE_WIDTH; ++lane) {
-		stretch.rotation_memories[lane] = body(crews[lane / PACK_WIDTH]->bodies[lane % PACK_WIDTH]).rotation_memory();
+		stretch.rotation_memories[lane] = crews[lane / PACK_WIDTH]->rotation_memory(lane % PACK_WIDTH);
 	}
 	const std::optional<std::uint64_t> contacts = wide_->advance(stretch, ahead);
 	if (!contacts) {

@@ -50,8 +50,10 @@ public:
 	void advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
 			const SweptFrom &swept_from = {}, bool are_coupled = false);
 	/// The same for all bodies of two crews that `move_alike`, both at once where that can be done. Asks for `ahead` meanwhile.
-	void advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed, Real duration,
-			int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled, StateAhead &ahead);
+	/// Whether the extents of `touching`, unless all are null, have been measured as well.
+	bool advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed, Real duration,
+			int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled,
+			const std::array<TouchingBody *, WIDE_WIDTH> &touching, StateAhead &ahead);
 	/// Answers the contacts of a body with itself, after other bodies have pushed it in a substep of `h` [s] that started
 	/// with its hull at `before`.
 	void answer_self_contacts(std::uint32_t place, std::span<const Vec2> before, Real h);
@@ -85,7 +87,7 @@ private:
 	std::uint32_t lanes_answered_alone(const Crew &crew, Real elapsed, Real duration);
 	/// False, and nothing has changed, where it cannot be done.
 	bool advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration, int substeps,
-			StateAhead &ahead);
+			const std::array<TouchingBody *, WIDE_WIDTH> &touching, StateAhead &ahead);
 	void advance_one_by_one(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
 			int substeps, const SweptFrom &swept_from, bool are_coupled);
 	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan) const;

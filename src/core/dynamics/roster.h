@@ -28,6 +28,12 @@ struct Crew {
 	const BodySettings *settings = nullptr;
 	std::array<Vec2 *, PACK_WIDTH> positions{};
 	std::array<Vec2 *, PACK_WIDTH> velocities{};
+
+	/// As `SoftBodyData::rotation_memory`, which lies behind the velocities.
+	Rotation rotation_memory(std::size_t lane) const {
+		const Vec2 memory = velocities[lane][shape->point_count()];
+		return { memory.x, memory.y };
+	}
 };
 
 /// Whether two crews are full, of one shape, and have settings by which they move alike.

@@ -193,13 +193,32 @@ void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, const Stretch 
 	if (stretch.is_coupled && roster_.crews()[crew].settings->self_collision && stepper.counts().non_finite.size() > resets) {
 		touching_[state.rows[0]].begin_substep(); // in its rest shape again: no way behind it that could be blocked
 	}
+	if (stretch.is_coupled) {
+		measure_extents(crew);
+	}
+}
+
+void Simulator::measure_extents(std::uint32_t crew) {
+	for (std::uint32_t lane = 0; lane < roster_.crews()[crew].count; ++lane) {
+		touching_[crews_[crew].rows[lane]].measure_extent();
+	}
 }
 
 void Simulator::advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const Stretch &stretch,
 		StateAhead &ahead) {
 	const SubstepPlan &plan = crews_[a].plan;
-	stepper.advance_both({ &roster_.crews()[a], &roster_.crews()[b] }, plan, stretch.elapsed, stretch.duration,
-			share_of(plan, stretch.parts), { swept_from(a, stretch), swept_from(b, stretch) }, stretch.is_coupled, ahead);
+	std::array<TouchingBody *, WIDE_WIDTH> touching{};
+	for (std::size_t lane = 0; stretch.is_coupled && lane < PACK_WIDTH; ++lane) {
+		touching[lane] = &touching_[crews_[a].rows[lane]];
+		touching[PACK_WIDTH + lane] = &touching_[crews_[b].rows[lane]];
+	}
+	const bool are_measured = stepper.advance_both({ &roster_.crews()[a], &roster_.crews()[b] }, plan, stretch.elapsed,
+			stretch.duration, share_of(plan, stretch.parts), { swept_from(a, stretch), swept_from(b, stretch) },
+			stretch.is_coupled, touching, ahead);
+	if (stretch.is_coupled && !are_measured) {
+		measure_extents(a);
+		measure_extents(b);
+	}
 }
 
 bool Simulator::move_alike_now(std::uint32_t a, std::uint32_t b) const {
@@ -446,14 +465,9 @@ void Simulator::step_coupled(Real dt) {
 		};
 		const Stretch stretch{ Real(substep) * duration, duration, contact_substeps, true };
 		advance_crews(coupled_crews_, stretch, begin, [&](BodyStepper &, std::uint32_t i) {
-			const Crew &crew = roster_.crews()[i];
-			const CrewState &state = crews_[i];
-			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-				TouchingBody &body = touching_[state.rows[lane]];
-				body.measure_extent();
-				if (surroundings_.has_colliders()) {
-					std::ranges::copy(body.hull(), &swept_from_[first_hull_point_[state.rows[lane]]]);
-				}
+			for (std::uint32_t lane = 0; surroundings_.has_colliders() && lane < roster_.crews()[i].count; ++lane) {
+				const std::uint32_t row = crews_[i].rows[lane];
+				std::ranges::copy(touching_[row].hull(), &swept_from_[first_hull_point_[row]]);
 			}
 		});
 		pair_contacts_.answer(pair_bodies(), parallel_for_);

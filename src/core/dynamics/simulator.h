@@ -102,6 +102,7 @@ private:
 	void advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const Stretch &stretch, StateAhead &ahead);
 	bool move_alike_now(std::uint32_t a, std::uint32_t b) const;
 	SweptFrom swept_from(std::uint32_t crew, const Stretch &stretch) const;
+	void measure_extents(std::uint32_t crew);
 	void step_coupled(Real dt);
 	void measure_frames();
 	void answer_self_contacts(Real h);

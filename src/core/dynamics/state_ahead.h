@@ -17,7 +17,7 @@ class StateAhead {
 public:
 	/// Of one or two crews.
 	void add(const Crew &crew) {
-		bytes_ = 2 * crew.shape->point_count() * sizeof(Vec2); // velocities follow positions
+		bytes_ = (2 * crew.shape->point_count() + 1) * sizeof(Vec2); // velocities follow positions, and a rotation them
 		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 			states_[count_++] = reinterpret_cast<const char *>(crew.positions[lane]);
 		}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/pack.h"
+#include "core/collision/pair_response.h"
 #include "core/dynamics/roster.h"
 #include "core/dynamics/state_ahead.h"
 #include "core/model/integrator.h"
@@ -30,6 +31,8 @@ struct WideStretch {
 	Real h = 0; ///< of a substep [s]
 	int substeps = 1;
 	Real reach = 0; ///< how far apart points may be at the end [length], see `is_sound`
+	/// Whose extents are measured at the end (`TouchingBody::measure_extent`), or all null.
+	std::array<TouchingBody *, WIDE_WIDTH> touching{};
 };
 
 /// Advances two crews side by side, with the bits that each would get alone. Serves one thread.

@@ -5,6 +5,7 @@
 // GCC cannot align the stack to 32 bytes on Windows (its bug 54412). SOFTBODY_SHUFFLES implies single precision.
 #if defined(__AVX2__) && defined(SOFTBODY_SHUFFLES) && !(defined(_WIN32) && !defined(__clang__))
 
+#include "core/collision/extent_lanes.h"
 #include "core/collision/surface_response_lanes.h"
 #include "core/dynamics/forces_lanes.h"
 #include "core/dynamics/integrators/lane_steps.h"
@@ -121,6 +122,8 @@ public:
 		gather_all(to_positions, bodies.positions);
 		ahead.ask(1);
 		gather_all(to_velocities, bodies.velocities);
+		const std::size_t hull_count = stretch.touching[0] != nullptr ? shape.hull_count() : 0;
+		before_.assign(positions_.begin(), positions_.begin() + std::ptrdiff_t(hull_count));
 		const LaneStep<WidePack> step = lane_step<WidePack>(stretch.integrator);
 		WidePack contacts(0);
 		for (int i = 0; i < stretch.substeps; ++i) {
@@ -142,6 +145,9 @@ public:
 		}
 		scatter_all(bodies.positions, to_positions);
 		scatter_all(bodies.velocities, to_velocities);
+		if (hull_count > 0) {
+			hand_out(measure_extent<WidePack>(bodies.positions.first(hull_count), before_), stretch.touching);
+		}
 		std::uint64_t all_contacts = 0;
 		for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
 			all_contacts += std::uint64_t(contacts[lane]);
@@ -162,9 +168,20 @@ private:
 		return load.contacts;
 	}
 
+	static void hand_out(const BasicExtent<WidePack> &extent, const std::array<TouchingBody *, WIDE_WIDTH> &touching) {
+		for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
+			TouchingBody &body = *touching[lane];
+			body.box = { { extent.min.x[lane], extent.min.y[lane] }, { extent.max.x[lane], extent.max.y[lane] } };
+			body.centre = { extent.centre.x[lane], extent.centre.y[lane] };
+			body.radius = extent.radius[lane];
+			body.way = extent.way[lane];
+		}
+	}
+
 	BasicWorkspace<WidePack> workspace_;
 	std::vector<WideVec2> positions_;
 	std::vector<WideVec2> velocities_;
+	std::vector<WideVec2> before_; ///< the hulls' points at the start
 };
 
 std::unique_ptr<WideStepper> make() {

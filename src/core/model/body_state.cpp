@@ -325,7 +325,7 @@ BodyState SoftBodyData::save_state() const {
 	state.external_forces = external_forces_;
 	state.load = load_;
 	state.acceleration = acceleration_;
-	state.rotation_memory = rotation_memory_;
+	state.rotation_memory = rotation_memory();
 	state.touch = touch_memory_;
 	state.pair_touches = pair_memories_;
 	state.one_ways = one_ways_;
@@ -359,7 +359,7 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 		pinned_inverse_masses_[point] = 0;
 	}
 	external_forces_ = state.external_forces;
-	rotation_memory_ = state.rotation_memory;
+	set_rotation_memory(state.rotation_memory);
 	touch_memory_ = state.touch;
 	pair_memories_ = state.pair_touches;
 	one_ways_ = state.one_ways;

@@ -39,9 +39,9 @@ Result<SoftBodyData> SoftBodyData::create(std::shared_ptr<const SoftBodyShape> s
 	for (const Vec2 rest : shape->rest_positions()) {
 		body.previous_positions_.push_back(pose.apply(rest + shape->origin_offset()));
 	}
-	body.state_.assign(2 * count, Vec2{});
+	body.state_.assign(2 * count + 1, Vec2{});
 	std::ranges::copy(body.previous_positions_, body.state_.begin());
-	body.rotation_memory_ = pose.rotation;
+	body.set_rotation_memory(pose.rotation);
 	body.shape_ = std::move(shape);
 	return body;
 }
@@ -309,8 +309,8 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 	const Rotation from = reference.rotation;
 	const Rotation to = pose.rotation;
 	const Rotation turn{ to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s };
-	rotation_memory_ = { turn.c * rotation_memory_.c - turn.s * rotation_memory_.s,
-		turn.s * rotation_memory_.c + turn.c * rotation_memory_.s };
+	const Rotation memory = rotation_memory();
+	set_rotation_memory({ turn.c * memory.c - turn.s * memory.s, turn.s * memory.c + turn.c * memory.s });
 	return {};
 }
 

@@ -162,8 +162,8 @@ public:
 	}
 	/// Last well-defined orientation; see `measure_frame`. The step keeps it for bodies with shape matching, whose
 	/// motion depends on it; for others, whoever measures the frame may.
-	Rotation rotation_memory() const { return rotation_memory_; }
-	void set_rotation_memory(Rotation rotation) { rotation_memory_ = rotation; }
+	Rotation rotation_memory() const { return { state_.back().x, state_.back().y }; }
+	void set_rotation_memory(Rotation rotation) { state_.back() = { rotation.c, rotation.s }; }
 	TouchMemory &touch_memory() { return touch_memory_; }
 	std::vector<PairMemory> &pair_memories() { return pair_memories_; }
 	/// The one-way colliders by which it is held or through which it passes. Few at a time.
@@ -181,7 +181,8 @@ private:
 
 	std::shared_ptr<const SoftBodyShape> shape_;
 	BodySettings settings_;
-	std::vector<Vec2> state_; ///< positions, then velocities: a step reads and writes both, and nothing else
+	/// Positions, then velocities, then the rotation memory: a step reads and writes these, and nothing else.
+	std::vector<Vec2> state_;
 	std::vector<Vec2> previous_positions_;
 	std::vector<Real> pinned_inverse_masses_; ///< empty while nothing is pinned: then those of the shape hold
 	std::vector<Real> frozen_inverse_masses_; ///< zeros, while it is frozen
@@ -189,7 +190,6 @@ private:
 	std::vector<ExternalForce> external_forces_;
 	RigidLoad load_;
 	Vec2 acceleration_;
-	Rotation rotation_memory_;
 	TouchMemory touch_memory_;
 	std::vector<PairMemory> pair_memories_;
 	std::vector<OneWayMemory> one_ways_;

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// How much room bodies side by side take: `TouchingBody::measure_extent` for any scalar type.
+#pragma once
+
+#include "core/base/pack.h"
+#include "core/base/vec2.h"
+#include "core/geometry/aabb.h"
+
+#include <cstddef>
+#include <span>
+
+namespace softbody {
+
+/// As in `TouchingBody`, a number for each lane.
+template <class T>
+struct BasicExtent {
+	BasicVec2<T> min; ///< of the box
+	BasicVec2<T> max;
+	BasicVec2<T> centre;
+	T radius;
+	T way;
+};
+
+/// Of hulls that are at `now` and were at `before`, as many points each. Not of none. O(points).
+template <class T>
+BasicExtent<T> measure_extent(std::span<const BasicVec2<T>> now, std::span<const BasicVec2<T>> before) {
+	BasicVec2<T> min = in_all_lanes<T>(Aabb{}.min);
+	BasicVec2<T> max = in_all_lanes<T>(Aabb{}.max);
+	T longest(0);
+	for (std::size_t i = 0; i < now.size(); ++i) {
+		const BasicVec2<T> &p = now[i];
+		min = { lesser(p.x, min.x), lesser(p.y, min.y) };
+		max = { greater(p.x, max.x), greater(p.y, max.y) };
+		longest = greater(length_squared(p - before[i]), longest);
+	}
+	const BasicVec2<T> centre = (min + max) * T(Real(0.5));
+	T farthest(0);
+	for (const BasicVec2<T> &p : now) {
+		farthest = greater(length_squared(p - centre), farthest);
+	}
+	const T way = sqrt(longest);
+	const BasicVec2<T> margin{ way, way };
+	return { min - margin, max + margin, centre, sqrt(farthest) + way, way };
+}
+
+} // namespace softbody
