@@ -103,7 +103,7 @@ inline std::optional<HullContact> HullEdges::contact_at(std::size_t edge, Vec2 p
 		return {};
 	}
 	contact.normal = Vec2{ way.y, -way.x } * (1 / size);
-	contact.depth = std::max(dot(out_of_hull, contact.normal), Real(0));
+	contact.depth = std::max(cross(way, p - start) * (1 / size), Real(0)); // from the edge itself, without waiting for t
 	return contact;
 }
 

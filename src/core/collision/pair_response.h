@@ -124,14 +124,11 @@ inline Real answer_pair_contact(TouchingBody &body, TouchingBody &other, const P
 	}
 	// Nothing where they part already. No branch: half of all contacts do, and no processor can guess which.
 	const Real normal_change = std::max(Real(0), std::min(approach, deepening));
-	const Vec2 slide = relative + normal * approach;
-	const Real slide_speed = length(slide);
-	Vec2 velocity_change = normal * normal_change;
-	if (slide_speed > 0) {
-		const Vec2 brake = slide * (-std::min(slide_speed, friction * normal_change) / slide_speed);
-		velocity_change += brake;
-		shift += brake * h;
-	}
+	const Vec2 tangent = perpendicular(normal);
+	const Real most = friction * normal_change;
+	const Vec2 brake = tangent * std::max(-most, std::min(-dot(relative, tangent), most));
+	Vec2 velocity_change = normal * normal_change + brake;
+	shift += brake * h;
 	shift *= 1 / mobility;
 	velocity_change *= 1 / mobility;
 	// Who is about to be reset must not take the other along. A sum is finite only if all of it is: one question for four.
