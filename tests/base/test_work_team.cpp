@@ -29,7 +29,7 @@ bool calls_each_once(WorkTeam &team, int calls) {
 
 } // namespace
 
-TEST_CASE("a team calls every index once, and all calls are over when it returns") {
+TEST_CASE("a team calls every index once, and all calls are over when it returns" * doctest::test_suite("threads")) {
 	for (const int helpers : { 0, 1, 3 }) {
 		WorkTeam team;
 		std::vector<std::thread> threads;
@@ -44,7 +44,7 @@ TEST_CASE("a team calls every index once, and all calls are over when it returns
 	}
 }
 
-TEST_CASE("helpers take part") {
+TEST_CASE("helpers take part" * doctest::test_suite("threads")) {
 	WorkTeam team;
 	std::atomic<bool> helper_came = false;
 	const std::thread::id leader = std::this_thread::get_id();
@@ -63,7 +63,7 @@ TEST_CASE("helpers take part") {
 	helper.join();
 }
 
-TEST_CASE("helpers that sleep are woken by a call") {
+TEST_CASE("helpers that sleep are woken by a call" * doctest::test_suite("threads")) {
 	WorkTeam team;
 	std::thread helper([&] { team.help(); });
 	const std::thread::id leader = std::this_thread::get_id();
@@ -84,7 +84,7 @@ TEST_CASE("helpers that sleep are woken by a call") {
 	helper.join();
 }
 
-TEST_CASE("a team that closes sends its helpers away, and can open again") {
+TEST_CASE("a team that closes sends its helpers away, and can open again" * doctest::test_suite("threads")) {
 	WorkTeam team;
 	for (int session = 0; session < 200; ++session) {
 		team.open();

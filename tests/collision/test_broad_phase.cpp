@@ -149,7 +149,7 @@ TEST_CASE("where a few bodies move, of any size, their new pairs come and their 
 	}
 }
 
-TEST_CASE("pairs and groups are the same for any number of threads") {
+TEST_CASE("pairs and groups are the same for any number of threads" * doctest::test_suite("threads")) {
 	Random random(15);
 	const Bodies bodies = random_bodies(random, 3000, 40, 0.5, 3);
 	BroadPhase alone;

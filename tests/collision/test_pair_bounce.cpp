@@ -142,7 +142,8 @@ TEST_CASE("slow touches do not bounce, and one that lasts is forgotten") {
 	CHECK(lasting.approach < Real(0.01));
 }
 
-TEST_CASE("jumping balls take the same bits with any number of threads, though they meet and part all the time") {
+TEST_CASE("jumping balls take the same bits with any number of threads, though they meet and part all the time" *
+		doctest::test_suite("threads")) {
 	const auto run = [](ParallelFor parallel_for) {
 		WorldData world;
 		for (int i = 0; i < 60; ++i) {

@@ -258,7 +258,7 @@ TEST_CASE("a fast body does not pass through a thin one") {
 	}
 }
 
-TEST_CASE("a pile takes the same bits with any number of threads and in every run") {
+TEST_CASE("a pile takes the same bits with any number of threads and in every run" * doctest::test_suite("threads")) {
 	const auto run = [](ParallelFor parallel_for) {
 		Random random(42);
 		WorldData world;

@@ -512,7 +512,8 @@ TEST_CASE("a pinned body is a support that a crate bounces off or rests on") {
 	CHECK(std::abs(double(world.rigid_bodies()[0].linear_velocity.y)) < 5);
 }
 
-TEST_CASE("any number of threads gives the same bits with rigid bodies pushed by many") {
+TEST_CASE("any number of threads gives the same bits with rigid bodies pushed by many" *
+		doctest::test_suite("threads")) {
 	const auto run = [](ParallelFor parallel_for) {
 		Random random(343);
 		WorldData world = pixel_world();

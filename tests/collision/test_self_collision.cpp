@@ -341,7 +341,8 @@ TEST_CASE("500 random stars with random velocities never cross themselves, and s
 	CHECK(folded_without >= 20);
 }
 
-TEST_CASE("bodies that collide with themselves give the same bits for any number of threads") {
+TEST_CASE("bodies that collide with themselves give the same bits for any number of threads" *
+		doctest::test_suite("threads")) {
 	std::vector<Vec2> first;
 	for (const std::size_t threads : { 1, 2, 8 }) {
 		WorldData world;

@@ -214,7 +214,7 @@ TEST_CASE("the separation force means the same in metres as in pixels") {
 	}
 }
 
-TEST_CASE("the separation force gives the same bits for any number of threads") {
+TEST_CASE("the separation force gives the same bits for any number of threads" * doctest::test_suite("threads")) {
 	std::vector<Vec2> first;
 	for (const std::size_t threads : { 1, 2, 8 }) {
 		WorldData world;

@@ -9,7 +9,7 @@
 using namespace softbody;
 using namespace softbody::testing;
 
-TEST_CASE("scenes end in the same bits on one to eight threads") {
+TEST_CASE("scenes end in the same bits on one to eight threads" * doctest::test_suite("threads")) {
 	for (const HashedScene &scene : hashed_scenes()) {
 		CAPTURE(scene.name);
 		const std::uint64_t alone = run_hashed(scene, 90, {});
@@ -17,6 +17,14 @@ TEST_CASE("scenes end in the same bits on one to eight threads") {
 			CAPTURE(threads);
 			CHECK(run_hashed(scene, 90, on_threads(threads)) == alone);
 		}
+	}
+}
+
+TEST_CASE("scenes end in the same bits with a team whose helpers stay from call to call" * doctest::test_suite("threads")) {
+	HelpedTeam team(2);
+	for (const HashedScene &scene : hashed_scenes()) {
+		CAPTURE(scene.name);
+		CHECK(run_hashed(scene, 60, team.parallel_for()) == run_hashed(scene, 60, {}));
 	}
 }
 

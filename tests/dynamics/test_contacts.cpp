@@ -228,7 +228,8 @@ TEST_CASE("a place that touches in several substeps is one contact") {
 	CHECK(most > 30);
 }
 
-TEST_CASE("contacts and events are the same, in the same order, for any number of threads") {
+TEST_CASE("contacts and events are the same, in the same order, for any number of threads" *
+		doctest::test_suite("threads")) {
 	const auto run = [](const ParallelFor &threads) {
 		WorldData world = mixed_world(2);
 		Simulator simulator(world, threads);

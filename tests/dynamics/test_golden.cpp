@@ -44,7 +44,8 @@ Outcome run(Real spin, const ParallelFor &threads) {
 
 } // namespace
 
-TEST_CASE("a mixed scene ends in the same bits on 1, 2, 3 and 8 threads and in another run") {
+TEST_CASE("a mixed scene ends in the same bits on 1, 2, 3 and 8 threads and in another run" *
+		doctest::test_suite("threads")) {
 	for (const Real spin : { Real(0), Real(2) }) {
 		CAPTURE(spin);
 		const Outcome alone = run(spin, {});

@@ -341,7 +341,7 @@ TEST_CASE("a kinematic rigid body drags what is joined to it, and wakes it") {
 	CHECK(double(measure_frame(*world.find(ball)).centre.x) == doctest::Approx(2).epsilon(0.1));
 }
 
-TEST_CASE("a chain ends in the same bits on any number of threads") {
+TEST_CASE("a chain ends in the same bits on any number of threads" * doctest::test_suite("threads")) {
 	std::vector<Vec2> ends[3];
 	for (int run = 0; run < 3; ++run) {
 		Chain chain(40, run == 0 ? ParallelFor{} : on_threads(run == 1 ? 2 : 5));

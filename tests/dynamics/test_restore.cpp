@@ -106,7 +106,8 @@ void settle(WorldData &world, Simulator &simulator) {
 	}
 }
 
-TEST_CASE("60 bodies in a pile go on in the same bits when they are put back, here or in a world built alike") {
+TEST_CASE("60 bodies in a pile go on in the same bits when they are put back, here or in a world built alike" *
+		doctest::test_suite("threads")) {
 	for (const std::size_t threads : { 1, 3 }) {
 		const ParallelFor parallel_for = threads == 1 ? ParallelFor{} : on_threads(threads);
 		for (const bool is_lively : { true, false }) {

@@ -217,7 +217,7 @@ TEST_CASE("bodies of a crew end in the same bits as alone where some of them lie
 	}
 }
 
-TEST_CASE("any number of threads gives the same bits") {
+TEST_CASE("any number of threads gives the same bits" * doctest::test_suite("threads")) {
 	const auto run = [](ParallelFor parallel_for) {
 		Random random(8);
 		WorldData world;
