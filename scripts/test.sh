@@ -2,16 +2,19 @@
 # SPDX-License-Identifier: MIT
 # Builds and runs all tests, and installs first what is missing for that; the last line is the result.
 #
-# Usage: scripts/test.sh [core|engine|editor|game|export|package|determinism|sanitize]      without an argument: all up to package
+# Usage: scripts/test.sh [PART]      without an argument: all parts up to quick
 #   core         only the tests of the simulation core, which need neither Godot nor godot-cpp
 #   engine       only the tests inside of Godot
 #   editor       only the tests of the editor addon in a real editor, which no one sees if there is no screen
 #   game         only the scripted player, who has to win the game; leaves pictures in build/game
 #   export       only the test of the exported demo
 #   package      only a newcomer's path: the packed addon in an empty project, and every example of the documentation
-#   determinism  whether gcc and clang, at -O0, -O2 and -O3, on one to eight threads, compute the same bits
+#   quick        the next two, each without what takes longest; says what it leaves out
 #   sanitize     the core under AddressSanitizer and UndefinedBehaviorSanitizer, and what uses threads under ThreadSanitizer
-# The last two build the core anew for each variant: some minutes each, on two cores.
+#   determinism  whether gcc and clang, at -O0, -O2 and -O3, on one to eight threads, compute the same bits
+#   leaks        the tests inside of Godot once more, with the extension under AddressSanitizer, UndefinedBehaviorSanitizer
+#                and LeakSanitizer; arguments after it are the filters of godot_project/tests/run.gd
+# The last three build the core anew for each variant: some minutes each, on two cores, the first time.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 . "$REPO_DIR/scripts/lib/godot.sh"
@@ -19,10 +22,12 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/editor.sh"
 . "$REPO_DIR/scripts/lib/export.sh"
 . "$REPO_DIR/scripts/lib/package.sh"
+. "$REPO_DIR/scripts/lib/sanitized.sh"
 
 TIME_LIMIT=600
 passed=0
 failed=0
+QUICK=
 
 # count STATUS PASSED FAILED: adds the result of one program. One that ends badly without a failed test, or that ran no
 # test at all, counts as one failure.
@@ -38,7 +43,7 @@ count() {
 
 # The core, as two programs: in single and in double precision.
 test_core() {
-	local real log status summary
+	local real log status
 	need_packages scons g++ doctest-dev || return 1
 	step "Building the tests of the core"
 	run_scons tests || { problem "the core or its tests do not compile"; return 1; }
@@ -48,58 +53,84 @@ test_core() {
 		status=0
 		(cd "$REPO_DIR" && limited $TIME_LIMIT "build/tests/softbody_tests_$real" --no-colors=true) 2>&1 | tee "$log" ||
 			status=$?
-		# [doctest] test cases:  57 |  56 passed | 1 failed | 0 skipped
-		summary=$(sed -nE 's/^\[doctest\] test cases: .*\| *([0-9]+) passed \| *([0-9]+) failed.*/\1 \2/p' "$log" | tail -n 1)
-		# shellcheck disable=SC2086 # Two numbers, or none if the program did not reach its end.
-		count "$status" $summary
+		count_doctest "$status" "$log"
 	done
+}
+
+# count_doctest STATUS LOG: adds the result of one run of doctest.
+count_doctest() {
+	local summary
+	# [doctest] test cases:  57 |  56 passed | 1 failed | 0 skipped
+	summary=$(sed -nE 's/^\[doctest\] test cases: .*\| *([0-9]+) passed \| *([0-9]+) failed.*/\1 \2/p' "$2" | tail -n 1)
+	# shellcheck disable=SC2086 # Two numbers, or none if the program did not reach its end.
+	count "$1" $summary
+}
+
+# What tests by default, and after every change: the sanitizers and compilers without what takes longest.
+test_quick() {
+	QUICK=1
+	test_sanitize || return 1
+	test_determinism
 }
 
 # The same program by every compiler and at every level of optimisation: what they print must be alike.
 test_determinism() {
-	local compiler level name first= status
+	local variants=(g++-O2 g++-O0 g++-O3 clang++-O0 clang++-O2 clang++-O3) variant name first= status
 	need_packages scons g++ clang || return 1
-	for compiler in g++ clang++; do
-		for level in O0 O2 O3; do
-			name=hashes_${compiler}_$level
-			step "Hashing scenes: $compiler -$level"
-			run_scons "$name" >"$LOG_DIR/$name.build.log" 2>&1 || { problem "the core does not compile (see $LOG_DIR/$name.build.log)"; return 1; }
-			status=0
-			limited $TIME_LIMIT "$REPO_DIR/build/determinism/$name" >"$LOG_DIR/$name.log" || status=$?
-			first=${first:-$LOG_DIR/$name.log}
-			if [[ $status -eq 0 ]] && cmp -s "$first" "$LOG_DIR/$name.log"; then
-				count 0 1 0
-			else
-				diff "$first" "$LOG_DIR/$name.log" || true
-				echo "FAILED: $compiler -$level computes other bits"
-				count 0 0 1
-			fi
-		done
+	if [[ -n $QUICK ]]; then
+		variants=(g++-O2 g++-O0 clang++-O3) # each compiler, and both ends of optimisation
+		echo "note: -O0 of clang, -O2 of clang and -O3 of gcc are left out; scripts/test.sh determinism has them"
+	fi
+	for variant in "${variants[@]}"; do
+		name=hashes_${variant/-/_}
+		step "Hashing scenes: ${variant/-/ -}"
+		run_scons "$name" >"$LOG_DIR/$name.build.log" 2>&1 || { problem "the core does not compile (see $LOG_DIR/$name.build.log)"; return 1; }
+		status=0
+		limited $TIME_LIMIT "$REPO_DIR/build/determinism/$name" >"$LOG_DIR/$name.log" || status=$?
+		first=${first:-$LOG_DIR/$name.log}
+		if [[ $status -eq 0 ]] && cmp -s "$first" "$LOG_DIR/$name.log"; then
+			count 0 1 0
+		else
+			diff "$first" "$LOG_DIR/$name.log" || true
+			echo "FAILED: ${variant/-/ -} computes other bits"
+			count 0 0 1
+		fi
 	done
 	cat "$first"
 }
 
-# Those that use threads, by the files that they are in.
-THREADED_TESTS='*test_work_team*,*test_golden*,*test_determinism*,*test_restore*,*test_side_by_side*,*test_pairs*,*test_rigid_contacts*,*test_broad_phase*'
+# Tests that take long under a sanitizer and look at nothing that others do not.
+SLOW_UNDER_ADDRESS=()
+SLOW_UNDER_THREAD=()
 
 test_sanitize() {
+	local name=
 	need_packages scons g++ doctest-dev || return 1
-	export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
-	test_sanitized address || return 1
-	test_sanitized thread "--source-file=$THREADED_TESTS"
+	step "Building the tests of the core with sanitizers"
+	run_scons tests_address tests_thread || { problem "the core or its tests do not compile"; return 1; }
+	export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
+	start_sanitized address "${SLOW_UNDER_ADDRESS[@]}" & # Both at once: each takes one core for minutes.
+	start_sanitized thread "${SLOW_UNDER_THREAD[@]}"
+	wait $!
+	for name in address thread; do
+		step "Tested the core with the $name sanitizer"
+		cat "$LOG_DIR/tests_$name.log"
+		count_doctest "$(cat "$LOG_DIR/tests_$name.status")" "$LOG_DIR/tests_$name.log"
+	done
 }
 
-# test_sanitized NAME [ARGUMENTS…]: the tests of the core, compiled and run with these sanitizers.
-test_sanitized() {
-	local name=$1 log=$LOG_DIR/tests_$1.log status=0 summary
+# start_sanitized NAME [SLOW…]: runs the tests compiled with that sanitizer; where it shall be quick, without the slow ones.
+start_sanitized() {
+	local name=$1 log=$LOG_DIR/tests_$1.log status=0 left_out=
 	shift
-	step "Building the tests of the core with the $name sanitizer"
-	run_scons "tests_$name" || { problem "the core or its tests do not compile"; return 1; }
-	step "Testing the core with the $name sanitizer"
-	(cd "$REPO_DIR" && limited 3600 "build/tests/softbody_tests_$name" --no-colors=true "$@") 2>&1 | tee "$log" || status=$?
-	summary=$(sed -nE 's/^\[doctest\] test cases: .*\| *([0-9]+) passed \| *([0-9]+) failed.*/\1 \2/p' "$log" | tail -n 1)
-	# shellcheck disable=SC2086 # As above.
-	count "$status" $summary
+	: >"$log"
+	if [[ -n $QUICK && $# -gt 0 ]]; then
+		printf 'note: left out, scripts/test.sh sanitize has it: %s\n' "$@" >>"$log"
+		left_out=$(IFS=$'\n' && echo "${*//,/?}" | paste -sd ,) # A comma ends a pattern.
+	fi
+	(cd "$REPO_DIR" && limited 3600 "build/tests/softbody_tests_$name" --no-colors=true "--test-case-exclude=$left_out") \
+		>>"$log" 2>&1 || status=$?
+	echo "$status" >"$LOG_DIR/tests_$name.status"
 }
 
 # The nodes and resources, in the engine.
@@ -121,6 +152,25 @@ test_engine() {
 	godot_windowed $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd -- test_drawing 2>&1 |
 		tee "$log" || status=$?
 	count_engine "$status" "$log"
+}
+
+# The same tests with an extension in which every access is looked at, and at the end what of its memory nobody holds.
+test_leaks() {
+	local log=$LOG_DIR/tests_leaks.log status=0
+	build_extension target=template_debug || return 1
+	build_extension target=template_debug sanitizers=$LEAK_SANITIZERS || return 1
+	find_godot || return 1
+	import_project || return 1
+	make_sanitized_project || return 1
+	step "Testing in Godot with sanitizers"
+	run_sanitized $((6 * TIME_LIMIT)) --script res://tests/run.gd -- "$@" 2>&1 | tee "$log" || status=$?
+	count_engine "$status" "$log"
+	step "What the sanitizers found"
+	if judge_findings; then
+		count 0 1 0
+	else
+		count 0 0 1
+	fi
 }
 
 # The editor addon, in an editor that is driven by made-up input.
@@ -216,19 +266,14 @@ count_engine() {
 }
 
 case ${1:-all} in
-	core) parts=(core) ;;
-	engine) parts=(engine) ;;
-	editor) parts=(editor) ;;
-	game) parts=(game) ;;
-	export) parts=(export) ;;
-	package) parts=(package) ;;
-	determinism | --determinism) parts=(determinism) ;;
-	sanitize | --sanitize) parts=(sanitize) ;;
-	all) parts=(core engine editor game export package) ;;
-	*) problem "usage: scripts/test.sh [core|engine|editor|game|export|package|determinism|sanitize]" || exit 2 ;;
+	core | engine | editor | game | export | package | quick | sanitize | determinism | leaks) parts=("$1") ;;
+	--sanitize | --determinism) parts=("${1#--}") ;;
+	all) parts=(core engine editor game export package quick) ;;
+	*) problem "usage: scripts/test.sh [core|engine|editor|game|export|package|quick|sanitize|determinism|leaks]" || exit 2 ;;
 esac
+shift $(($# > 0))
 for part in "${parts[@]}"; do
-	"test_$part" || failed=$((failed + 1))
+	"test_$part" "$@" || failed=$((failed + 1))
 done
 echo "$passed passed, $failed failed"
 [[ $failed -eq 0 ]]

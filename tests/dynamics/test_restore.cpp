@@ -108,8 +108,9 @@ void settle(WorldData &world, Simulator &simulator) {
 
 TEST_CASE("60 bodies in a pile go on in the same bits when they are put back, here or in a world built alike" *
 		doctest::test_suite("threads")) {
+	HelpedTeam team(2);
 	for (const std::size_t threads : { 1, 3 }) {
-		const ParallelFor parallel_for = threads == 1 ? ParallelFor{} : on_threads(threads);
+		const ParallelFor parallel_for = threads == 1 ? ParallelFor{} : team.parallel_for();
 		for (const bool is_lively : { true, false }) {
 			WorldData world = pile_world(is_lively);
 			Simulator simulator(world, parallel_for);
@@ -132,7 +133,7 @@ TEST_CASE("60 bodies in a pile go on in the same bits when they are put back, he
 				CHECK(run(world, simulator, start, 300) == first);
 				// Only the bodies are put back, and only once, into a world that has never made a step.
 				WorldData other = pile_world(is_lively);
-				Simulator fresh(other, threads == 1 ? on_threads(3) : ParallelFor{});
+				Simulator fresh(other, threads == 1 ? team.parallel_for() : ParallelFor{});
 				restore(other, from);
 				CHECK(run(other, fresh, start, 300) == first);
 				// And through bytes.
