@@ -33,7 +33,18 @@ void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	Engine::get_singleton()->register_singleton("SoftBodyServer2D", server);
 }
 
+// The editor takes a library that it loads anew up from the level we ask for, but down to the lowest one. There godot-cpp
+// gives back what it holds of the engine's singletons, if it has counted that level; else the engine, when it ends, calls
+// into a library that is gone.
+static void count_lowest_level() {
+	int &count = GDExtensionBinding::level_initialized[MODULE_INITIALIZATION_LEVEL_CORE];
+	count = MAX(count, 1);
+}
+
 void uninitialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
+	if (p_level == MODULE_INITIALIZATION_LEVEL_CORE) {
+		count_lowest_level();
+	}
 	if (p_level != MODULE_INITIALIZATION_LEVEL_SCENE) {
 		return;
 	}

@@ -375,6 +375,9 @@ private:
 		uint64_t collider = 0; ///< instance id
 	};
 
+	/// Of a bound method of this node, for whoever keeps it beyond the call: by name, as the node outlives the code that it
+	/// runs when the editor reloads the extension, and a `callable_mp` points into that code.
+	Callable own_callable(const char *p_method) { return Callable(this, p_method); }
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
 	bool accept_shape(const StringName &p_property);
 	bool change(const StringName &p_property, double &r_member, double p_value, const softbody::Status &p_range,

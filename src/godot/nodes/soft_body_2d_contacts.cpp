@@ -9,7 +9,6 @@
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
-#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -101,7 +100,7 @@ void SoftBody2D::take_contacts(std::span<const softbody::Contact> p_contacts, st
 
 // A collider that is freed, or leaves the tree, is told while it can still be looked at, as by RigidBody2D.
 void SoftBody2D::watch_collider(Node *p_collider, bool p_watch) {
-	const Callable listener = callable_mp(this, &SoftBody2D::on_collider_exiting).bind(p_collider->get_instance_id());
+	const Callable listener = own_callable("_on_collider_exiting").bind(p_collider->get_instance_id());
 	if (p_watch != p_collider->is_connected("tree_exiting", listener)) {
 		if (p_watch) {
 			p_collider->connect("tree_exiting", listener);
@@ -187,6 +186,7 @@ void SoftBody2D::bind_contacts() {
 	ClassDB::bind_method(D_METHOD("get_contact_point", "index"), &SoftBody2D::get_contact_point);
 	ClassDB::bind_method(D_METHOD("get_contact_collider", "index"), &SoftBody2D::get_contact_collider);
 	ClassDB::bind_method(D_METHOD("get_colliding_bodies"), &SoftBody2D::get_colliding_bodies);
+	ClassDB::bind_method(D_METHOD("_on_collider_exiting", "collider"), &SoftBody2D::on_collider_exiting);
 
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "contact_monitor"), "set_contact_monitor", "is_contact_monitor_enabled");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "max_contacts_reported", PROPERTY_HINT_RANGE, "0,64,1,or_greater"), "set_max_contacts_reported", "get_max_contacts_reported");

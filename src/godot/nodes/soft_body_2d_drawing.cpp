@@ -5,7 +5,6 @@
 #include "godot/convert.h"
 
 #include <godot_cpp/core/class_db.hpp>
-#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -97,7 +96,7 @@ void SoftBody2D::follow_texture() {
 }
 
 void SoftBody2D::replace_texture(Ref<Texture2D> SkinStyle::*p_member, const Ref<Texture2D> &p_texture) {
-	const Callable changed = callable_mp(this, &SoftBody2D::follow_texture);
+	const Callable changed = own_callable("_follow_texture");
 	SkinStyle &style = skin_.change_style();
 	for (const Ref<Texture2D> &texture : { style.texture, style.outline_texture }) {
 		if (texture.is_valid() && texture->is_connected("changed", changed)) {
@@ -194,6 +193,9 @@ void SoftBody2D::bind_drawing() {
 	ClassDB::bind_method(D_METHOD("get_outline_texture_mode"), &SoftBody2D::get_outline_texture_mode);
 	ClassDB::bind_method(D_METHOD("get_interpolated_hull", "fraction"), &SoftBody2D::get_interpolated_hull, DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("get_interpolated_transform", "fraction"), &SoftBody2D::get_interpolated_transform, DEFVAL(-1.0));
+	ClassDB::bind_method(D_METHOD("_follow_texture"), &SoftBody2D::follow_texture);
+	ClassDB::bind_method(D_METHOD("_enter_screen"), &SoftBody2D::enter_screen);
+	ClassDB::bind_method(D_METHOD("_leave_screen"), &SoftBody2D::leave_screen);
 
 	ADD_GROUP("Drawing", "");
 	ADD_PROPERTY(PropertyInfo(Variant::COLOR, "color"), "set_color", "get_color");

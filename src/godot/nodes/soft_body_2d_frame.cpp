@@ -8,7 +8,6 @@
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/error_macros.hpp>
-#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <vector>
 
@@ -172,8 +171,8 @@ void SoftBody2D::update_seen_area() {
 	}
 	skin_area_ = box.grow(AREA_RESERVE * MAX(box.size.x, box.size.y));
 	if (!entered_screen_.is_valid()) {
-		entered_screen_ = callable_mp(this, &SoftBody2D::enter_screen);
-		left_screen_ = callable_mp(this, &SoftBody2D::leave_screen);
+		entered_screen_ = own_callable("_enter_screen");
+		left_screen_ = own_callable("_leave_screen");
 	}
 	const Vector2 scale = known_transform_.get_scale().abs();
 	const real_t margin = real_t(softbody::DrawingFrame::MARGIN) / MAX(real_t(1e-3), MIN(scale.x, scale.y));

@@ -5,7 +5,6 @@
 #include "godot/convert.h"
 
 #include <godot_cpp/core/class_db.hpp>
-#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 namespace godot {
 
@@ -23,12 +22,12 @@ void SoftBody2D::set_soft_body_material(const Ref<SoftBodyMaterial2D> &p_materia
 	if (p_material == material_) {
 		return;
 	}
-	const Callable listener = callable_mp(this, &SoftBody2D::take_over_material);
+	const Callable listener = own_callable("_take_over_material");
 	if (material_.is_valid()) {
 		material_->disconnect("changed", listener);
 	}
 	material_ = p_material;
-	if (material_.is_valid()) {
+	if (material_.is_valid() && !material_->is_connected("changed", listener)) {
 		material_->connect("changed", listener);
 	}
 	take_over_material();
@@ -85,6 +84,7 @@ void SoftBody2D::bind_material() {
 	ClassDB::bind_method(D_METHOD("get_soft_body_material"), &SoftBody2D::get_soft_body_material);
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "soft_body_material", PROPERTY_HINT_RESOURCE_TYPE, "SoftBodyMaterial2D"), "set_soft_body_material", "get_soft_body_material");
 	softbody::bind_material_values<SoftBody2D>(false);
+	ClassDB::bind_method(D_METHOD("_take_over_material"), &SoftBody2D::take_over_material);
 }
 
 } // namespace godot

@@ -80,6 +80,10 @@ func process(delta: float) -> void:
 		if not is_instance_valid(body) or not body.is_inside_tree():
 			stop()
 			return
+	if world.get_body_count() < _played_bodies.size():
+		stop()
+		canvas.tell(Words.say("The extension was loaded anew: the preview has ended, and everything is as before."))
+		return
 	var tick := 1.0 / Engine.physics_ticks_per_second
 	_owed = minf(_owed + delta, MOST_TICKS * tick)
 	while _owed >= tick:

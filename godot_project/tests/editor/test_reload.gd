@@ -1,0 +1,322 @@
+# SPDX-License-Identifier: MIT
+@tool
+extends "suite.gd"
+## The library is replaced while the editor runs: nothing of what is open is lost, and the new code is in use.
+
+const LIBRARIES := "res://addons/soft_body_2d/bin"
+const EXTENSION := "res://addons/soft_body_2d/soft_body_2d.gdextension"
+## Part of what a joint without ends is warned of, by which one library is told from another: the last two characters
+## are changed.
+const MARK := "Neither end is a SoftBody2D."
+
+## For every property that is stored, another value than its default.
+var body_values := {
+	"hull": PackedVector2Array([Vector2(-50, -30), Vector2(0, -42), Vector2(50, -30), Vector2(58, 10), Vector2(30, 40),
+		Vector2(-30, 40), Vector2(-58, 10)]),
+	"center_point": false, "inner_points": PackedVector2Array([Vector2(-16, 0), Vector2(20, 4)]),
+	"springs": PackedInt32Array([0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 0, 7, 0, 7, 1, 7, 5, 7, 6, 8, 2, 8, 3, 8, 4, 7, 8]),
+	"spring_stiffness_scales": PackedFloat32Array([1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 0.5, 0.5, 0.5, 3]),
+	"spring_damping_scales": PackedFloat32Array([1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2]),
+	"spring_length_scales": PackedFloat32Array([1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0.75]),
+	"pinned_points": PackedInt32Array([3, 8]), "pin_targets": [^"..", ^"../Joint"] as Array[NodePath],
+	"mass": 2.5, "stiffness": 640.0, "damping": 0.5, "shape_matching": 0.75, "shape_damping": 0.5, "pressure": 12.0,
+	"inflation": 1.125, "friction": 0.25, "bounce": 0.125, "rolling_resistance": 0.0625, "gravity_scale": 1.25,
+	"linear_damp_mode": 1, "linear_damp": 0.25, "angular_damp_mode": 1, "angular_damp": 0.5,
+	"linear_velocity": Vector2(30, 20), "angular_velocity": 0.5, "constant_force": Vector2(4, 0), "constant_torque": 8.0,
+	"integrator": SoftBody2D.INTEGRATOR_MIDPOINT, "substeps": 9, "collision_layer": 5, "collision_mask": 3,
+	"self_collision": true, "collision_proxy_enabled": false, "collision_proxy_margin": 2.0, "contact_monitor": true,
+	"max_contacts_reported": 4, "sleeping": true, "can_sleep": false, "freeze": true, "simulate_off_screen": false,
+	"failure_mode": 1, "color": Color(0.25, 0.5, 0.75), "antialiased": true, "smooth": true,
+	"vertex_colors": PackedColorArray([Color.RED, Color.GREEN, Color.BLUE, Color.WHITE, Color.BLACK, Color.RED, Color.GREEN]),
+	"uv": PackedVector2Array([Vector2(0, 0), Vector2(8, 0), Vector2(16, 0), Vector2(16, 8), Vector2(16, 16), Vector2(8, 16),
+		Vector2(0, 16)]),
+	"texture": PlaceholderTexture2D.new(), "texture_offset": Vector2(2, -3), "texture_scale": Vector2(0.5, 2),
+	"texture_rotation": 0.5, "outline_width": 4.0, "outline_color": Color(0.5, 0, 0.25),
+	"outline_texture": PlaceholderTexture2D.new(), "outline_texture_mode": 1, "position": Vector2(300, 200),
+	"rotation": 0.25, "scale": Vector2(1.5, 1.25), "z_index": 2,
+}
+var joint_values := {
+	"node_a": ^"../Jelly", "node_b": ^"../Other", "length": 70.0, "rigid": false, "stiffness": 340.0, "damping": 1.5,
+	"break_force": 900.0, "disable_collision": false, "position": Vector2(350, 200),
+}
+var attachment_values := { "follow_rotation": false, "position": Vector2(10, 12), "rotation": 0.5 }
+var material_values := {
+	"stiffness": 320.0, "damping": 0.75, "shape_matching": 0.5, "shape_damping": 0.375, "pressure": 3.0, "inflation": 1.25,
+	"friction": 0.5, "bounce": 0.25, "rolling_resistance": 0.125, "density": 2.0,
+}
+
+
+func _library() -> String:
+	for file in DirAccess.get_files_at(LIBRARIES):
+		if "template_debug" in file and not file.begins_with("~") and not file.ends_with(".new"):
+			return LIBRARIES.path_join(file)
+	return ""
+
+
+## Copies the library with another mark, and puts the copy in its place, as a linker does: whoever runs the old one keeps it.
+func _replace_library(mark: String) -> bool:
+	var name := _library()
+	var bytes := FileAccess.get_file_as_bytes(name)
+	var text := bytes.hex_encode()
+	var stem := MARK.substr(0, MARK.length() - 2).to_ascii_buffer()
+	var place := text.find(stem.hex_encode())
+	if not check(place >= 0 and place % 2 == 0, "the library holds the text by which it is known"):
+		return false
+	for i in 2:
+		bytes[place / 2 + stem.size() + i] = mark.to_ascii_buffer()[i]
+	var file := FileAccess.open(name + ".new", FileAccess.WRITE)
+	file.store_buffer(bytes)
+	file.close()
+	var path := ProjectSettings.globalize_path(name)
+	return check_equal(DirAccess.rename_absolute(path + ".new", path), OK, "putting the new library in place")
+
+
+## The mark of the library that is in use.
+func _mark() -> String:
+	var joint := SoftBodyJoint2D.new()
+	var text := joint.get_warnings()[0]
+	joint.free()
+	return text.substr(MARK.length() - 2, 2)
+
+
+func _reload(mark: String) -> void:
+	if _replace_library(mark):
+		check_equal(GDExtensionManager.reload_extension(EXTENSION), GDExtensionManager.LOAD_STATUS_OK, "reloading")
+		check_equal(_mark(), mark, "mark of the library in use")
+
+
+func _set_all(object: Object, values: Dictionary) -> void:
+	for property: String in values:
+		check(object.get(property) != values[property], "%s is no other value than the default" % property)
+		object.set(property, values[property])
+		check_equal(object.get(property), values[property], property)
+	if object.get_class().begins_with("SoftBody"):
+		for property in ClassDB.class_get_property_list(object.get_class(), true):
+			if property["usage"] & PROPERTY_USAGE_STORAGE and property["name"] != "soft_body_material":
+				check(values.has(property["name"]), "%s of %s is not in the list" % [property["name"], object.get_class()])
+
+
+func _write_scene_of_everything() -> void:
+	var root := Node2D.new()
+	root.name = "Root"
+	var material := SoftBodyMaterial2D.new()
+	_set_all(material, material_values)
+	var nodes: Array[Node2D] = [SoftBody2D.new(), SoftBody2D.new(), SoftBodyJoint2D.new(), SoftBodyAttachment2D.new()]
+	var names := ["Jelly", "Other", "Joint", "Attachment"]
+	for i in 4:
+		nodes[i].name = names[i]
+		(nodes[0] if i == 3 else root).add_child(nodes[i])
+		nodes[i].owner = root
+	_set_all(nodes[0], body_values)
+	nodes[1].soft_body_material = material
+	nodes[1].position = Vector2(460, 210)
+	_set_all(nodes[2], joint_values)
+	_set_all(nodes[3], attachment_values)
+	write_scene(root, SCENE)
+
+
+## All that is stored of a node, of what is below it, and of our resources in them: values by path and name.
+func _stored(object: Object, path := "") -> Dictionary:
+	var values := { path: object.get_instance_id() }
+	for property in object.get_property_list():
+		if property["usage"] & PROPERTY_USAGE_STORAGE:
+			var value: Variant = object.get(property["name"])
+			if value is SoftBodyMaterial2D:
+				values.merge(_stored(value, path + ":" + property["name"]))
+			values[path + ":" + property["name"]] = value.get_instance_id() if value is Object else var_to_bytes(value)
+	if object is Node:
+		for child: Node in object.get_children():
+			values.merge(_stored(child, path + "/" + child.name))
+	return values
+
+
+func _check_stored(before: Dictionary, what: String) -> void:
+	var after := _stored(root())
+	check_equal(after.size(), before.size(), "values " + what)
+	for path: String in before:
+		check(after.get(path) == before[path], "%s is another %s" % [path, what])
+
+
+func test_nothing_that_is_stored_is_lost() -> void:
+	_write_scene_of_everything()
+	await open(SCENE)
+	await select_body()
+	var before := _stored(root())
+	for round in 4:
+		_reload("%02d" % round)
+		_check_stored(before, "after reload %d" % (round + 1))
+		await frames(3)
+		_check_stored(before, "some frames after reload %d" % (round + 1))
+	await save_and_reload()
+	var saved := _stored(root())
+	for path: String in before:
+		if before[path] is PackedByteArray:
+			check(saved.get(path) == before[path], "%s is another in the scene saved after the reloads" % path)
+
+
+func test_scenes_that_are_not_shown_and_nodes_that_are_deleted_keep_their_values() -> void:
+	await open_scene({"stiffness": 321.0, "hull": SoftBody2D.make_box_hull(Vector2(90, 60), 20)}, "res://editor_hidden.tscn")
+	var hidden := body
+	await open_scene({"stiffness": 123.0, "pinned_points": PackedInt32Array([2])})
+	var deleted := body
+	var before := [_stored(hidden), _stored(deleted)]
+	var undo := plugin.get_undo_redo()
+	undo.create_action("Delete", UndoRedo.MERGE_DISABLE, root())
+	undo.add_do_method(root(), &"remove_child", deleted)
+	undo.add_undo_method(root(), &"add_child", deleted)
+	undo.add_undo_property(deleted, &"owner", root())
+	undo.add_undo_reference(deleted)
+	undo.commit_action()
+	check(not hidden.is_inside_tree() and not deleted.is_inside_tree(), "neither is in the tree")
+	_reload("ab")
+	await frames(2)
+	undo.get_history_undo_redo(undo.get_object_history_id(root())).undo()
+	await frames(2)
+	check(deleted.is_inside_tree(), "the deleted body is back")
+	check(_stored(deleted) == before[1], "the deleted body has its values")
+	check(_stored(hidden) == before[0], "the body of the scene that is not shown has its values")
+
+
+func test_steps_of_undo_from_before_are_undone_and_new_ones_are_made() -> void:
+	await open_scene()
+	var start := bytes(body)
+	var from := hull_on_screen(0)
+	await drag(from, from + Vector2(30, -14))
+	var dragged := bytes(body)
+	_reload("cd")
+	await frames(2)
+	check(bytes(body) == dragged, "the body is as it was dragged")
+	check(plugin.canvas.bodies.has(body), "the body is still edited")
+	await undo()
+	check(bytes(body) == start, "the step from before the reload is undone")
+	await redo()
+	check(bytes(body) == dragged, "and done again")
+	var before := values()
+	var version := history().get_version()
+	from = hull_on_screen(5)
+	await drag(from, from + Vector2(-20, 9))
+	check_near(hull_on_screen(5), from + Vector2(-20, 9), 0.01, "place of a point dragged after the reload")
+	await check_one_step(before, version, "a drag after the reload")
+
+
+func test_what_bodies_listen_to_and_what_they_draw_goes_on() -> void:
+	var material := SoftBodyMaterial2D.new()
+	var image := Image.create(8, 8, false, Image.FORMAT_RGBA8)
+	image.fill(Color.DARK_ORANGE)
+	var texture := ImageTexture.create_from_image(image)
+	await open_scene({"soft_body_material": material, "texture": texture, "outline_width": 5.0})
+	# As the scene has copies of its own.
+	material = body.soft_body_material
+	material.stiffness = 150
+	var before: float = body.get_stability_report(20)["frequency"]
+	var picture := await _picture()
+	check(not picture.is_invisible() and picture.get_used_rect().has_area(), "something is drawn")
+	_reload("ef")
+	check(await _picture() == picture or _picture_data == picture.get_data(), "the same is drawn after the reload")
+	check_equal(body.get_stability_report(20)["frequency"], before, "frequency after the reload")
+	material.stiffness = 600
+	var after: float = body.get_stability_report(20)["frequency"]
+	check(after > 1.5 * before, "a material that changes is heard of: %s rad/s after %s" % [after, before])
+	var larger := Image.create(16, 8, false, Image.FORMAT_RGBA8)
+	larger.fill(Color.DARK_GREEN)
+	(body.texture as ImageTexture).set_image(larger)
+	await _picture()
+	check(_picture_data != picture.get_data(), "a texture that changes is heard of")
+
+
+var _picture_data := PackedByteArray()
+
+
+## What the editor's viewport shows.
+func _picture() -> Image:
+	await frames(3)
+	await drawn()
+	var image := EditorInterface.get_editor_viewport_2d().get_texture().get_image()
+	_picture_data = image.get_data()
+	return image
+
+
+func test_a_preview_that_plays_ends_with_a_word() -> void:
+	await open_scene()
+	var before := values()
+	plugin.set_preview(true)
+	for i in 200:
+		await frames(1)
+		if plugin.preview.played > 5:
+			break
+	check(plugin.preview.played > 5, "it plays")
+	_reload("gh")
+	await frames(4)
+	check(not plugin.preview.is_playing(), "the preview has ended")
+	check("loaded anew" in plugin.canvas.last_message, "and says so: " + plugin.canvas.last_message)
+	check(_bytes_of(values()) == _bytes_of(before), "the body is as before")
+	plugin.set_preview(true)
+	for i in 200:
+		await frames(1)
+		if plugin.preview.played > 5:
+			break
+	check(plugin.preview.played > 5, "a new preview plays")
+	check(plugin.preview.world.get_hull(0)[4].y > (body.global_transform * body.hull)[4].y, "and its body falls")
+
+
+func test_scripts_on_bodies_keep_their_values() -> void:
+	var source := "extends SoftBody2D\n@export var speed := 1.0\n"
+	for path: String in ["res://reload_plain.gd", "res://reload_tool.gd"]:
+		var file := FileAccess.open(path, FileAccess.WRITE)
+		file.store_string(source if path.ends_with("plain.gd") else "@tool\n" + source + "var memory := 1\n")
+		file.close()
+	var root_node := Node2D.new()
+	root_node.name = "Root"
+	for name: String in ["Plain", "Tool"]:
+		var made := SoftBody2D.new()
+		made.name = name
+		made.set_script(load("res://reload_%s.gd" % name.to_lower()))
+		made.set(&"speed", 7.5)
+		root_node.add_child(made)
+		made.owner = root_node
+	write_scene(root_node, SCENE)
+	await open(SCENE)
+	await select_body(["Tool"])
+	root().get_node(^"Tool").set(&"memory", 42)
+	for round in 2:
+		_reload("i%d" % round)
+		await frames(2)
+	for name: String in ["Plain", "Tool"]:
+		var node := root().get_node(name) as SoftBody2D
+		check(node != null and node.get_script() != null, name + " has its script")
+		check_equal(node.get(&"speed"), 7.5, "exported value of " + name)
+	check_equal(root().get_node(^"Tool").get(&"memory"), 42, "value of a tool script that is not stored")
+
+
+func test_no_old_library_stays() -> void:
+	await open_scene()
+	for round in 3:
+		_reload("k%d" % round)
+		await frames(2)
+	var maps := FileAccess.open("/proc/self/maps", FileAccess.READ)
+	if maps == null:
+		check(true, "only Linux tells")
+		return
+	var mapped := {}
+	while not maps.eof_reached():
+		var line := maps.get_line()
+		if "libsoft_body_2d" in line:
+			mapped[line.get_slice(" ", 4) + line.substr(line.find("/"))] = true
+	check_equal(mapped.size(), 1, "files of the library in memory: %s" % [mapped.keys()])
+	check_equal(_unique_symbols(), 0, "symbols that would keep the library from being unloaded by a Godot with a C++ library of its own")
+
+
+## Of the library's dynamic symbols those that are one and the same in the whole process (STB_GNU_UNIQUE).
+func _unique_symbols() -> int:
+	var bytes := FileAccess.get_file_as_bytes(_library())
+	if bytes.slice(0, 5) != PackedByteArray([0x7f, 0x45, 0x4c, 0x46, 2]): # 64-bit ELF
+		return 0
+	var sections := bytes.decode_u64(40)
+	var count := 0
+	for i in bytes.decode_u16(60):
+		var section := sections + i * bytes.decode_u16(58)
+		if bytes.decode_u32(section + 4) == 11: # SHT_DYNSYM
+			var start := bytes.decode_u64(section + 24)
+			for symbol in bytes.decode_u64(section + 32) / 24:
+				count += int(bytes[start + symbol * 24 + 4] >> 4 == 10)
+	return count
