@@ -3,6 +3,7 @@
 #pragma once
 
 #include "godot/resources/material_values.h"
+#include "godot/resources/unknown_properties.h"
 
 #include <godot_cpp/classes/resource.hpp>
 
@@ -27,6 +28,9 @@ public:
 
 protected:
 	static void _bind_methods();
+	bool _set(const StringName &p_name, const Variant &p_value);
+	bool _get(const StringName &p_name, Variant &r_value) const { return unknown_.get(p_name, r_value); }
+	void _get_property_list(List<PropertyInfo> *r_list) const { unknown_.append_to(r_list); }
 
 private:
 	void set_value(const softbody::MaterialField &p_field, double p_value);
@@ -34,6 +38,7 @@ private:
 	String describe() const;
 
 	softbody::MaterialValues values_;
+	softbody::UnknownProperties unknown_;
 };
 
 } // namespace godot
