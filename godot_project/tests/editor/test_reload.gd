@@ -300,6 +300,76 @@ func test_scripts_on_bodies_keep_their_values() -> void:
 	check_equal(root().get_node(^"Tool").get(&"memory"), 42, "value of a tool script that is not stored")
 
 
+# All that is not known of a node in the text of a scene: more lines for each.
+func _write_newer_scene() -> void:
+	var file := FileAccess.open("res://newer.tres", FileAccess.WRITE)
+	file.store_string("[gd_resource type=\"SoftBodyMaterial2D\" format=3]\n\n[resource]\nstiffness = 150.0\nfuture_of_material = 5\n")
+	file.close()
+	file = FileAccess.open("res://newer.tscn", FileAccess.WRITE)
+	file.store_string("""[gd_scene load_steps=2 format=3]
+
+[ext_resource type="SoftBodyMaterial2D" path="res://newer.tres" id="1"]
+
+[node name="Root" type="Node2D"]
+
+[node name="Jelly" type="SoftBody2D" parent="."]
+soft_body_material = ExtResource("1")
+mass = 3.5
+future_of_body = Vector3(1, 2, 3)
+future_list = PackedStringArray("a", "b")
+
+[node name="Attachment" type="SoftBodyAttachment2D" parent="Jelly"]
+future_of_attachment = true
+
+[node name="Joint" type="SoftBodyJoint2D" parent="."]
+node_a = NodePath("../Jelly")
+length = 30.0
+future_of_joint = "text"
+""")
+	file.close()
+
+
+const FUTURE := {
+	"Jelly": {"future_of_body": Vector3(1, 2, 3), "future_list": ["a", "b"]}, "Jelly/Attachment": {"future_of_attachment": true},
+	"Joint": {"future_of_joint": "text"},
+}
+
+
+func _check_future(when: String) -> void:
+	for path: String in FUTURE:
+		for property: String in FUTURE[path]:
+			var value: Variant = root().get_node(path).get(property)
+			check_equal(Array(value) if value is PackedStringArray else value, FUTURE[path][property], "%s %s" % [property, when])
+	check_equal(body.soft_body_material.get(&"future_of_material"), 5, "future_of_material " + when)
+	check_equal(body.mass, 3.5, "mass " + when)
+	check_equal((root().get_node(^"Joint") as SoftBodyJoint2D).length, 30.0, "length " + when)
+
+
+func test_what_a_newer_version_saved_is_named_kept_and_saved_again() -> void:
+	_write_newer_scene()
+	take_errors()
+	await open("res://newer.tscn")
+	await select_body()
+	var said := "\n".join(take_errors())
+	for path: String in FUTURE:
+		for property: String in FUTURE[path]:
+			check("'%s'" % property in said and "'%s'" % path.get_file() in said, "%s of %s is named: %s" % [property, path, said])
+			check("'%s'" % property in "".join(root().get_node(path).get_warnings()), "%s is a warning of the node" % property)
+	check("'future_of_material'" in said and "newer.tres" in said or "SoftBodyMaterial2D" in said, "future_of_material is named: " + said)
+	_check_future("as opened")
+	_reload("n0")
+	_check_future("after a reload")
+	root().get_node(^"Jelly").position = Vector2(12, 13)
+	EditorInterface.save_scene()
+	await frames(5)
+	ResourceSaver.save(body.soft_body_material, "res://newer.tres")
+	check_equal(take_errors().size(), FUTURE.size() + 2, "messages after the reload: once more, as the new code knows nothing of the old")
+	var text := FileAccess.get_file_as_string("res://newer.tscn") + FileAccess.get_file_as_string("res://newer.tres")
+	for line: String in ["position = Vector2(12, 13)", "future_of_body = Vector3(1, 2, 3)", "future_list = PackedStringArray(\"a\", \"b\")",
+			"future_of_attachment = true", "future_of_joint = \"text\"", "future_of_material = 5", "mass = 3.5", "length = 30.0"]:
+		check(line in text, "the saved scene holds %s: %s" % [line, text])
+
+
 func test_no_old_library_stays() -> void:
 	await open_scene()
 	for round in 3:

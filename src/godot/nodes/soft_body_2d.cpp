@@ -138,7 +138,7 @@ void SoftBody2D::leave_space() {
 void SoftBody2D::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_ENTER_TREE: {
-			unknown_.tell(describe());
+			unfit_.tell(*this);
 			enter_space();
 		} break;
 		case NOTIFICATION_EXIT_TREE: {

@@ -13,7 +13,7 @@
 #include "godot/drawing/drawing_frame.h"
 #include "godot/drawing/soft_body_skin.h"
 #include "godot/resources/soft_body_material_2d.h"
-#include "godot/resources/unknown_properties.h"
+#include "godot/resources/unfit_values.h"
 #include "godot/surroundings/area_effects.h"
 #include "godot/surroundings/hull_proxy.h"
 
@@ -336,9 +336,9 @@ protected:
 	static void _bind_methods();
 	void _notification(int p_what);
 	void _validate_property(PropertyInfo &p_property) const;
-	bool _set(const StringName &p_name, const Variant &p_value) { return unknown_.set(*this, p_name, p_value); }
-	bool _get(const StringName &p_name, Variant &r_value) const { return unknown_.get(p_name, r_value); }
-	void _get_property_list(List<PropertyInfo> *r_list) const { unknown_.append_to(r_list); }
+	bool _set(const StringName &p_name, const Variant &p_value) { return unfit_.set(*this, get_class_static(), p_name, p_value); }
+	bool _get(const StringName &p_name, Variant &r_value) const { return unfit_.get(p_name, r_value); }
+	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:
 	static void bind_hull();
@@ -496,7 +496,7 @@ private:
 	double linear_damp_ = 0;
 	DampMode angular_damp_mode_ = DAMP_MODE_COMBINE;
 	double angular_damp_ = 0;
-	softbody::UnknownProperties unknown_;
+	softbody::UnfitValues unfit_;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
 
 	PackedInt32Array pinned_points_;

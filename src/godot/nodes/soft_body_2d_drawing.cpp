@@ -7,6 +7,8 @@
 #include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <vector>
 
 using softbody::SkinStyle;
@@ -34,6 +36,24 @@ std::vector<Vec2> rest_points(const PackedVector2Array &p_hull, const PackedVect
 		points.push_back(middle);
 	}
 	return points;
+}
+
+bool is_finite(const Vector2 &p_place) {
+	return p_place.is_finite();
+}
+
+bool is_finite(const Color &p_color) {
+	return Math::is_finite(p_color.r) && Math::is_finite(p_color.g) && Math::is_finite(p_color.b) && Math::is_finite(p_color.a);
+}
+
+template <class Array>
+softbody::Status check_finite(const char *p_name, const Array &p_values) {
+	for (int64_t i = 0; i < p_values.size(); i++) {
+		if (!is_finite(p_values[i])) {
+			return softbody::Error{ std::string(p_name) + "[" + std::to_string(i) + "]", "non-finite", "must be finite", "check the computation that produced this value" };
+		}
+	}
+	return std::nullopt;
 }
 
 String size_warning(const char *p_property, int64_t p_size, int64_t p_hull_size) {
@@ -74,6 +94,9 @@ void SoftBody2D::set_color(const Color &p_color) {
 }
 
 void SoftBody2D::set_vertex_colors(const PackedColorArray &p_colors) {
+	if (!accept("vertex_colors", check_finite("vertex_colors", p_colors))) {
+		return;
+	}
 	skin_.change_style().vertex_colors = p_colors;
 	remake_skin();
 	update_configuration_warnings();
@@ -132,6 +155,9 @@ void SoftBody2D::set_texture_rotation(double p_rotation) {
 }
 
 void SoftBody2D::set_uv(const PackedVector2Array &p_uv) {
+	if (!accept("uv", check_finite("uv", p_uv))) {
+		return;
+	}
 	skin_.change_style().uv = p_uv;
 	remake_skin();
 	update_configuration_warnings();

@@ -174,7 +174,7 @@ PackedStringArray SoftBody2D::get_warnings() const {
 	for (const KeyValue<StringName, String> &refused : refused_) {
 		warnings.push_back("The last value given to '" + String(refused.key) + "' was refused: " + refused.value + ". The previous value is in use.");
 	}
-	unknown_.append_warnings(warnings);
+	unfit_.append_warnings(warnings);
 	const Design *found = design();
 	if (found != nullptr) {
 		for (const String &problem : found->problems) {

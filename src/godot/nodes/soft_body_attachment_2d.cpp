@@ -21,7 +21,7 @@ PackedStringArray SoftBodyAttachment2D::get_warnings() const {
 	if (soft_body() == nullptr) {
 		warnings.push_back("SoftBodyAttachment2D only works as a child of a SoftBody2D. Move it below the body that shall carry it.");
 	}
-	unknown_.append_warnings(warnings);
+	unfit_.append_warnings(warnings);
 	return warnings;
 }
 
@@ -48,7 +48,7 @@ double SoftBodyAttachment2D::get_rest_rotation() const {
 void SoftBodyAttachment2D::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_ENTER_TREE: {
-			unknown_.tell("SoftBodyAttachment2D '" + String(get_name()) + "'");
+			unfit_.tell(*this);
 			const bool runs = soft_body() != nullptr && !Engine::get_singleton()->is_editor_hint();
 			set_process_internal(runs);
 			set_physics_process_internal(runs);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/model/attachment.h"
-#include "godot/resources/unknown_properties.h"
+#include "godot/resources/unfit_values.h"
 
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
@@ -34,15 +34,15 @@ public:
 protected:
 	static void _bind_methods();
 	void _notification(int p_what);
-	bool _set(const StringName &p_name, const Variant &p_value) { return unknown_.set(*this, p_name, p_value); }
-	bool _get(const StringName &p_name, Variant &r_value) const { return unknown_.get(p_name, r_value); }
-	void _get_property_list(List<PropertyInfo> *r_list) const { unknown_.append_to(r_list); }
+	bool _set(const StringName &p_name, const Variant &p_value) { return unfit_.set(*this, get_class_static(), p_name, p_value); }
+	bool _get(const StringName &p_name, Variant &r_value) const { return unfit_.get(p_name, r_value); }
+	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:
 	SoftBody2D *soft_body() const;
 	void follow(double p_fraction);
 
-	softbody::UnknownProperties unknown_;
+	softbody::UnfitValues unfit_;
 	bool follow_rotation_ = true;
 	bool has_place_ = false; ///< from when it first has entered the tree of a running game
 	Vector2 rest_position_;

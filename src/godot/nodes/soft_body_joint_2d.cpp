@@ -124,7 +124,7 @@ PackedStringArray SoftBodyJoint2D::get_warnings() const {
 	} else if (a == b) {
 		warnings.push_back("Both ends are the same body. Choose another node for one of them, or leave it empty for the world.");
 	}
-	unknown_.append_warnings(warnings);
+	unfit_.append_warnings(warnings);
 	return warnings;
 }
 
@@ -231,7 +231,7 @@ Vector2 SoftBodyJoint2D::get_anchor_b() const {
 void SoftBodyJoint2D::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_ENTER_TREE: {
-			unknown_.tell("SoftBodyJoint2D '" + String(get_name()) + "'");
+			unfit_.tell(*this);
 			enter_space();
 		} break;
 		case NOTIFICATION_EXIT_TREE: {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/model/joint.h"
-#include "godot/resources/unknown_properties.h"
+#include "godot/resources/unfit_values.h"
 
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/variant/node_path.hpp>
@@ -68,9 +68,9 @@ public:
 protected:
 	static void _bind_methods();
 	void _notification(int p_what);
-	bool _set(const StringName &p_name, const Variant &p_value) { return unknown_.set(*this, p_name, p_value); }
-	bool _get(const StringName &p_name, Variant &r_value) const { return unknown_.get(p_name, r_value); }
-	void _get_property_list(List<PropertyInfo> *r_list) const { unknown_.append_to(r_list); }
+	bool _set(const StringName &p_name, const Variant &p_value) { return unfit_.set(*this, get_class_static(), p_name, p_value); }
+	bool _get(const StringName &p_name, Variant &r_value) const { return unfit_.get(p_name, r_value); }
+	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:
 	/// Of one end, from when the joint was first made.
@@ -92,7 +92,7 @@ private:
 	void update_exception(bool p_joins);
 	softbody::Joint make_joint(const softbody::JointAnchor &p_first, const softbody::JointAnchor &p_second) const;
 
-	softbody::UnknownProperties unknown_;
+	softbody::UnfitValues unfit_;
 	NodePath node_a_;
 	NodePath node_b_;
 	double length_ = -1;

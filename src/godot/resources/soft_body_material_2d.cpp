@@ -23,14 +23,6 @@ void SoftBodyMaterial2D::set_value(const softbody::MaterialField &p_field, doubl
 	}
 }
 
-bool SoftBodyMaterial2D::_set(const StringName &p_name, const Variant &p_value) {
-	if (!unknown_.set(*this, p_name, p_value)) {
-		return false;
-	}
-	unknown_.tell(describe()); // a resource has no other moment at which it could
-	return true;
-}
-
 void SoftBodyMaterial2D::_bind_methods() {
 	softbody::bind_material_values<SoftBodyMaterial2D>(true);
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "godot/resources/material_values.h"
-#include "godot/resources/unknown_properties.h"
+#include "godot/resources/unfit_values.h"
 
 #include <godot_cpp/classes/resource.hpp>
 
@@ -28,9 +28,11 @@ public:
 
 protected:
 	static void _bind_methods();
-	bool _set(const StringName &p_name, const Variant &p_value);
-	bool _get(const StringName &p_name, Variant &r_value) const { return unknown_.get(p_name, r_value); }
-	void _get_property_list(List<PropertyInfo> *r_list) const { unknown_.append_to(r_list); }
+	bool _set(const StringName &p_name, const Variant &p_value) {
+		return unfit_.set(*this, get_class_static(), p_name, p_value);
+	}
+	bool _get(const StringName &p_name, Variant &r_value) const { return unfit_.get(p_name, r_value); }
+	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:
 	void set_value(const softbody::MaterialField &p_field, double p_value);
@@ -38,7 +40,7 @@ private:
 	String describe() const;
 
 	softbody::MaterialValues values_;
-	softbody::UnknownProperties unknown_;
+	softbody::UnfitValues unfit_;
 };
 
 } // namespace godot

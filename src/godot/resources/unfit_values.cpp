@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// What a scene or a resource holds that fits no property of ours.
+#include "godot/resources/unfit_values.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/templates/hash_map.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <algorithm>
+#include <mutex>
+
+using namespace godot;
+
+namespace softbody {
+
+namespace {
+
+using Types = HashMap<StringName, Variant::Type>;
+
+bool is_editor() {
+	static const bool result = Engine::get_singleton()->is_editor_hint();
+	return result;
+}
+
+// Of the properties that objects of this class have by it and by its parents.
+const Types &types_of(const StringName &p_class) {
+	static std::mutex mutex;
+	static HashMap<StringName, Types> known;
+	const std::lock_guard lock(mutex);
+	Types &types = known[p_class];
+	if (types.is_empty()) {
+		types["script"] = Variant::NIL; // which every object has, and no class
+		const TypedArray<Dictionary> list = ClassDB::class_get_property_list(p_class);
+		for (int64_t i = 0; i < list.size(); i++) {
+			const Dictionary property = list[i];
+			types[property["name"]] = Variant::Type(int(property["type"]));
+		}
+	}
+	return types;
+}
+
+bool has_script(const Object &p_owner) {
+	return p_owner.get_script().get_type() != Variant::NIL;
+}
+
+String name_of(const Object &p_owner) {
+	String name;
+	if (const Node *node = Object::cast_to<Node>(&p_owner)) {
+		name = "'" + String(node->get_name()) + "'" + (node->is_inside_tree() ? " (" + String(node->get_path()) + ")" : String());
+	} else if (const Resource *resource = Object::cast_to<Resource>(&p_owner)) {
+		name = "'" + (resource->get_name().is_empty() ? resource->get_path() : resource->get_name()) + "'";
+	}
+	return p_owner.get_class() + " " + name;
+}
+
+} // namespace
+
+bool UnfitValues::set(Object &p_owner, const StringName &p_class, const StringName &p_name, const Variant &p_value) {
+#ifdef DEBUG_ENABLED
+	const auto found = std::ranges::find(entries_, p_name, &Entry::name);
+	const Variant::Type *type = types_of(p_class).getptr(p_name);
+	if (type == nullptr) {
+		if (!is_editor() || has_script(p_owner) || String(p_name).begins_with("metadata/")) {
+			return false;
+		}
+		if (found != entries_.end()) {
+			found->value = p_value;
+		} else {
+			entries_.push_back({ p_name, p_value });
+		}
+		tell_if_known(p_owner);
+		return true;
+	}
+	if (found != entries_.end()) {
+		entries_.erase(found);
+	}
+	if (*type == Variant::NIL || Variant::can_convert_strict(p_value.get_type(), *type)) {
+		return false;
+	}
+	entries_.push_back({ p_name, p_value, *type });
+	tell_if_known(p_owner);
+	return true;
+#else
+	(void)p_owner, (void)p_class, (void)p_name, (void)p_value;
+	return false;
+#endif
+}
+
+bool UnfitValues::get(const StringName &p_name, Variant &r_value) const {
+	const auto found = std::ranges::find(entries_, p_name, &Entry::name);
+	if (found == entries_.end() || found->wanted != Variant::NIL) {
+		return false;
+	}
+	r_value = found->value;
+	return true;
+}
+
+void UnfitValues::append_to(List<PropertyInfo> *r_list) const {
+	for (const Entry &entry : entries_) {
+		if (entry.wanted == Variant::NIL) {
+			r_list->push_back(PropertyInfo(entry.value.get_type(), entry.name, PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE));
+		}
+	}
+}
+
+String UnfitValues::explain(const Entry &p_entry) {
+	const String name = "'" + String(p_entry.name) + "'";
+	if (p_entry.wanted == Variant::NIL) {
+		return name + " is no property that this version of the extension knows: a newer one may have saved it. It has no effect, is kept, and is saved again.";
+	}
+	return name + " refused: a value of type " + Variant::get_type_name(p_entry.value.get_type()) + ", must be " + Variant::get_type_name(p_entry.wanted) + ". The old value stays.";
+}
+
+void UnfitValues::append_warnings(PackedStringArray &r_warnings) const {
+	for (const Entry &entry : entries_) {
+		r_warnings.push_back(explain(entry));
+	}
+}
+
+void UnfitValues::tell_if_known(const Object &p_owner) {
+	const Node *node = Object::cast_to<Node>(&p_owner);
+	if (node == nullptr || node->is_inside_tree()) {
+		tell(p_owner);
+	}
+}
+
+void UnfitValues::tell(const Object &p_owner) {
+	for (Entry &entry : entries_) {
+		if (!entry.is_told) {
+			entry.is_told = true;
+			if (entry.wanted == Variant::NIL) {
+				WARN_PRINT(name_of(p_owner) + ": " + explain(entry));
+			} else {
+				ERR_PRINT(name_of(p_owner) + ": " + explain(entry));
+			}
+		}
+	}
+}
+
+} // namespace softbody

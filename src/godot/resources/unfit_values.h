@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What a scene or a resource holds that fits no property of ours.
+#pragma once
+
+#include <godot_cpp/core/object.hpp>
+#include <godot_cpp/core/property_info.hpp>
+#include <godot_cpp/templates/list.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/string_name.hpp>
+#include <godot_cpp/variant/variant.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace softbody {
+
+/// The engine drops values of properties that a class does not have without a word, and makes an empty array of what is no
+/// array; whoever then saves the scene has lost what was there.
+///
+/// - **Unknown names.** In the editor their values are kept, shown as warnings and saved again, so that a scene of a newer
+///   version survives an older one. A game saves no scenes: there it is as the engine has it. So it is for an object with
+///   a script, as what nobody knows was then a variable of its script once.
+/// - **Wrong types.** Said by name, in debug builds; the old value stays.
+///
+/// Each class of ours hands its `_set`, `_get` and `_get_property_list` on to one of these. Release builds ask nothing.
+class UnfitValues {
+public:
+	/// The engine asks for each property that is set, of an object of `p_class`. True if the value is unfit, and has been
+	/// dealt with. From any thread, for different owners.
+	bool set(godot::Object &p_owner, const godot::StringName &p_class, const godot::StringName &p_name,
+			const godot::Variant &p_value);
+	/// A value that was kept.
+	bool get(const godot::StringName &p_name, godot::Variant &r_value) const;
+	void append_to(godot::List<godot::PropertyInfo> *r_list) const;
+	/// One for each.
+	void append_warnings(godot::PackedStringArray &r_warnings) const;
+	/// Prints those that have not been printed. For a node that enters the tree: when its scene sets its properties it has
+	/// no name yet. What comes later, and what comes to a resource, is told at once.
+	void tell(const godot::Object &p_owner);
+
+private:
+	struct Entry {
+		godot::StringName name;
+		godot::Variant value;
+		godot::Variant::Type wanted = godot::Variant::NIL; ///< NIL for an unknown name
+		bool is_told = false;
+	};
+	static godot::String explain(const Entry &p_entry);
+	void tell_if_known(const godot::Object &p_owner);
+
+	std::vector<Entry> entries_;
+};
+
+} // namespace softbody
