@@ -109,11 +109,12 @@ void UnfitValues::append_to(List<PropertyInfo> *r_list) const {
 }
 
 String UnfitValues::explain(const Entry &p_entry) {
-	const String name = "'" + String(p_entry.name) + "'";
 	if (p_entry.wanted == Variant::NIL) {
-		return name + " is no property that this version of the extension knows: a newer one may have saved it. It has no effect, is kept, and is saved again.";
+		return vformat("'%s' is no property that this version of the extension knows: a newer one may have saved it. It has no effect, is kept, and is saved again.", p_entry.name);
 	}
-	return name + " refused: a value of type " + Variant::get_type_name(p_entry.value.get_type()) + ", must be " + Variant::get_type_name(p_entry.wanted) + ". The old value stays.";
+	const String given = Variant::get_type_name(p_entry.value.get_type());
+	const String wanted = Variant::get_type_name(p_entry.wanted);
+	return vformat("'%s' refused: a value of type %s, must be %s. The old value stays.", p_entry.name, given, wanted);
 }
 
 void UnfitValues::append_warnings(PackedStringArray &r_warnings) const {
