@@ -1,5 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Breaks the core in seeded ways, one at a time, and tells how many the tests notice. `scripts/mutate.sh` calls it."""
+"""Breaks the core in seeded ways, one at a time, and tells how many the tests notice. `scripts/mutate.sh` calls it.
+
+A mutant of which the compiler makes the code that it makes of the original is no mutant. The tests are asked from the
+cheapest to the dearest: those of the file, of its room, of the other rooms, the slow ones, then the one that compares with a
+hash, and after it what takes many seconds. What the hash is the first to notice is counted apart: it says that something has
+changed, and not that it is wrong. Who passes them all survives. Survivors that no test can
+tell from the original are explained in scripts/mutate_equivalents.json, by the text of the line, and not run again unless
+asked for.
+"""
 
 import argparse
 import json
@@ -7,16 +15,28 @@ import os
 import platform
 import random
 import re
+import resource
+import shutil
 import subprocess
 import sys
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "mutation"
-FLAGS = "-std=c++20 -O1 -ffp-contract=off -fno-math-errno -Wno-psabi -Isrc -Itests -pthread".split()
-LOWEST_LIMIT = 60  # s; a mutant that hangs is noticed
+OBJECTS = BUILD / "objects"
+EXPLAINED = ROOT / "scripts" / "mutate_equivalents.json"
+FLAGS = "-std=c++20 -O1 -ffp-contract=off -fno-math-errno -Wno-psabi -pthread".split()
+MOST_OBJECTS = 40  # Headers that more objects include hold declarations and vectors: each fault there builds all tests anew.
+# No test depends on a clock, so none can notice what changes nothing but the time that a step takes.
+SPEED_ONLY = ("src/core/dynamics/state_ahead.h",)
+HASH_TEST = "a mixed scene ends in the bits that it always has ended in"
+SLOW_TEST, DEAR_TEST = 1.0, 6.0  # s; tests that take longer come after the others, the dear ones after the hashes
+LEAST_SECONDS, TIMES_USUAL = 15, 5  # of the processor; a mutant that takes longer is noticed, as a scene that hangs would be
+MOST_MEMORY = 6 << 30  # bytes
 
 # What is looked for in a line, what takes its place, and what that is called.
 RULES = [
@@ -28,6 +48,7 @@ RULES = [
     (r" \+ [\w.:()\[\]]+(?=[;)])", "", "drop a term"),
     (r" - [\w.:()\[\]]+(?=[;)])", "", "drop a term"),
     (r" \* [\w.:()\[\]]+(?=[;)])", "", "drop a factor"),
+    (r" / [\w.:()\[\]]+(?=[;)])", "", "drop a factor"),
     (r" < ", " <= ", "off by one"),
     (r" > ", " >= ", "off by one"),
     (r" <= ", " < ", "off by one"),
@@ -43,150 +64,364 @@ RULES = [
     (r" \|\| ", " && ", "change a condition"),
     (r" == ", " != ", "change a condition"),
     (r" != ", " == ", "change a condition"),
-    (r"\bif \((?!Status)", "if (!", "change a condition"),  # of the first operand
+    (r"\bif \((?!Status)(.*)\) \{$", r"if (!(\1)) {", "change a condition"),
+    (r"\bif \((?!Status)(.*)\) \{$", r"if (false && (\1)) {", "drop a branch"),
+    (r"\bReal\((\d+)\)", lambda m: f"Real({int(m[1]) + 1})", "change a number"),
+    (r"(?<=\w\.)x\b(?!\()", "y", "swap an axis"),
+    (r"(?<=\w\.)y\b(?!\()", "x", "swap an axis"),
+    # An assignment or call that stands alone. Reserving memory ahead changes nothing that a step computes.
+    (r"(?<=\t)(?!return|break|continue|throw|delete|case|default|.*reserve\()[\w.:()\[\]>*-]+( [-+*/&|]?= .*|\(.*\));$", ";", "drop a statement"),
 ]
 
+# `a < b` becomes `a <softbody_tie> b`, which compiles where both are whole numbers: between reals, `<` and `<=` differ where
+# two are equal to the last bit, which mostly makes no difference to anything.
+WHOLE_NUMBERS = """#pragma once
+#include <concepts>
+namespace softbody_mutation {
+struct Tie {};
+template <std::integral T> struct Left { T value; };
+template <std::integral T> constexpr Left<T> operator<(T value, Tie) { return { value }; }
+template <std::integral T, std::integral U> constexpr bool operator>(Left<T> left, U right) { return left.value < T(right); }
+}
+inline constexpr softbody_mutation::Tie softbody_tie;
+"""
 
-def code_lines(text):
+
+class Mutant:
+    def __init__(self, kind, source, lines, number, column, became):
+        self.kind, self.source, self.number, self.column = kind, source, number, column
+        self.before, self.was, self.became = lines[number - 1].strip(), lines[number], became
+        self.by = None  # what noticed it
+
+    def key(self):
+        return (str(self.source), squeeze(self.was), squeeze(self.became))
+
+    def told(self):
+        return {
+            "kind": self.kind,
+            "file": str(self.source),
+            "line": self.number + 1,
+            "after": squeeze(self.before),
+            "was": squeeze(self.was),
+            "became": squeeze(self.became),
+            **({"by": self.by} if self.by else {}),
+        }
+
+
+def squeeze(line):
+    return " ".join(line.split("//")[0].split())
+
+
+def code_lines(lines):
     """Numbers and texts of the lines that hold code, without what templates and messages make of the same signs."""
-    for number, line in enumerate(text.split("\n")):
+    for number, line in enumerate(lines):
         bare = line.split("//")[0].rstrip()
         if not bare.startswith("\t") or '"' in bare or "template" in bare or "assert" in bare or "#" in bare:
             continue
         yield number, bare
 
 
-def candidates():
-    found = []
-    for file in sorted((ROOT / "src" / "core").rglob("*.cpp")):
-        text = file.read_text(encoding="utf-8")
-        for number, line in code_lines(text):
+def is_balanced(line):
+    return all(line.count(a) == line.count(b) for a, b in ("()", "[]", "{}"))
+
+
+def candidates(only, objects_of):
+    files = [p.relative_to(ROOT) for p in sorted((ROOT / "src" / "core").rglob("*")) if p.suffix in (".cpp", ".h")]
+    for source in files:
+        if only not in str(source) or str(source) in SPEED_ONLY:
+            continue
+        if source.suffix == ".h" and not 0 < len(objects_of.get(source, ())) <= MOST_OBJECTS:
+            continue
+        lines = (ROOT / source).read_text(encoding="utf-8").split("\n")
+        for number, line in code_lines(lines):
             for pattern, replacement, kind in RULES:
+                if kind == "drop a statement" and not re.search(r"[;{}:]$|^$", lines[number - 1].split("//")[0].strip()):
+                    continue
                 for match in re.finditer(pattern, line):
-                    mutated = line[: match.start()] + replacement + line[match.end() :]
-                    if mutated != line and all(mutated.count(a) == mutated.count(b) for a, b in ("()", "[]", "{}")) == all(
-                        line.count(a) == line.count(b) for a, b in ("()", "[]", "{}")
-                    ):
-                        found.append((kind, file.relative_to(ROOT), number, mutated))
-    return found
+                    became = line[: match.start()] + match.expand(replacement) + line[match.end() :] if isinstance(replacement, str) \
+                        else line[: match.start()] + replacement(match) + line[match.end() :]
+                    if became != line and is_balanced(became) == is_balanced(line):
+                        yield Mutant(kind, source, lines, number, match.start(), became)
 
 
-def choose(count, seed):
+def choose(seed, only, objects_of):
     """As many of each kind as the kinds are, in an order that the seed decides."""
     by_kind = {}
-    for candidate in candidates():
-        by_kind.setdefault(candidate[0], []).append(candidate)
+    for mutant in candidates(only, objects_of):
+        by_kind.setdefault(mutant.kind, []).append(mutant)
     generator = random.Random(seed)
     for kind in by_kind.values():
         generator.shuffle(kind)
-    kinds = sorted(by_kind)
     chosen = []
-    while len(chosen) < 2 * count and kinds:  # twice, as some do not compile
-        for kind in list(kinds):
-            if by_kind[kind]:
-                chosen.append(by_kind[kind].pop())
-            else:
-                kinds.remove(kind)
+    while any(by_kind.values()):
+        chosen += [by_kind[kind].pop() for kind in sorted(by_kind) if by_kind[kind]]
     return chosen
 
 
-def object_of(source):
-    return BUILD / "objects" / source.with_suffix(".o")
-
-
-def compile_one(source, target, text=None):
-    """Whether it compiles. `text` instead of what is in the file."""
-    target.parent.mkdir(parents=True, exist_ok=True)
+def compiler(source):
     wide = ["-mavx2"] if source.name.endswith("_avx2.cpp") and platform.machine().lower() in ("x86_64", "amd64") else []
-    command = [os.environ.get("CXX", "g++"), *FLAGS, *wide, "-c", "-o", str(target)]
-    if text is None:
-        return subprocess.run([*command, str(source)], cwd=ROOT, stderr=subprocess.DEVNULL).returncode == 0
-    # Beside the original's folder on the include path, as sources include by paths from src.
-    return subprocess.run([*command, "-x", "c++", "-"], cwd=ROOT, input=text.encode(), stderr=subprocess.DEVNULL).returncode == 0
+    cache = ["ccache"] if shutil.which("ccache") else []
+    return [*cache, os.environ.get("CXX", "g++"), *FLAGS, *wide]
+
+
+def object_of(source):
+    return OBJECTS / source.with_suffix(".o")
+
+
+def compile_one(source, target, *before, cwd=ROOT):
+    """Whether it compiles. From a folder and by a path that are alike for all, as the name becomes part of the object."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    command = [*compiler(source), *before, f"-I{ROOT}/src", f"-I{ROOT}/tests", "-c", "-o", str(target), str(source)]
+    return subprocess.run(command, cwd=cwd, stderr=subprocess.DEVNULL).returncode == 0
+
+
+def included(source):
+    """What the object was made of, as far as it is the project's."""
+    list_of_files = object_of(source).with_suffix(".d")
+    if not list_of_files.exists():
+        return None
+    names = list_of_files.read_text(encoding="utf-8").replace("\\\n", " ").split()[1:]
+    paths = (Path(os.path.normpath(ROOT / name)) for name in names)
+    return [path.relative_to(ROOT) for path in paths if path.is_relative_to(ROOT)]
 
 
 def build_base(jobs):
+    """All sources, and which objects each file is part of."""
     sources = [p.relative_to(ROOT) for folder in ("src/core", "tests") for p in sorted((ROOT / folder).rglob("*.cpp"))]
-    newest_header = max(p.stat().st_mtime for folder in ("src/core", "tests") for p in (ROOT / folder).rglob("*.h"))
+    # Linked last, as the core asks for: no other code may run its copies of inline functions.
+    sources.sort(key=lambda source: source.name.endswith("_avx2.cpp"))
 
-    def is_stale(source):
-        target = object_of(source)
-        return not target.exists() or target.stat().st_mtime < max((ROOT / source).stat().st_mtime, newest_header)
+    def make(source):
+        parts, target = included(source), object_of(source)
+        if parts and target.exists() and all((ROOT / p).exists() and (ROOT / p).stat().st_mtime < target.stat().st_mtime for p in parts):
+            return True
+        return compile_one(source, target, "-MMD", "-MF", str(target.with_suffix(".d")))
 
-    stale = [source for source in sources if is_stale(source)]
     with ThreadPoolExecutor(jobs) as pool:
-        if not all(pool.map(lambda source: compile_one(source, object_of(source)), stale)):
+        if not all(pool.map(make, sources)):
             sys.exit("error: the core or its tests do not compile")
-    return sources
+    objects_of = {}
+    for source in sources:
+        for part in included(source):
+            objects_of.setdefault(part, []).append(source)
+    return sources, objects_of
 
 
-def link(sources, replaced, by, program):
-    objects = [str(by if source == replaced else object_of(source)) for source in sources]
+def link(sources, instead, program):
+    objects = [str(instead.get(source, object_of(source))) for source in sources]
     subprocess.run([os.environ.get("CXX", "g++"), "-pthread", "-o", str(program), *objects], check=True)
 
 
-def fails(program, limit, *arguments):
-    try:
-        command = [str(program), "--abort-after=1", "--no-colors=true", *arguments]
-        return subprocess.run(command, cwd=ROOT, timeout=limit, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0
-    except subprocess.TimeoutExpired:
-        return True
+def pattern_of(name):
+    return re.sub(r"[^\w ]", "?", name)
+
+
+class Stage:
+    """Some of the tests, and how long they take when nothing is broken."""
+
+    def __init__(self, name, usual, *arguments):
+        self.name, self.usual, self.arguments = name, usual, arguments
+
+    def run(self, program):
+        """None if all pass, else what failed."""
+        most = int(max(LEAST_SECONDS, TIMES_USUAL * self.usual))
+
+        def limit():
+            resource.setrlimit(resource.RLIMIT_CPU, (most, most + 5))
+            resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+        command = [str(program), "--abort-after=1", "--no-colors=true", *self.arguments]
+        try:
+            done = subprocess.run(command, cwd=ROOT, timeout=10 * most, preexec_fn=limit, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        except subprocess.TimeoutExpired:
+            return "time"
+        if done.returncode == 0:
+            return None
+        if done.returncode in (-24, -9):  # SIGXCPU, or what comes after it
+            return "time"
+        name = re.search(r"TEST CASE: +(.*)", done.stdout.decode(errors="replace"))
+        return ("crash in " if done.returncode < 0 else "") + (name[1].strip() if name else self.name)
+
+
+def run_unbroken(program):
+    """Name, file and duration of all tests."""
+    done = subprocess.run([str(program), "--reporters=xml", "--duration=true"], cwd=ROOT, stdout=subprocess.PIPE)
+    if done.returncode != 0:
+        sys.exit("error: the tests fail before anything is broken")
+    tests = []
+    for case in ElementTree.fromstring(done.stdout).iter("TestCase"):
+        tests.append((pattern_of(case.get("name")), case.get("filename"), float(case.find("OverallResultsAsserts").get("duration"))))
+    return tests
+
+
+class Runner:
+    def __init__(self, sources, objects_of, near):
+        self.sources, self.objects_of, self.near = sources, objects_of, near
+        program = BUILD / "tests"
+        link(sources, {}, program)
+        tests = run_unbroken(program)
+        hash_test = pattern_of(HASH_TEST)
+        if hash_test not in (name for name, *_ in tests):
+            sys.exit(f"error: no test is called: {HASH_TEST}")
+        slow = sorted((seconds, name) for name, _, seconds in tests if seconds > SLOW_TEST)
+        self.quick = [test for test in tests if test[2] <= SLOW_TEST and test[0] != hash_test]
+        self.not_quick = "--test-case-exclude=" + ",".join([*(name for _, name in slow), hash_test])
+        self.slow = [Stage("a slow test", seconds, "--test-case=" + name) for seconds, name in slow]
+        self.hash = Stage("a hash", 1, "--test-case=" + hash_test)
+        total = sum(seconds for *_, seconds in tests)
+        print(f"==> {len(tests)} tests take {total:.0f} s, {len(slow)} of them {sum(s for s, _ in slow):.0f} s; breaking the core", flush=True)
+
+    def stages(self, source):
+        own = f"/test_{source.stem.removesuffix('_lanes')}.cpp"
+        room = f"tests/{source.parts[2]}/"
+
+        def seconds(belongs):
+            return sum(time for _, file, time in self.quick if belongs(file))
+
+        yield Stage("tests of the file", seconds(lambda file: own in file), "--source-file=*" + own, self.not_quick)
+        yield Stage("tests of the room", seconds(lambda file: room in file and own not in file), f"--source-file=*{room}*",
+            "--source-file-exclude=*" + own, self.not_quick)
+        if self.near:
+            return
+        yield Stage("tests of other rooms", seconds(lambda file: room not in file), f"--source-file-exclude=*{room}*,*{own}", self.not_quick)
+        yield from (stage for stage in self.slow if stage.usual <= DEAR_TEST)
+        yield self.hash
+        yield from (stage for stage in self.slow if stage.usual > DEAR_TEST)
+
+    def try_mutant(self, mutant, place):
+        """`does not compile`, `same code`, `not whole numbers`, `noticed`, `hash` or `survived`."""
+        shutil.rmtree(place, ignore_errors=True)
+        text = (ROOT / mutant.source).read_text(encoding="utf-8").split("\n")
+
+        def write(line):
+            text[mutant.number] = line
+            (place / mutant.source).parent.mkdir(parents=True, exist_ok=True)
+            (place / mutant.source).write_text("\n".join(text), encoding="utf-8")
+
+        parts = self.objects_of[mutant.source] if mutant.source.suffix == ".h" else [mutant.source]
+        # Sources that are as they were are found through a link, so that their path is the one that their object knows.
+        overlay = f"-I{place}/src"
+        for part in parts:
+            if part != mutant.source:
+                (place / part).parent.mkdir(parents=True, exist_ok=True)
+                (place / part).symlink_to(ROOT / part)
+        if mutant.kind == "off by one" and (sign := re.match(r" ([<>]=?) ", mutant.was[mutant.column :])):
+            at = mutant.column
+            write(mutant.was[:at] + " <softbody_tie> " + mutant.was[at + len(sign[0]) :])
+            (place / "whole.h").write_text(WHOLE_NUMBERS, encoding="utf-8")
+            if not compile_one(parts[0], place / "whole.o", overlay, "-include", str(place / "whole.h"), "-fsyntax-only", cwd=place):
+                return "not whole numbers"
+        write(mutant.became)
+        instead = {}
+        for part in parts:
+            target = place / "objects" / part.with_suffix(".o")
+            if not compile_one(part, target, overlay, cwd=place):
+                return "does not compile"
+            if target.read_bytes() != object_of(part).read_bytes():
+                instead[part] = target
+        if not instead:
+            return "same code"
+        program = place / "tests"
+        link(self.sources, instead, program)
+        for stage in self.stages(mutant.source):
+            if failed := stage.run(program):
+                mutant.by = failed
+                return "hash" if stage is self.hash else "noticed"
+        return "survived"
+
+
+def read_explained():
+    """Why a mutant cannot be told from the original, by its key; those whose line is no more are named."""
+    explained = {}
+    for entry in json.loads(EXPLAINED.read_text(encoding="utf-8")):
+        path = ROOT / entry["file"]
+        lines = {squeeze(line) for line in path.read_text(encoding="utf-8").split("\n")} if path.exists() else set()
+        if entry["was"] not in lines:
+            print(f"  out of date: {EXPLAINED.name} explains a line that {entry['file']} has no more: {entry['was']}")
+            continue
+        explained[entry["file"], entry["was"], entry["became"]] = entry
+    return explained
+
+
+def is_explained(mutant, explained):
+    entry = explained.get(mutant.key())
+    return entry is not None and entry.get("after", squeeze(mutant.before)) == squeeze(mutant.before)
 
 
 def main():
     parser = argparse.ArgumentParser(prog="scripts/mutate.sh", description=__doc__.split(".")[0] + ".")
     parser.add_argument("--count", type=int, default=120, help="mutants (default 120)")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutants that are tried side by side")
     parser.add_argument("--seconds", type=float, default=float("inf"), help="begin no further mutant after that")
     parser.add_argument("--near", action="store_true", help="only the tests of the same room: quick, and notices fewer")
     parser.add_argument("--only", default="", help="part of the path of the files to break")
+    parser.add_argument("--run-explained", action="store_true", help="run those that are explained too: none may be noticed")
+    parser.add_argument("--again", metavar="FILE", help="only what survived, or a hash alone noticed, in this earlier result")
     arguments = parser.parse_args()
 
     print("==> Building the tests", flush=True)
-    sources = build_base(arguments.jobs)
-    program = BUILD / "tests"
-    link(sources, None, None, program)
-    begin = time.monotonic()
-    if fails(program, 3600, *(["--source-file=*tests/base/*"] if arguments.near else [])):
-        sys.exit("error: the tests fail before anything is broken")
-    whole = time.monotonic() - begin
-    print(f"==> The tests take {whole:.0f} s; breaking the core", flush=True)
+    sources, objects_of = build_base(arguments.jobs)
+    explained = read_explained()
+    chosen = choose(arguments.seed, arguments.only, objects_of)
+    if arguments.again:
+        earlier = json.loads(Path(arguments.again).read_text(encoding="utf-8"))
+        wanted = {(m["file"], m["was"], m["became"], m["after"]) for kind in ("survived", "hash") for m in earlier[kind]}
+        chosen = [mutant for mutant in chosen if (*mutant.key(), squeeze(mutant.before)) in wanted]
+    runner = Runner(sources, objects_of, arguments.near)
 
     begin = time.monotonic()
-    survivors, noticed, invalid = [], 0, 0
-    mutant, broken = BUILD / "mutant.o", BUILD / "broken_tests"
-    for kind, source, number, line in choose(arguments.count, arguments.seed):
-        if noticed + len(survivors) >= arguments.count or time.monotonic() - begin > arguments.seconds:
-            break
-        if arguments.only not in str(source):
-            continue
-        lines = (ROOT / source).read_text(encoding="utf-8").split("\n")
-        before = lines[number].strip()
-        lines[number] = line
-        if not compile_one(source, mutant, "\n".join(lines)):
-            invalid += 1
-            continue
-        link(sources, source, mutant, broken)
-        # First the tests of the same file and room, which notice most.
-        mirrors = (f"--source-file=*test_{source.stem}.cpp", f"--source-file=*tests/{source.parts[2]}/*", "")
-        limit = max(LOWEST_LIMIT, 5 * whole)
-        if any(fails(broken, limit, *([each] if each else [])) for each in mirrors[: 2 if arguments.near else 3]):
-            noticed += 1
-        else:
-            survivors.append({"kind": kind, "place": f"{source}:{number + 1}", "was": before, "became": line.strip()})
-            print(f"  survived ({len(survivors)} of {noticed + len(survivors)}): {source}:{number + 1}: {kind}: {before}  ->  {line.strip()}", flush=True)
-    total = noticed + len(survivors)
-    result = {
-        "seed": arguments.seed,
-        "mutants": total,
-        "noticed": noticed,
-        "share": round(noticed / total, 3) if total else None,
-        "did_not_compile": invalid,
-        "survivors": survivors,
-    }
-    (BUILD / "result.json").write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
-    print(json.dumps({key: value for key, value in result.items() if key != "survivors"}))
+    found = {name: [] for name in ("noticed", "hash", "explained", "survived", "does not compile", "same code", "not whole numbers")}
+    valid = ("noticed", "hash", "explained", "survived")
+    lock, queue = threading.Lock(), iter(chosen)
+
+    def result():
+        count = {name: len(found[name]) for name in found}
+        mutants = sum(count[name] for name in valid)
+        noticed = count["noticed"] + count["hash"]
+        distinct = mutants - count["explained"]
+        return {
+            "seed": arguments.seed,
+            "mutants": mutants,
+            "noticed": noticed,
+            "by_hash_alone": count["hash"],
+            "explained": count["explained"],
+            "survived": count["survived"],
+            "share": round(noticed / mutants, 3) if mutants else None,
+            "share_of_unexplained": round(noticed / distinct, 3) if distinct else None,
+            "left_out": {name: count[name] for name in found if name not in valid},
+        }
+
+    def take_next(under_way):
+        with lock:
+            if sum(len(found[name]) for name in valid) + under_way[0] >= arguments.count or time.monotonic() - begin > arguments.seconds:
+                return None
+            mutant = next(queue, None)
+            under_way[0] += mutant is not None
+            return mutant
+
+    def work(job, under_way=[0]):
+        while mutant := take_next(under_way):
+            known = is_explained(mutant, explained)
+            outcome = "explained" if known and not arguments.run_explained else runner.try_mutant(mutant, BUILD / f"mutant{job}")
+            with lock:
+                under_way[0] -= 1
+                if known and outcome == "survived":
+                    outcome = "explained"
+                elif known and outcome in valid and outcome != "explained":
+                    print(f"  noticed, though it is explained: {mutant.source}:{mutant.number + 1}: {mutant.by}", flush=True)
+                found[outcome].append(mutant)
+                if outcome in ("hash", "survived"):
+                    told = "only a hash notices" if outcome == "hash" else "survived"
+                    place = f"{mutant.source}:{mutant.number + 1}: {mutant.kind}"
+                    print(f"  {told}: {place}: {squeeze(mutant.was)}  ->  {squeeze(mutant.became)}", flush=True)
+                details = {name: [each.told() for each in found[name]] for name in ("survived", "hash", "explained", "noticed")}
+                (BUILD / "result.json").write_text(json.dumps({**result(), **details}, indent=1) + "\n", encoding="utf-8")
+
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        list(pool.map(work, range(arguments.jobs)))
+    print(json.dumps(result()))
 
 
 if __name__ == "__main__":
