@@ -10,6 +10,7 @@ asked for.
 """
 
 import argparse
+import hashlib
 import json
 import os
 import platform
@@ -209,7 +210,8 @@ def build_base(jobs):
 
 def link(sources, instead, program):
     objects = [str(instead.get(source, object_of(source))) for source in sources]
-    subprocess.run([os.environ.get("CXX", "g++"), "-pthread", "-o", str(program), *objects], check=True)
+    quick_linker = ["-fuse-ld=gold"] if shutil.which("ld.gold") else []
+    subprocess.run([os.environ.get("CXX", "g++"), *quick_linker, "-pthread", "-o", str(program), *objects], check=True)
 
 
 def pattern_of(name):
@@ -245,19 +247,29 @@ class Stage:
 
 
 def run_unbroken(program):
-    """Name, file and duration of all tests."""
+    """Name, file and duration of all tests; known already where the program is the one that was run last."""
+    kept = BUILD / "times.json"
+    digest = hashlib.sha256(program.read_bytes()).hexdigest()
+    if kept.exists() and (known := json.loads(kept.read_text(encoding="utf-8")))["program"] == digest:
+        return known["tests"]
+    begin, begin_wall = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
     done = subprocess.run([str(program), "--reporters=xml", "--duration=true"], cwd=ROOT, stdout=subprocess.PIPE)
     if done.returncode != 0:
         sys.exit("error: the tests fail before anything is broken")
+    end = resource.getrusage(resource.RUSAGE_CHILDREN)
+    # Of the processor, as others may be at work on it.
+    share = (end.ru_utime + end.ru_stime - begin.ru_utime - begin.ru_stime) / (time.monotonic() - begin_wall)
     tests = []
     for case in ElementTree.fromstring(done.stdout).iter("TestCase"):
-        tests.append((pattern_of(case.get("name")), case.get("filename"), float(case.find("OverallResultsAsserts").get("duration"))))
+        seconds = float(case.find("OverallResultsAsserts").get("duration"))
+        tests.append((pattern_of(case.get("name")), case.get("filename"), seconds * share))
+    kept.write_text(json.dumps({"program": digest, "tests": tests}), encoding="utf-8")
     return tests
 
 
 class Runner:
-    def __init__(self, sources, objects_of, near):
-        self.sources, self.objects_of, self.near = sources, objects_of, near
+    def __init__(self, sources, objects_of, near, cheap):
+        self.sources, self.objects_of, self.near, self.cheap = sources, objects_of, near, cheap
         program = BUILD / "tests"
         link(sources, {}, program)
         tests = run_unbroken(program)
@@ -287,7 +299,8 @@ class Runner:
         yield Stage("tests of other rooms", seconds(lambda file: room not in file), f"--source-file-exclude=*{room}*,*{own}", self.not_quick)
         yield from (stage for stage in self.slow if stage.usual <= DEAR_TEST)
         yield self.hash
-        yield from (stage for stage in self.slow if stage.usual > DEAR_TEST)
+        if not self.cheap:
+            yield from (stage for stage in self.slow if stage.usual > DEAR_TEST)
 
     def try_mutant(self, mutant, place):
         """`does not compile`, `same code`, `not whole numbers`, `noticed`, `hash` or `survived`."""
@@ -356,8 +369,10 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutants that are tried side by side")
     parser.add_argument("--seconds", type=float, default=float("inf"), help="begin no further mutant after that")
     parser.add_argument("--near", action="store_true", help="only the tests of the same room: quick, and notices fewer")
+    parser.add_argument("--cheap", action="store_true", help=f"without tests that take more than {DEAR_TEST:g} s each")
     parser.add_argument("--only", default="", help="part of the path of the files to break")
     parser.add_argument("--run-explained", action="store_true", help="run those that are explained too: none may be noticed")
+    parser.add_argument("--resume", action="store_true", help="go on after what build/mutation/result.json has already")
     parser.add_argument("--again", metavar="FILE", help="only what survived, or a hash alone noticed, in this earlier result")
     arguments = parser.parse_args()
 
@@ -367,9 +382,13 @@ def main():
     chosen = choose(arguments.seed, arguments.only, objects_of)
     if arguments.again:
         earlier = json.loads(Path(arguments.again).read_text(encoding="utf-8"))
-        wanted = {(m["file"], m["was"], m["became"], m["after"]) for kind in ("survived", "hash") for m in earlier[kind]}
+        wanted = {(m["file"], m["was"], m["became"], m["after"]) for kind in ("survived", "hash") for m in earlier["details"][kind]}
         chosen = [mutant for mutant in chosen if (*mutant.key(), squeeze(mutant.before)) in wanted]
-    runner = Runner(sources, objects_of, arguments.near)
+    done = {}
+    if arguments.resume:
+        details = json.loads((BUILD / "result.json").read_text(encoding="utf-8"))["details"]
+        done = {(m["file"], m["was"], m["became"], m["after"]): (name, m.get("by")) for name in details for m in details[name]}
+    runner = Runner(sources, objects_of, arguments.near, arguments.cheap)
 
     begin = time.monotonic()
     found = {name: [] for name in ("noticed", "hash", "explained", "survived", "does not compile", "same code", "not whole numbers")}
@@ -404,7 +423,12 @@ def main():
     def work(job, under_way=[0]):
         while mutant := take_next(under_way):
             known = is_explained(mutant, explained)
-            outcome = "explained" if known and not arguments.run_explained else runner.try_mutant(mutant, BUILD / f"mutant{job}")
+            if before := done.get((*mutant.key(), squeeze(mutant.before))):
+                outcome, mutant.by = before
+            elif known and not arguments.run_explained:
+                outcome = "explained"
+            else:
+                outcome = runner.try_mutant(mutant, BUILD / f"mutant{job}")
             with lock:
                 under_way[0] -= 1
                 if known and outcome == "survived":
@@ -417,7 +441,7 @@ def main():
                     place = f"{mutant.source}:{mutant.number + 1}: {mutant.kind}"
                     print(f"  {told}: {place}: {squeeze(mutant.was)}  ->  {squeeze(mutant.became)}", flush=True)
                 details = {name: [each.told() for each in found[name]] for name in ("survived", "hash", "explained", "noticed")}
-                (BUILD / "result.json").write_text(json.dumps({**result(), **details}, indent=1) + "\n", encoding="utf-8")
+                (BUILD / "result.json").write_text(json.dumps({**result(), "details": details}, indent=1) + "\n", encoding="utf-8")
 
     with ThreadPoolExecutor(arguments.jobs) as pool:
         list(pool.map(work, range(arguments.jobs)))

@@ -5,6 +5,7 @@
 #include "core/model/body_frame.h"
 #include "scenes/jelly.h"
 #include "support/compare.h"
+#include "support/random.h"
 
 #include <algorithm>
 #include <array>
@@ -321,6 +322,117 @@ TEST_CASE("depth counts what the collider and the hull share, along the directio
 	CHECK(one_way_depth(hull, bar, 2) == doctest::Approx(1));
 	bar.one_way = { 1, 0 };
 	CHECK(depth_of({ { -4, -50 }, { -4, 50 } }) == doctest::Approx(6));
+}
+
+namespace {
+
+// How far a convex rounded collider reaches along a direction, beside a place across it: by halving the way down to it from
+// far off, and the distance to each of its segments.
+double reach_of(const ConvexCollider &collider, double across) {
+	const std::vector<Vec2> &v = collider.vertices;
+	const double dx = double(collider.one_way.x), dy = double(collider.one_way.y);
+	const auto outside = [&](double along) {
+		const double x = dx * along - dy * across, y = dy * along + dx * across;
+		double nearest = 1e9;
+		bool is_inside = v.size() > 2;
+		for (std::size_t i = 0; i < v.size(); ++i) {
+			const Vec2 a = v[i], b = v[(i + 1) % v.size()];
+			const double ex = double(b.x) - double(a.x), ey = double(b.y) - double(a.y);
+			const double size = ex * ex + ey * ey;
+			const double px = x - double(a.x), py = y - double(a.y);
+			const double t = size > 0 ? std::clamp((px * ex + py * ey) / size, 0.0, 1.0) : 0;
+			nearest = std::min(nearest, std::hypot(px - ex * t, py - ey * t));
+			is_inside = is_inside && ex * py - ey * px >= 0;
+		}
+		return is_inside ? -nearest : nearest - double(collider.radius);
+	};
+	// Downwards in steps that the distance allows.
+	double along = 20;
+	while (along > -20) {
+		const double free = outside(along);
+		if (free < 1e-9) {
+			return along;
+		}
+		along -= free;
+	}
+	return -20;
+}
+
+} // namespace
+
+TEST_CASE("beside any place of a rounded collider, depth begins where the collider does") {
+	Random random(8);
+	int met = 0;
+	for (int i = 0; i < 400; ++i) {
+		CAPTURE(i);
+		const Rotation turned = Rotation::from_angle(random.real(0, 6.28));
+		ConvexCollider collider;
+		collider.one_way = turned.apply({ 0, 1 });
+		collider.radius = random.chance(0.3) ? Real(0) : random.real(0.1, 1.5);
+		const int corners = random.integer(collider.radius > 0 ? 1 : 2, 6);
+		double angle = double(random.real(0, 6.28));
+		for (int k = 0; k < corners; ++k) {
+			angle += 6.28 / corners * double(random.real(0.6, 1));
+			collider.vertices.push_back(Rotation::from_angle(Real(angle)).apply({ 3, 0 }));
+		}
+		// A tall narrow body through all of it, along the direction: nothing but the collider's front beside its lower corners
+		// and between them decides. A hair wider above, as beside its outermost points a hull has no height.
+		const double middle = double(random.real(-4.5, 4.5));
+		const double half = double(random.real(0.05, 0.5));
+		const Vec2 sideways = perpendicular(collider.one_way);
+		std::vector<Vec2> hull;
+		std::vector<double> looked_at = { middle - half, middle + half };
+		for (const auto &[across, along] : { std::pair(-half - 1e-3, 10), std::pair(-half, -10), std::pair(half, -10), std::pair(half + 1e-3, 10) }) {
+			hull.push_back(sideways * Real(middle + across) + collider.one_way * Real(along));
+		}
+		for (const Vec2 vertex : collider.vertices) {
+			const double across = double(dot(vertex, sideways));
+			if (std::abs(across - middle) < half) {
+				looked_at.push_back(across);
+			}
+		}
+		// Where its flank is steep, the place counts for more than the height: a thousandth to both sides, and ten times that
+		// for a corner in between.
+		double least = 0, most = 0;
+		for (const double across : looked_at) {
+			const double left = reach_of(collider, across - 1e-3) + 10, right = reach_of(collider, across + 1e-3) + 10;
+			least = std::max(least, std::min(left, right));
+			most = std::max({ most, left, right, reach_of(collider, across) + 10 });
+		}
+		const double depth = double(one_way_depth(hull, collider));
+		CHECK(depth >= least - 1e-2);
+		CHECK(depth <= most + 1e-2);
+		met += depth > 0;
+	}
+	CHECK(met > 200);
+}
+
+TEST_CASE("a platform that is taken away is forgotten, though its neighbour stays") {
+	const ConvexCollider stays = [] {
+		ConvexCollider collider = box_collider({ 100, 20 }, { 100, 20 });
+		collider.one_way = UP;
+		return collider;
+	}();
+	ConvexCollider goes = stays;
+	goes.vertices = box_collider({ -100, 20 }, { 100, 20 }).vertices;
+	WorldData world = pixel_world();
+	REQUIRE_FALSE(world.add_collider(stays));
+	REQUIRE_FALSE(world.add_collider(goes));
+	const BodyId id = world.add_soft_body(jelly_circle({ 5, -R }));
+	Simulator simulator(world);
+	const auto remembers = [&](const ConvexCollider &collider) {
+		return std::ranges::count(world.find(id)->one_ways(), one_way_name(collider), &OneWayMemory::collider) == 1;
+	};
+	for (int i = 0; i < 30; ++i) {
+		simulator.simulate(FRAME);
+	}
+	CHECK(remembers(stays));
+	REQUIRE(remembers(goes));
+	world.clear_surroundings();
+	REQUIRE_FALSE(world.add_collider(stays));
+	simulator.simulate(FRAME);
+	CHECK(remembers(stays));
+	CHECK_FALSE(remembers(goes));
 }
 
 TEST_CASE("a direction that is no unit vector and a margin that is no number are refused by name") {

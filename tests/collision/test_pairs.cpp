@@ -105,6 +105,27 @@ TEST_CASE("two bodies that meet part again, with the momentum and spin that they
 	}
 }
 
+TEST_CASE("whichever points of a hull of many meet the flat side of a large body, they are held") {
+	constexpr int POINTS = 70; // more than are looked at together
+	const auto wheel = SoftBodyCreator::create_circle(Real(0.5), POINTS, { 1, 3000, 1, true }).value();
+	// Four points and no more: nothing of it but the edge is near the wheel.
+	const auto block = SoftBodyCreator::create_polygon(box_hull({ 20, 2 }, 20).value(), { 100, 100000, 10, true }).value();
+	for (int first = 0; first < POINTS; first += 7) {
+		CAPTURE(first);
+		WorldData world;
+		const Real turn = Real(6.283185307 * first / POINTS);
+		world.add_soft_body(thesis_body(wheel, pile_settings(1000), { { 0, Real(0.52) }, Rotation::from_angle(turn) }));
+		world.add_soft_body(thesis_body(block, {}, { { 0, -1 }, {} }));
+		shoot(world.soft_bodies()[0], { 0, -2 });
+		Simulator simulator(world);
+		for (int i = 0; i < 60; ++i) {
+			simulator.simulate(FRAME);
+			REQUIRE(deepest_overlap(world) <= 0.05); // a tenth of its radius, at four radii a second
+		}
+		CHECK(measure_momentum(world.soft_bodies()[0]).linear_y > -0.1); // stopped: the block goes down by 0.02 a second
+	}
+}
+
 TEST_CASE("two bodies of every pair of shapes meet and part, each in one piece, with the momentum that they brought") {
 	const auto star = [] {
 		std::vector<Vec2> hull;
