@@ -2,7 +2,7 @@
 """Breaks the core in seeded ways, one at a time, and tells how many the tests notice. `scripts/mutate.sh` calls it.
 
 A mutant of which the compiler makes the code that it makes of the original is no mutant. The tests are asked from the
-cheapest to the dearest: those of the file, of its room, of the other rooms, the slow ones, then the one that compares with a
+cheapest to the dearest: those of the file, the quickest of all, those of its room, of the other rooms, the slow ones, then the one that compares with a
 hash, and after it what takes many seconds. What the hash is the first to notice is counted apart: it says that something has
 changed, and not that it is wrong. Who passes them all survives. Survivors that no test can
 tell from the original are explained in scripts/mutate_equivalents.json, by the text of the line, and not run again unless
@@ -35,7 +35,8 @@ MOST_OBJECTS = 40  # Headers that more objects include hold declarations and vec
 # No test depends on a clock, so none can notice what changes nothing but the time that a step takes.
 SPEED_ONLY = ("src/core/dynamics/state_ahead.h",)
 HASH_TEST = "a mixed scene ends in the bits that it always has ended in"
-SLOW_TEST, DEAR_TEST = 1.0, 6.0  # s; tests that take longer come after the others, the dear ones after the hashes
+# s of the processor; tests that take longer than the second come after the others, those above the third after the hashes.
+CHEAP_TEST, SLOW_TEST, DEAR_TEST = 0.1, 1.0, 6.0
 LEAST_SECONDS, TIMES_USUAL = 15, 5  # of the processor; a mutant that takes longer is noticed, as a scene that hangs would be
 MOST_MEMORY = 6 << 30  # bytes
 
@@ -278,7 +279,6 @@ class Runner:
             sys.exit(f"error: no test is called: {HASH_TEST}")
         slow = sorted((seconds, name) for name, _, seconds in tests if seconds > SLOW_TEST)
         self.quick = [test for test in tests if test[2] <= SLOW_TEST and test[0] != hash_test]
-        self.not_quick = "--test-case-exclude=" + ",".join([*(name for _, name in slow), hash_test])
         self.slow = [Stage("a slow test", seconds, "--test-case=" + name) for seconds, name in slow]
         self.hash = Stage("a hash", 1, "--test-case=" + hash_test)
         total = sum(seconds for *_, seconds in tests)
@@ -288,15 +288,21 @@ class Runner:
         own = f"/test_{source.stem.removesuffix('_lanes')}.cpp"
         room = f"tests/{source.parts[2]}/"
 
-        def seconds(belongs):
-            return sum(time for _, file, time in self.quick if belongs(file))
+        def some(name, takes):
+            """Of the quick tests those that `takes` accepts, by file and duration, and no other stage has had."""
+            chosen = [test for test in left if takes(*test[1:])]
+            left[:] = [test for test in left if test not in chosen]
+            if chosen:
+                yield Stage(name, sum(seconds for *_, seconds in chosen), "--test-case=" + ",".join(name for name, *_ in chosen))
 
-        yield Stage("tests of the file", seconds(lambda file: own in file), "--source-file=*" + own, self.not_quick)
-        yield Stage("tests of the room", seconds(lambda file: room in file and own not in file), f"--source-file=*{room}*",
-            "--source-file-exclude=*" + own, self.not_quick)
+        left = list(self.quick)
+        yield from some("tests of the file", lambda file, _: own in file)
+        if not self.near:
+            yield from some("the cheapest tests", lambda _, seconds: seconds < CHEAP_TEST)
+        yield from some("tests of the room", lambda file, _: room in file)
         if self.near:
             return
-        yield Stage("tests of other rooms", seconds(lambda file: room not in file), f"--source-file-exclude=*{room}*,*{own}", self.not_quick)
+        yield from some("tests of other rooms", lambda *_: True)
         yield from (stage for stage in self.slow if stage.usual <= DEAR_TEST)
         yield self.hash
         if not self.cheap:
