@@ -159,6 +159,17 @@ TEST_CASE("a contact puts the point outside, and where there is none it is outsi
 	CHECK(found > 2000);
 }
 
+TEST_CASE("a point that comes to lie right on a face is out, and no contact") {
+	const ConvexCollider box = box_collider({ 0, 0 }, { 2, 1 });
+	ConvexCollider dented = box;
+	dented.concave = true;
+	for (const ConvexCollider &collider : { box, dented }) {
+		CHECK_FALSE(find_point_contact(collider, { Real(0.5), 2 }, { Real(0.5), 1 }, SLOP));
+		CHECK_FALSE(find_point_contact(collider, { 3, Real(0.5) }, { 2, Real(0.5) }, SLOP));
+		CHECK(find_point_contact(collider, { Real(0.5), 2 }, { Real(0.5), Real(0.99) }, SLOP));
+	}
+}
+
 TEST_CASE("no path through the core of a collider goes unnoticed, and no path beside a collider is stopped") {
 	// For a circle the core is taken as the middle: a path that only shaves the rim far from its ends
 	// may pass.

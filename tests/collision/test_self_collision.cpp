@@ -4,6 +4,7 @@
 #include "core/dynamics/energy.h"
 #include "core/dynamics/simulator.h"
 #include "core/geometry/polygon.h"
+#include "core/model/body_frame.h"
 #include "scenes/deformations.h"
 #include "scenes/jelly.h"
 #include "scenes/loose_points.h"
@@ -181,6 +182,7 @@ TEST_CASE("a contact of a body with itself keeps momentum and angular momentum t
 		}
 		const bool was_folded = is_folded(body.hull());
 		const Momentum a = measure_momentum(body);
+		const Vec2 centre = measure_frame(body).centre;
 		const double kinetic = measure_energy(body, {}).kinetic;
 		SelfCollision collision;
 		const std::size_t contacts = collision.handle(body, before, h);
@@ -192,6 +194,8 @@ TEST_CASE("a contact of a body with itself keeps momentum and angular momentum t
 		CHECK(std::abs(a.linear_x - b.linear_x) <= 200 * EPSILON);
 		CHECK(std::abs(a.linear_y - b.linear_y) <= 200 * EPSILON);
 		CHECK(std::abs(a.angular - b.angular) <= 500 * EPSILON);
+		// What is moved apart goes by its weights, so that the centre stays.
+		CHECK(double(length(measure_frame(body).centre - centre)) <= 20 * EPSILON);
 		CHECK(measure_energy(body, {}).kinetic <= kinetic * 1.001); // turning back what pushing sideways has turned
 	}
 	CHECK(answered > 50);
@@ -421,6 +425,37 @@ TEST_CASE("pinned points are not moved by what touches them") {
 	CHECK(outcome.folded == 0);
 	CHECK(outcome.contacts > 0);
 	CHECK(body.positions()[20] == there);
+}
+
+TEST_CASE("pinned stars far from the world's origin that are hurled at themselves stay simple, and their pins where they are") {
+	int answered = 0;
+	for (int seed = 0; seed < 60; ++seed) {
+		CAPTURE(seed);
+		Random random{ std::uint64_t(700 + seed) };
+		const int count = random.integer(6, 30);
+		std::vector<Vec2> hull;
+		for (int i = 0; i < count; ++i) {
+			hull.push_back(Rotation::from_angle(Real(6.2831853 * i / count)).apply({ random.real(0.15, 1), 0 }));
+		}
+		const auto shape = SoftBodyCreator::create_polygon(hull, { 1, 100, Real(0.5), true }).value();
+		WorldData world;
+		world.add_soft_body(SoftBodyData::create(shape, settings_with(true), { { 40, -25 }, {} }).value());
+		SoftBodyData &body = world.soft_bodies()[0];
+		const double speed = double(random.real(5, 20));
+		for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+			REQUIRE_FALSE(body.set_point(i, body.positions()[i], random.vector(speed)));
+		}
+		const std::uint32_t pin = std::uint32_t(random.integer(0, count - 1));
+		REQUIRE_FALSE(body.set_pinned(pin, true));
+		const Vec2 there = body.positions()[pin];
+		const Outcome outcome = run(world, 30, [](int) {});
+		answered += outcome.contacts > 0;
+		CHECK(outcome.folded == 0);
+		CHECK(outcome.resets == 0);
+		CHECK(body.positions()[pin] == there);
+		CHECK(largest_distance(body.positions(), std::vector<Vec2>(body.point_count(), there)) < 6); // springs hold it together
+	}
+	CHECK(answered > 30);
 }
 
 TEST_CASE("a body far from the world's origin does not cross itself by rounding") {

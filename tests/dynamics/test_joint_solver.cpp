@@ -5,6 +5,7 @@
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
 #include "core/model/rigid_motion.h"
+#include "scenes/loose_points.h"
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
 #include "support/random.h"
@@ -313,6 +314,39 @@ TEST_CASE("soft and rigid body at the ends of a joint give each other equal and 
 		CHECK(std::abs((now.angular_velocity - spin_before) / 2 - reaction.angular_impulse) < 500 * EPSILON);
 	}
 	CHECK(double(world.rigid_bodies()[0].linear_velocity.y) < 2.9); // it has been held back
+}
+
+TEST_CASE("a particle welded to any place of a free rigid body goes on with that place, after one blow that keeps all momenta") {
+	Random random(21);
+	for (int i = 0; i < 50; ++i) {
+		CAPTURE(i);
+		WorldData world;
+		const Real mass = random.real(0.2, 5);
+		SoftBodyData particle = loose_points(3, mass);
+		const Vec2 speed = random.vector(2);
+		REQUIRE_FALSE(particle.set_point(0, {}, speed));
+		const BodyId id = world.add_soft_body(particle);
+		const Vec2 arm = random.vector(1); // oblique: a push along x moves the place along y too
+		RigidBody rigid;
+		rigid.tag = 5;
+		rigid.pose.position = -arm;
+		rigid.linear_velocity = random.vector(2);
+		rigid.angular_velocity = random.real(-3, 3);
+		rigid.inverse_mass = random.real(0.05, 1);
+		rigid.inverse_inertia = random.real(0.5, 20);
+		REQUIRE(world.add_rigid_body(rigid).has_value());
+		REQUIRE(world.add_joint(weld(JointAnchor::on_point(id, 0), JointAnchor::on_rigid_body(5, arm))).has_value());
+		Simulator simulator(world);
+		simulator.simulate(Real(1e-4)); // in which nothing turns
+		const RigidBody &now = world.rigid_bodies()[0];
+		const Vec2 velocity = world.find(id)->velocities()[0];
+		const Vec2 apart = now.linear_velocity + perpendicular(arm) * now.angular_velocity - velocity;
+		CHECK(double(length(apart)) < 1e-2); // of about 3 m/s; the arm turns by less than 1e-3
+		const Vec2 given = (now.linear_velocity - rigid.linear_velocity) * (1 / rigid.inverse_mass);
+		CHECK(double(length(given - (speed - velocity) * mass)) < 500 * EPSILON);
+		const double turned = double(now.angular_velocity - rigid.angular_velocity) / double(rigid.inverse_inertia);
+		CHECK(std::abs(turned - double(cross(arm, given))) < 1e-2);
+	}
 }
 
 TEST_CASE("a kinematic rigid body drags what is joined to it, and wakes it") {

@@ -4,6 +4,8 @@
 #include "core/dynamics/islands.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
+#include "scenes/jelly.h"
+#include "scenes/loose_points.h"
 #include "scenes/thesis_body.h"
 #include "support/random.h"
 
@@ -16,8 +18,6 @@ using namespace softbody;
 using namespace softbody::testing;
 
 namespace {
-
-constexpr Real FRAME = Real(1) / 60;
 
 SoftBodyData ball(Vec2 place) {
 	BodySettings settings;
@@ -102,6 +102,50 @@ TEST_CASE("a body that moves does not sleep, nor one that may not, nor what touc
 	Scene awake;
 	awake.world.set_sleeping(false);
 	CHECK(awake.step(900) == 0);
+}
+
+TEST_CASE("without weight a body sleeps whose points move no faster than it may as a whole, and only then") {
+	for (const double share : { 0.8, 1.25 }) { // of that speed
+		WorldData world;
+		SoftBodyData body = loose_points(6, 1); // no springs: they fly apart, and their momenta cancel
+		for (std::uint32_t i = 0; i < 6; ++i) {
+			REQUIRE_FALSE(body.set_point(i, body.positions()[i], body.positions()[i] * Real(share * double(SLEEP_SPEED_WEIGHTLESS))));
+		}
+		const BodyId id = world.add_soft_body(body);
+		Simulator simulator(world);
+		for (int i = 0; i < 120; ++i) {
+			simulator.simulate(FRAME);
+		}
+		CHECK(world.find(id)->is_asleep() == (share < 1));
+	}
+}
+
+TEST_CASE("a floor of the same form that lies elsewhere wakes who slept on it") {
+	for (const Vec2 moved : { Vec2{ 0, -1 }, Vec2{ Real(0.25), 0 } }) {
+		WorldData world;
+		world.set_gravity({ 0, Real(-9.81) });
+		REQUIRE_FALSE(world.add_collider(box_collider({ 0, -1 }, { 4, 1 })));
+		const BodyId id = world.add_soft_body(ball({ 0, Real(0.48) }));
+		Simulator simulator(world);
+		for (int i = 0; i < 1200 && !world.find(id)->is_asleep(); ++i) {
+			simulator.simulate(FRAME);
+		}
+		REQUIRE(world.find(id)->is_asleep());
+		const Real height = measure_frame(*world.find(id)).centre.y;
+		const auto lay = [&](Vec2 by) {
+			world.clear_surroundings();
+			REQUIRE_FALSE(world.add_collider(box_collider(Vec2{ 0, -1 } + by, { 4, 1 })));
+			simulator.simulate(FRAME);
+		};
+		lay({});
+		CHECK(world.find(id)->is_asleep());
+		lay(moved);
+		CHECK_FALSE(world.find(id)->is_asleep());
+		for (int i = 0; i < 60; ++i) {
+			simulator.simulate(FRAME);
+		}
+		CHECK(double(measure_frame(*world.find(id)).centre.y - height) == doctest::Approx(double(moved.y)).epsilon(0.02));
+	}
 }
 
 TEST_CASE("whatever is done to a sleeping body wakes it and its island, and no other") {
