@@ -117,6 +117,37 @@ TEST_CASE("the way out is the shortest among the edges that face the point") {
 	CHECK(inside > 300);
 }
 
+TEST_CASE("the way out of a hull of any size is the same, but for its length, also right beside a corner") {
+	Random random(23);
+	int beside_corner = 0;
+	for (int round = 0; round < 4000; ++round) {
+		const auto hull = random_hull(random, random.integer(3, 21));
+		const Vec2 corner = hull[std::size_t(random.integer(0, int(hull.size()) - 1))];
+		const Vec2 p = corner + random.vector(round % 2 == 0 ? 0.001 : 0.01);
+		const Vec2 outward = round % 4 == 0 ? Vec2{} : random.vector(1);
+		HullEdges edges;
+		edges.assign(hull);
+		const auto contact = edges.find(p, outward);
+		beside_corner += contact && (contact->t == 0 || contact->t == 1);
+		for (const Real scale : { Real(1024), Real(1) / 1024 }) { // a power of two rounds nothing
+			auto scaled = hull;
+			for (Vec2 &each : scaled) {
+				each *= scale;
+			}
+			edges.assign(scaled);
+			const auto other = edges.find(p * scale, outward);
+			REQUIRE(other.has_value() == contact.has_value());
+			if (contact) {
+				CHECK(other->edge == contact->edge);
+				CHECK(other->t == contact->t);
+				CHECK(other->normal == contact->normal);
+				CHECK(other->depth == contact->depth * scale);
+			}
+		}
+	}
+	CHECK(beside_corner > 200);
+}
+
 TEST_CASE("a point that was pushed through a thin body goes back the way it came") {
 	// A plank from y = 0 to 0.2; the body above it points down, and its point is nearer to the underside.
 	const std::vector<Vec2> plank = { { -1, 0 }, { 1, 0 }, { 1, Real(0.2) }, { -1, Real(0.2) } };
