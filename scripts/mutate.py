@@ -32,7 +32,7 @@ BUILD = ROOT / "build" / "mutation"
 OBJECTS = BUILD / "objects"
 EXPLAINED = ROOT / "scripts" / "mutate_equivalents.json"
 FLAGS = "-std=c++20 -O1 -ffp-contract=off -fno-math-errno -Wno-psabi -pthread".split()
-MOST_OBJECTS = 40  # Headers that more objects include hold declarations and vectors: each fault there builds all tests anew.
+MOST_OBJECTS = 40  # Headers that more objects use hold declarations, vectors and state: each fault there builds most tests anew.
 # No test depends on a clock, so none can notice what changes nothing but the time that a step takes.
 SPEED_ONLY = ("src/core/dynamics/state_ahead.h",)
 HASH_TEST = "a mixed scene ends in the bits that it always has ended in"
@@ -189,7 +189,7 @@ def included(source):
 
 
 def build_base(jobs):
-    """All sources, and which objects each file is part of."""
+    """All sources, and in which objects code of each file of the core is."""
     sources = [p.relative_to(ROOT) for folder in ("src/core", "tests") for p in sorted((ROOT / folder).rglob("*.cpp"))]
     # Linked last, as the core asks for: no other code may run its copies of inline functions.
     sources.sort(key=lambda source: source.name.endswith("_avx2.cpp"))
@@ -203,10 +203,21 @@ def build_base(jobs):
     with ThreadPoolExecutor(jobs) as pool:
         if not all(pool.map(make, sources)):
             sys.exit("error: the core or its tests do not compile")
-    objects_of = {}
+    # A test that gets a header of the core by way of another one runs none of its code but the core's.
+    objects_of, named_by = {}, {}
+
+    def names(part):
+        if part not in named_by:
+            text = (ROOT / part).read_text(encoding="utf-8")
+            named_by[part] = {Path("src") / name for name in re.findall(r'#include "(core/.*)"', text)}
+        return named_by[part]
+
     for source in sources:
-        for part in included(source):
-            objects_of.setdefault(part, []).append(source)
+        parts = included(source)
+        named = set().union(*(names(part) for part in parts if part.parts[0] == "tests"))
+        for part in parts:
+            if source.parts[0] == "src" or part in named:
+                objects_of.setdefault(part, []).append(source)
     return sources, objects_of
 
 
