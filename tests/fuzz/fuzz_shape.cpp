@@ -68,7 +68,7 @@ void step_once(const std::shared_ptr<const SoftBodyShape> &shape, Bytes &bytes) 
 std::vector<Vec2> any_hull(Bytes &bytes) {
 	Result<std::vector<Vec2>> made = std::vector<Vec2>{};
 	switch (bytes.integer(0, 5)) {
-		case 0: made = circle_hull(bytes.any(100), bytes.integer(0, 80)); break;
+		case 0: made = circle_hull(bytes.any(100), bytes.integer(0, 40)); break;
 		case 1: {
 			const Vec2 size = bytes.any_vector(100);
 			made = box_hull(size, bytes.any(50));

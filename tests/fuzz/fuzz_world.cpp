@@ -39,8 +39,8 @@ const std::vector<std::shared_ptr<const SoftBodyShape>> &shapes() {
 
 class Session {
 public:
-	Session(std::span<const std::uint8_t> data, ParallelFor parallel_for) :
-			bytes_(data), simulator_(world_, std::move(parallel_for)) {
+	Session(std::span<const std::uint8_t> data, ParallelFor parallel_for, bool is_compared) :
+			bytes_(data), simulator_(world_, std::move(parallel_for)), is_compared_(is_compared) {
 		world_.set_gravity({ 0, Real(-9.81) });
 	}
 
@@ -308,8 +308,10 @@ private:
 			require(is_finite(contact.point) && is_finite(contact.normal) && std::isfinite(contact.normal_impulse) && contact.normal_impulse >= 0,
 					"contacts are finite");
 		}
-		hash_.add(testing::hash_of_state(world_));
-		hash_.add(testing::hash_of_contacts(simulator_));
+		if (is_compared_) {
+			hash_.add(testing::hash_of_state(world_));
+			hash_.add(testing::hash_of_contacts(simulator_));
+		}
 	}
 
 	void call() {
@@ -362,20 +364,26 @@ private:
 	std::vector<BodyId> ids_;
 	std::vector<Saved> saved_;
 	int steps_ = 0;
+	bool is_compared_;
 	testing::BitHash hash_;
 };
 
 } // namespace
 
 void fuzz_world(std::span<const std::uint8_t> data) {
+	// A second run and the hashes of both take two thirds of the time, so one input in four has them, by its length.
+	const bool is_compared = data.size() % 4 == 0;
+	const std::uint64_t forwards = Session(data, {}, is_compared).run();
+	if (!is_compared) {
+		return;
+	}
 	// Whoever relies on the order of tasks is found out by the other order.
 	const ParallelFor backwards = [](std::size_t count, const std::function<void(std::size_t)> &task) {
 		for (std::size_t i = count; i > 0; --i) {
 			task(i - 1);
 		}
 	};
-	const std::uint64_t forwards = Session(data, {}).run();
-	require(Session(data, backwards).run() == forwards, "the order of tasks changes no bit");
+	require(Session(data, backwards, is_compared).run() == forwards, "the order of tasks changes no bit");
 }
 
 } // namespace softbody::fuzzing

@@ -28,7 +28,8 @@ void fuzz_shape(std::span<const std::uint8_t> data);
 void fuzz_state(std::span<const std::uint8_t> data);
 /// Geometry on the integer grid, against exact answers by other formulas.
 void fuzz_geometry(std::span<const std::uint8_t> data);
-/// Any sequence of calls of the public interface of a world, in two worlds whose tasks run in different orders.
+/// Any sequence of calls of the public interface of a world; if their bytes are a multiple of four, in two worlds whose tasks
+/// run in different orders.
 void fuzz_world(std::span<const std::uint8_t> data);
 
 } // namespace softbody::fuzzing

@@ -38,7 +38,7 @@ void RigidContacts::begin_substep(Real h) {
 		if (rigid.is_dynamic()) {
 			from_[i] = rigid.pose;
 			rigid.pose = rigid.asleep ? rigid.pose : rigid.pose_after(h);
-			rigid.linear_velocity += rigid.acceleration * h;
+			rigid.change_velocities(rigid.acceleration * h, 0);
 			pull = std::max(pull, length(rigid.acceleration));
 		}
 	}
@@ -190,17 +190,18 @@ void RigidContacts::push(Contact &contact) {
 }
 
 void RigidContacts::apply(Contact &contact, Vec2 impulse) {
+	RigidBody &rigid = world_->mutable_rigid_bodies()[contact.rigid_body];
+	const Real turning = cross(contact.arm, impulse);
+	if (!rigid.change_velocities(-mobility_along(contact, impulse), -turning * contact.inverse_inertia)) {
+		return; // as for what is about to be reset
+	}
 	const HullPlace &place = contact.at.place;
 	const std::span<Vec2> v = contact.body->mutable_velocities();
 	v[place.a] += impulse * contact.mobility_a;
 	if (place.a != place.b) {
 		v[place.b] += impulse * contact.mobility_b;
 	}
-	RigidBody &rigid = world_->mutable_rigid_bodies()[contact.rigid_body];
 	Reaction &reaction = world_->mutable_reactions()[contact.rigid_body];
-	const Real turning = cross(contact.arm, impulse);
-	rigid.linear_velocity -= mobility_along(contact, impulse);
-	rigid.angular_velocity -= turning * contact.inverse_inertia;
 	reaction.impulse -= impulse;
 	reaction.angular_impulse -= turning;
 }

@@ -209,10 +209,11 @@ void JointSolver::apply(Side &side, Vec2 impulse) const {
 		if (!rigid.is_dynamic()) {
 			return;
 		}
-		Reaction &reaction = world_->mutable_reactions()[side.rigid];
 		const Real turning = cross(side.arm, impulse);
-		rigid.linear_velocity += impulse * rigid.inverse_mass;
-		rigid.angular_velocity += turning * rigid.inverse_inertia;
+		if (!rigid.change_velocities(impulse * rigid.inverse_mass, turning * rigid.inverse_inertia)) {
+			return; // no more than in `prepare`
+		}
+		Reaction &reaction = world_->mutable_reactions()[side.rigid];
 		reaction.impulse += impulse;
 		reaction.angular_impulse += turning;
 	}

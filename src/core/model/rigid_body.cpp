@@ -23,7 +23,19 @@ Pose RigidBody::pose_after(Real time) const {
 		result.position += pose.rotation.apply(centre_of_mass) - result.rotation.apply(centre_of_mass);
 	}
 	result.position += linear_velocity * time;
-	return result;
+	const bool is_there = is_finite(result.position) && is_finite(Vec2{ result.rotation.c, result.rotation.s });
+	return is_there ? result : pose;
+}
+
+bool RigidBody::change_velocities(Vec2 linear, Real angular) {
+	const Vec2 new_linear = linear_velocity + linear;
+	const Real new_angular = angular_velocity + angular;
+	if (!is_finite(new_linear) || !std::isfinite(new_angular)) {
+		return false;
+	}
+	linear_velocity = new_linear;
+	angular_velocity = new_angular;
+	return true;
 }
 
 RigidBody kinematic_between(const Pose &from, const Pose &to, Real dt) {

@@ -40,8 +40,11 @@ struct RigidBody {
 	bool is_dynamic() const { return inverse_mass > 0 || inverse_inertia > 0; }
 	/// Centre of mass in the world [length].
 	Vec2 centre() const { return pose.apply(centre_of_mass); }
-	/// Where it is after moving for `time` [s] with the velocities it has.
+	/// Where it is after moving for `time` [s] with the velocities it has; where it is now if that is out of the range of
+	/// numbers.
 	Pose pose_after(Real time) const;
+	/// Adds to both velocities [length/s, rad/s]. False, and nothing is done, if either would not be finite.
+	bool change_velocities(Vec2 linear, Real angular);
 	/// Velocity of its material at the place p of the world, for a body that is at `at` [length/s].
 	Vec2 velocity_at(Vec2 p, const Pose &at) const {
 		return linear_velocity + perpendicular(p - at.apply(centre_of_mass)) * angular_velocity;
