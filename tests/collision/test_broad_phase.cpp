@@ -95,6 +95,34 @@ TEST_CASE("boxes that coincide, have no size, touch or are enormous are found li
 	CHECK(broad_phase.pairs().empty());
 }
 
+TEST_CASE("a box that is no number meets nobody, and hides no pair of others while it is none or when it is one again") {
+	const Real nan = std::numeric_limits<Real>::quiet_NaN();
+	const Real inf = std::numeric_limits<Real>::infinity();
+	const std::vector<Aabb> bad = { { { nan, nan }, { nan, nan } }, { { nan, 0 }, { 1, 1 } }, { { 0, 0 }, { 1, nan } },
+		{ { 0, 0 }, { inf, 1 } }, { { -inf, -inf }, { inf, inf } }, { { inf, inf }, { inf, inf } } };
+	const auto is_none = [](const Aabb &box) { return std::isnan(box.min.x + box.min.y) || std::isnan(box.max.x + box.max.y); };
+	Random random(17);
+	for (int round = 0; round < 20; ++round) {
+		const Bodies sound = random_bodies(random, 80, 4, 0.1, 2);
+		Bodies bodies = sound;
+		BroadPhase broad_phase;
+		broad_phase.update(bodies, 1);
+		// A few of them: those alone are sought anew. Most of them: all are.
+		const int count = round % 2 == 0 ? 3 : 60;
+		for (int i = 0; i < count; ++i) {
+			bodies[std::size_t(random.integer(0, 79))].box = bad[std::size_t(random.integer(0, int(bad.size()) - 1))];
+		}
+		broad_phase.update(bodies, 1);
+		check_complete(broad_phase, bodies); // an endless box meets what it covers
+		for (const BodyPair pair : broad_phase.pairs()) {
+			CHECK_FALSE(is_none(bodies[pair.a].box));
+			CHECK_FALSE(is_none(bodies[pair.b].box));
+		}
+		broad_phase.update(sound, 1);
+		check_complete(broad_phase, sound);
+	}
+}
+
 TEST_CASE("pairs hold while bodies stay within their margins, and are complete when they do not") {
 	Random random(12);
 	Bodies bodies = random_bodies(random, 200, 10, 0.5, 2);

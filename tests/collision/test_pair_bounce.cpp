@@ -5,6 +5,7 @@
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
 #include "scenes/thesis_body.h"
+#include "support/compare.h"
 #include "support/random.h"
 #include "support/threads.h"
 
@@ -140,6 +141,29 @@ TEST_CASE("slow touches do not bounce, and one that lasts is forgotten") {
 	}
 	CHECK(lasting.touching);
 	CHECK(lasting.approach < Real(0.01));
+}
+
+TEST_CASE("a touch whose approach or energy is no number gives nobody one, and is forgotten") {
+	for (const Real bad : { INFINITE, NOT_A_NUMBER }) {
+		for (const bool is_approach : { true, false }) {
+			// Parting slowly, after a touch in which one of them went out of all numbers.
+			SoftBodyData left = ball(1, 1, { Real(-0.5), 0 }, { Real(-0.1), 0 });
+			SoftBodyData right = ball(1, 1, { Real(0.5), 0 }, { Real(0.1), 0 });
+			const auto before = copy_of(right.velocities());
+			PairTouch touch;
+			touch.touching = true;
+			touch.approach = is_approach ? bad : SPEED;
+			touch.energy = is_approach ? 1.0 : double(bad);
+			give_back_pair_bounce(left, right, {}, touch, 0, FRAME);
+			CHECK(all_finite(left.velocities()));
+			CHECK(all_finite(right.velocities()));
+			// Of an endless approach what was lost is given back; of an energy that is none, nothing.
+			CHECK((is_approach || identical(right.velocities(), before)));
+			CHECK_FALSE(touch.touching);
+			CHECK(touch.approach == 0);
+			CHECK(touch.energy == 0);
+		}
+	}
 }
 
 TEST_CASE("jumping balls take the same bits with any number of threads, though they meet and part all the time" *

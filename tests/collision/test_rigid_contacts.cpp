@@ -489,6 +489,30 @@ TEST_CASE("a body that goes out of all numbers does not take a rigid body along"
 	}
 }
 
+TEST_CASE("rigid bodies that are as fast as numbers go, and faster and faster, keep a place and a velocity") {
+	const Real most = std::numeric_limits<Real>::max();
+	for (const bool is_dynamic : { false, true }) {
+		WorldData world = pixel_world();
+		world.add_soft_body(jelly_circle({ 0, 0 }));
+		RigidBody crate = box_body({ 0, -60 }, 1, { 40, 20 });
+		if (!is_dynamic) {
+			crate.inverse_mass = crate.inverse_inertia = 0;
+		}
+		crate.linear_velocity = { most, -most };
+		crate.angular_velocity = most;
+		crate.acceleration = { most, -most };
+		add_rigid(world, crate, { box_collider({}, { 40, 20 }) });
+		Simulator simulator(world);
+		for (int n = 0; n < 4; ++n) {
+			simulator.simulate(1);
+			CHECK(is_finite(world.rigid_bodies()[0].pose.position));
+			CHECK(is_finite(world.rigid_bodies()[0].linear_velocity));
+			CHECK(std::isfinite(world.rigid_bodies()[0].angular_velocity));
+			CHECK(all_finite(world.soft_bodies()[0].positions()));
+		}
+	}
+}
+
 TEST_CASE("a pinned body is a support that a crate bounces off or rests on") {
 	WorldData world = pixel_world();
 	SoftBodyData anvil = jelly_circle({ 0, 0 });

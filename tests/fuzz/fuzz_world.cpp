@@ -305,8 +305,10 @@ private:
 		}
 		for (const Contact &contact : simulator_.contacts()) {
 			require(world_.find(contact.body) != nullptr, "contacts are of bodies that are there");
-			require(is_finite(contact.point) && is_finite(contact.normal) && std::isfinite(contact.normal_impulse) && contact.normal_impulse >= 0,
-					"contacts are finite");
+			require(is_finite(contact.point), "contacts have a place");
+			require(is_finite(contact.normal), "contacts have a normal");
+			require(std::isfinite(contact.normal_impulse) && contact.normal_impulse >= 0, "contacts have an impulse, and do not pull");
+			require(std::isfinite(contact.depth) && contact.depth >= 0, "contacts have a depth");
 		}
 		if (is_compared_) {
 			hash_.add(testing::hash_of_state(world_));

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,31 @@ TEST_CASE("a rigid body turns about its centre of mass, which moves in a straigh
 		const double y = body.centre().y + body.linear_velocity.y * time + arm.x * std::sin(angle) + arm.y * std::cos(angle);
 		CHECK(distance(later.apply(local), { Real(x), Real(y) }) <= 32 * EPSILON * 25);
 	}
+}
+
+// Found by fuzz_world: a velocity that is a number, and no place a second later.
+TEST_CASE("a motion that leads out of the range of numbers is not made") {
+	const Real most = std::numeric_limits<Real>::max();
+	RigidBody body;
+	body.pose = { { most / 2, 7 }, Rotation::from_angle(1) };
+	body.linear_velocity = { most, 0 };
+	CHECK(body.pose_after(1).position == body.pose.position);
+	CHECK(body.pose_after(Real(0.25)).position == Vec2{ most / 2 + most / 4, 7 });
+	body.linear_velocity = {};
+	body.angular_velocity = most;
+	const Pose turned = body.pose_after(2); // an angle that is none
+	CHECK(is_finite(turned.position));
+	CHECK(turned.rotation == body.pose.rotation);
+
+	body.linear_velocity = { most, 1 };
+	CHECK_FALSE(body.change_velocities({ most, 1 }, 1));
+	CHECK_FALSE(body.change_velocities({ 0, 1 }, most));
+	CHECK_FALSE(body.change_velocities({ NOT_A_NUMBER, 1 }, 0));
+	CHECK(body.linear_velocity == Vec2{ most, 1 });
+	CHECK(body.angular_velocity == most);
+	CHECK(body.change_velocities({ -most, 1 }, -most));
+	CHECK(body.linear_velocity == Vec2{ 0, 2 });
+	CHECK(body.angular_velocity == 0);
 }
 
 TEST_CASE("the velocity of a place is how fast the material there moves") {

@@ -72,7 +72,7 @@ void ContactMonitor::collect(const WorldData &world) {
 	const std::span<const SoftBodyData> bodies = world.soft_bodies();
 	for (const ContactLog *log : logs_) {
 		for (const Sighting &seen : log->sightings()) {
-			if (!is_finite(seen.point) || !std::isfinite(seen.normal_impulse)) {
+			if (!is_finite(seen.point) || !is_finite(seen.normal) || !std::isfinite(seen.normal_impulse) || !std::isfinite(seen.depth)) {
 				continue; // the body has been reset
 			}
 			const BodyId body = world.id_at(seen.body);
