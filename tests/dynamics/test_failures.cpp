@@ -208,6 +208,24 @@ TEST_CASE("a body that has lost all its numbers comes back where it was before t
 	}
 }
 
+// Found by fuzz_state: a body that came back in its rest shape came back 1e38 times as large.
+TEST_CASE("a body that has lost its numbers comes back in its size, whatever it remembers of its rotation") {
+	for (const Vec2 memory : { Vec2{ Real(1e30), 0 }, Vec2{ 0, 0 }, Vec2{ 0, 1 } }) {
+		WorldData world;
+		world.set_gravity({ 0, 0 });
+		const auto shape = octagon(Real(0.4), 1000, 2);
+		world.add_soft_body(SoftBodyData::create(shape, {}, { { 30, 40 }, {} }).value());
+		SoftBodyData &body = world.soft_bodies()[0];
+		body.mutable_positions()[2].x = NOT_A_NUMBER;
+		body.set_rotation_memory({ memory.x, memory.y });
+		CHECK(Simulator(world).simulate(FRAME).reset_bodies.size() == 1);
+		for (std::uint32_t i = 1; i < body.point_count(); ++i) {
+			const double rest = distance(shape->rest_positions()[i], shape->rest_positions()[0]);
+			CHECK(distance(body.positions()[i], body.positions()[0]) == doctest::Approx(rest).epsilon(1e-4)); // roundings at 50
+		}
+	}
+}
+
 TEST_CASE("every entrance refuses what is no number, by name, and the next step is the same to the last bit") {
 	WorldData world = piles(Integrator::AUTOMATIC, FailureResponse::RESET, false);
 	WorldData untouched = piles(Integrator::AUTOMATIC, FailureResponse::RESET, false);

@@ -82,6 +82,8 @@ TEST_CASE("a state that does not fit or is not finite is refused by name, and th
 		{ "state.memory", [](BodyState &s) { s.load.torque = NOT_A_NUMBER; } },
 		{ "state.memory", [](BodyState &s) { s.acceleration.y = INFINITE; } },
 		{ "state.memory", [](BodyState &s) { s.rotation_memory.s = NOT_A_NUMBER; } },
+		{ "state.rotation_memory", [](BodyState &s) { s.rotation_memory = { Real(1e30), 0 }; } },
+		{ "state.rotation_memory", [](BodyState &s) { s.rotation_memory = { 0, 0 }; } },
 		{ "state.memory", [](BodyState &s) { s.touch.approach = NOT_A_NUMBER; } },
 		{ "state.memory", [](BodyState &s) { s.touch.restitution = NOT_A_NUMBER; } },
 		{ "state.memory", [](BodyState &s) { s.touch.normal.x = NOT_A_NUMBER; } },

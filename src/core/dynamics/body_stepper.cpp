@@ -448,7 +448,8 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 	const BodyFrame frame = measure_frame(data);
 	Vec2 centre = frame.centre;
 	Rotation rotation = data.rotation_memory();
-	if (!std::isfinite(rotation.c) || !std::isfinite(rotation.s)) {
+	const Real size = length(Vec2{ rotation.c, rotation.s });
+	if (!(size > Real(0.5) && size < 2)) { // NaN compares false; roundings do not get so far
 		rotation = {};
 		data.set_rotation_memory(rotation);
 	}

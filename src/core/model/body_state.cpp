@@ -70,6 +70,11 @@ Status check_values(const BodyState &state) {
 	if (!are_finite) {
 		return refused("memory", "non-finite", "must be finite", "restore a sound state");
 	}
+	// Turned again and again it is a unit vector but for roundings, of up to 1e-3 in each pose that it was given.
+	const Real size = length(Vec2{ state.rotation_memory.c, state.rotation_memory.s });
+	if (!(size > Real(0.5) && size < 2)) {
+		return refused("rotation_memory", "length " + number_text(size), "must have unit length", "restore a sound state");
+	}
 	return check_at_least("state.rest.rest_time", state.rest.rest_time, 0, "s");
 }
 

@@ -16,11 +16,12 @@ StressScene onto_corner(const StressSetup &setup) {
 	scene.world.add_border(floor_at(0));
 	scene.world.add_collider({ { { 0, -150 }, { 60, -90 }, { 0, -30 }, { -60, -90 } }, 0, {} });
 	scene.world.add_soft_body(stress_ball({ 2, -400 }, setup, { 1, 200 }));
-	scene.seconds = 8;
+	scene.seconds = 12; // it rolls off the corner with 250 px/s, and rolling resistance takes 0.03 g, 29 px/s, a second
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.9);
 		verdict.holds("in its shape", !is_folded(world.soft_bodies()[0].hull()));
+		verdict.rests("speed", worst_speed(world), 5);
 	};
 	return scene;
 }
@@ -133,9 +134,10 @@ std::vector<StressScene> impact_scenes(const StressSetup &setup) {
 	std::vector<StressScene> scenes;
 	scenes.push_back(onto_corner(setup));
 	scenes.push_back(onto_seam(setup));
-	// Without friction nothing slows it but seams that catch, each of which costs what one hull point carries, a seventeenth.
+	// Without friction nothing slows it but seams that catch, each of which costs what one hull point carries, a
+	// seventeenth: three of them leave 0.82.
 	scenes.push_back(along_seams(setup, "sliding_over_seams", false, 0.8));
-	scenes.push_back(along_seams(setup, "sliding_over_marked_seams", true, 0.95));
+	scenes.push_back(along_seams(setup, "sliding_over_marked_seams", true, 0.999)); // nothing but roundings
 	scenes.push_back(through_wall(setup, "line", { { { 0, -400 }, { 0, 400 } }, 0, {} }));
 	scenes.push_back(through_wall(setup, "thin_box", box_collider({ 2, 0 }, { 2, 400 })));
 	scenes.push_back(through_thin_body(setup));
