@@ -201,6 +201,12 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 	const std::span<Vec2> predicted(workspace.stage_velocities.data(), x.size());
 	const std::span<Vec2> scratch(workspace.forces.data(), x.size());
 	const Vec2 acceleration = input.gravity * body.settings().gravity_scale;
+	// Relative to a point of the body: far from the origin, what springs do in a substep is less than the distance between two
+	// numbers, and lost if it is a change of a place.
+	const Vec2 base = is_finite(x[0]) ? x[0] : Vec2{};
+	for (Vec2 &place : x) {
+		place -= base;
+	}
 	double allowed = measure_energy(body, input.gravity).total();
 	const bool is_free = std::ranges::find(w, Real(0)) == w.end(); // a pin takes up what it likes
 	RigidMotion rigid = rigid_motion_of(body);
@@ -236,6 +242,9 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 	balance_energy(body, allowed, input, before);
 	if (is_free) {
 		restore_rigid_motion(body, rigid);
+	}
+	for (Vec2 &place : x) {
+		place += base;
 	}
 }
 
