@@ -4,6 +4,7 @@
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
 #include "scenes/jelly.h"
+#include "scenes/thesis_body.h"
 #include "support/compare.h"
 #include "support/random.h"
 
@@ -405,6 +406,23 @@ TEST_CASE("beside any place of a rounded collider, depth begins where the collid
 		met += depth > 0;
 	}
 	CHECK(met > 200);
+}
+
+TEST_CASE("in a world of metres too a body comes up through a platform undisturbed") {
+	WorldData world;
+	ConvexCollider collider;
+	collider.vertices = { { -4, 0 }, { 4, 0 } };
+	collider.one_way = { 0, 1 };
+	REQUIRE_FALSE(world.add_collider(collider));
+	const BodyId id = world.add_soft_body(thesis_body(thesis_shape(), {}, { { 0, Real(-0.8) }, {} }));
+	for (std::uint32_t i = 0; i < world.find(id)->point_count(); ++i) {
+		REQUIRE_FALSE(world.find(id)->set_point(i, world.find(id)->positions()[i], { 0, 3 }));
+	}
+	Simulator simulator(world);
+	for (int i = 0; i < 60; ++i) {
+		simulator.simulate(FRAME);
+	}
+	CHECK(double(measure_frame(*world.find(id)).centre.y) == doctest::Approx(2.2)); // after a second
 }
 
 TEST_CASE("a platform that is taken away is forgotten, though its neighbour stays") {

@@ -118,10 +118,6 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> pl
 	}
 }
 
-bool JointSolver::separates(BodyPair pair) const {
-	return holds(pair.a) && holds(pair.b) && std::ranges::binary_search(separated_, pair);
-}
-
 bool JointSolver::is_still(const Side &side) const {
 	return side.body->is_asleep() || side.body->is_frozen();
 }

@@ -35,9 +35,7 @@ public:
 	bool wake_joined();
 	/// Whether the body is held by a joint in this step.
 	bool holds(std::uint32_t row) const { return !is_held_.empty() && is_held_[row] != 0; }
-	/// Whether the two are not to collide, because they are joined.
-	bool separates(BodyPair pair) const;
-	/// All of those, in order.
+	/// The pairs that are not to collide, because they are joined, in order.
 	std::span<const BodyPair> separated() const { return separated_; }
 	/// The bodies that are joined to each other.
 	std::span<const BodyPair> joined() const { return joined_; }
