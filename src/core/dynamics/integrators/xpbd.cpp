@@ -204,8 +204,10 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 	// Relative to a point of the body: far from the origin, what springs do in a substep is less than the distance between two
 	// numbers, and lost if it is a change of a place.
 	const Vec2 base = is_finite(x[0]) ? x[0] : Vec2{};
-	for (Vec2 &place : x) {
-		place -= base;
+	const std::span<Vec2> places(workspace.position_slopes.data(), x.size());
+	for (std::size_t i = 0; i < x.size(); ++i) {
+		places[i] = x[i];
+		x[i] -= base;
 	}
 	double allowed = measure_energy(body, input.gravity).total();
 	const bool is_free = std::ranges::find(w, Real(0)) == w.end(); // a pin takes up what it likes
@@ -243,8 +245,8 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 	if (is_free) {
 		restore_rigid_motion(body, rigid);
 	}
-	for (Vec2 &place : x) {
-		place += base;
+	for (std::size_t i = 0; i < x.size(); ++i) {
+		x[i] = w[i] == 0 ? places[i] + v[i] * input.h : x[i] + base; // a pin is where it was sent, to the bit
 	}
 }
 
