@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parallel-fors on threads of the standard library. Tests that use one belong to the suite "threads", which also runs under
-// ThreadSanitizer.
+// ThreadSanitizer; test_restore.cpp does not, as it makes too many threads for that.
 #pragma once
 
 #include "core/base/parallel_for.h"
