@@ -368,6 +368,11 @@ func test_what_a_newer_version_saved_is_named_kept_and_saved_again() -> void:
 	for line: String in ["position = Vector2(12, 13)", "future_of_body = Vector3(1, 2, 3)", "future_list = PackedStringArray(\"a\", \"b\")",
 			"future_of_attachment = true", "future_of_joint = \"text\"", "future_of_material = 5", "mass = 3.5", "length = 30.0"]:
 		check(line in text, "the saved scene holds %s: %s" % [line, text])
+	# Other tests that reload would hear of it.
+	EditorInterface.get_selection().clear()
+	EditorInterface.close_scene()
+	body = null
+	await frames(4)
 
 
 func test_no_old_library_stays() -> void:
