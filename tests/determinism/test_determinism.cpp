@@ -6,12 +6,14 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 using namespace softbody;
 using namespace softbody::testing;
 
 TEST_CASE("scenes end in the same bits on one to eight threads" * doctest::test_suite("threads")) {
 	for (const HashedScene &scene : hashed_scenes()) {
-		CAPTURE(scene.name);
+		CAPTURE(std::string(scene.name));
 		const std::uint64_t alone = run_hashed(scene, 90, {});
 		for (const std::size_t threads : { 2, 3, 5, 8 }) {
 			CAPTURE(threads);
@@ -30,7 +32,7 @@ TEST_CASE("scenes end in the same bits with a team whose helpers stay from call 
 
 TEST_CASE("saved, stepped for 600 ticks and put back, scenes go on in the same bits for 600 more") {
 	for (const HashedScene &scene : hashed_scenes()) {
-		CAPTURE(scene.name);
+		CAPTURE(std::string(scene.name));
 		const int ticks = 900;
 		CHECK(run_hashed_with_detour(scene, ticks, 600, {}) == run_hashed_with_detour(scene, ticks, 0, {}));
 	}
