@@ -29,7 +29,7 @@ func start(picture: Image, budget: int, threshold: float, margin: float) -> void
 	_task = WorkerThreadPool.add_task(trace.trace.bind(picture, budget, threshold, margin), false,
 			"SoftBody2D: trace a picture")
 	if picture != null and picture.get_width() * picture.get_height() > LARGE:
-		_waited = PATIENCE
+		popup_centered()
 
 
 func _process(delta: float) -> void:
