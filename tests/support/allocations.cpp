@@ -15,14 +15,22 @@ constexpr std::size_t HEADER = alignof(std::max_align_t) > sizeof(std::size_t) ?
 
 } // namespace
 
-void *operator new(std::size_t size) {
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
 	void *block = std::malloc(size + HEADER);
 	if (block == nullptr) {
-		throw std::bad_alloc();
+		return nullptr;
 	}
 	*static_cast<std::size_t *>(block) = size;
 	allocated += size;
 	return static_cast<char *>(block) + HEADER;
+}
+
+void *operator new(std::size_t size) {
+	void *block = operator new(size, std::nothrow);
+	if (block == nullptr) {
+		throw std::bad_alloc();
+	}
+	return block;
 }
 
 void operator delete(void *pointer) noexcept {
@@ -35,6 +43,10 @@ void operator delete(void *pointer) noexcept {
 }
 
 void operator delete(void *pointer, std::size_t) noexcept {
+	operator delete(pointer);
+}
+
+void operator delete(void *pointer, const std::nothrow_t &) noexcept {
 	operator delete(pointer);
 }
 

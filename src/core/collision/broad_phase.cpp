@@ -344,7 +344,9 @@ void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 	// Squares by colour, in the order in which pairs first fell into them; then each pair to its place.
 	in_order_.resize(squares_.size());
 	std::iota(in_order_.begin(), in_order_.end(), 0u);
-	std::ranges::stable_sort(in_order_, {}, [&](std::uint32_t square) { return squares_[square].colour; });
+	std::ranges::sort(in_order_, [&](std::uint32_t a, std::uint32_t b) { // a stable one takes memory each time
+		return squares_[a].colour != squares_[b].colour ? squares_[a].colour < squares_[b].colour : a < b;
+	});
 	std::uint32_t begin = 0;
 	std::uint32_t colour = NONE;
 	for (const std::uint32_t i : in_order_) {
