@@ -42,16 +42,6 @@ Real extent_of(const Aabb &box) {
 	return std::max(box.max.x - box.min.x, box.max.y - box.min.y);
 }
 
-// What three quarters of these do not exceed, 1 where there are none. They change places.
-Real extent_of_most(std::vector<Real> &extents) {
-	if (extents.empty()) {
-		return 1;
-	}
-	const auto most = extents.begin() + std::ptrdiff_t(extents.size() * 3 / 4);
-	std::nth_element(extents.begin(), most, extents.end());
-	return *most > 0 ? *most : Real(1);
-}
-
 std::int32_t cell_coordinate(Real position, Real size) {
 	// In this order, what is no number gets one.
 	return std::int32_t(std::max(-FARTHEST_CELL, std::min(FARTHEST_CELL, std::floor(position / size))));
@@ -123,7 +113,12 @@ void BroadPhase::choose_cell_size() {
 		}
 	}
 	// Most bodies lie in cells of level 0, and few of those cells hold several.
-	cell_size_ = extent_of_most(extents_);
+	cell_size_ = 1;
+	if (!extents_.empty()) {
+		const auto most = extents_.begin() + std::ptrdiff_t(extents_.size() * 3 / 4);
+		std::nth_element(extents_.begin(), most, extents_.end());
+		cell_size_ = *most > 0 ? *most : Real(1);
+	}
 }
 
 BroadPhase::Entry BroadPhase::cell_of(const Aabb &box, std::uint32_t body) const {

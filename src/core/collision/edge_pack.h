@@ -23,8 +23,8 @@ struct EdgePack {
 	BasicVec2<RealPack> end;
 };
 
-// EdgePack of a hull from the one at `first` on. Lanes beyond the last are edges without length at the hull's first point,
-// never crossed nor alone the nearest.
+/// Edges of a hull from the one at `first` on. Lanes beyond the last are edges without length at the hull's first point,
+/// never crossed nor alone the nearest.
 inline EdgePack edges_at(std::span<const Vec2> hull, std::size_t first) {
 	const Vec2 *begin = &hull[first];
 	const std::size_t left = hull.size() - first;
@@ -52,14 +52,6 @@ inline int winding_of(const EdgePack &edges, const BasicVec2<RealPack> &p) {
 	static_assert(PACK_WIDTH == 4);
 	constexpr std::array<std::int8_t, 16> BIT_COUNT = { 0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4 };
 	return BIT_COUNT[bits(rises)] - BIT_COUNT[bits(falls)];
-}
-
-inline int winding_around(std::span<const EdgePack> edges, const BasicVec2<RealPack> &p) {
-	int winding = 0;
-	for (const EdgePack &some : edges) {
-		winding += winding_of(some, p);
-	}
-	return winding;
 }
 
 /// Of p from each edge, squared, by `way` from its start to its end and `offset` from its start to p.
