@@ -6,6 +6,7 @@
 
 #include "core/collision/broad_phase.h"
 #include "core/collision/collision_handling.h"
+#include "core/creator/soft_body_creator.h"
 
 #include <algorithm>
 #include <array>
@@ -156,6 +157,41 @@ json measure_threads(std::size_t bodies, bool quick) {
 		{ "arithmetic_speedup_by_least", plain_one.least / plain_two.least } };
 }
 
+// What stiff bodies elsewhere cost a pile that has nothing to do with them: the same pile alone and beside them, in turns.
+json measure_beside_stiff(bool quick) {
+	constexpr std::size_t BODIES = 1000;
+	constexpr int STIFF_PAIRS = 10;
+	constexpr int TURN = 5;
+	constexpr double STIFFER = 25;
+	const std::unique_ptr<SoftPile> alone = settled_pile(BODIES, {});
+	const std::unique_ptr<SoftPile> beside = settled_pile(BODIES, {});
+	const PileScene &scene = beside->scene();
+	const double stiffness = STIFFER * carrying_stiffness(scene);
+	const auto shape = softbody::SoftBodyCreator::create_circle(Real(scene.radius), std::size_t(scene.hull_points),
+			{ 1, Real(stiffness), Real(0.1), true }).value();
+	softbody::BodySettings floating;
+	floating.gravity_scale = 0;
+	for (int i = 0; i < 2 * STIFF_PAIRS; ++i) { // high above, each near enough to another for a touch to be looked for
+		const Real x = Real(scene.radius * (10 * (i / 2) + 2.02 * (i % 2)));
+		beside->world().add_soft_body(softbody::SoftBodyData::create(shape, floating, { { x, 1000 }, {} }).value());
+	}
+	const softbody::SubstepPlan plan = beside->simulator().plan(beside->world().soft_bodies().back(), Real(scene.time_step));
+	std::array<std::vector<double>, 2> times;
+	for (int turn = 0; turn < (quick ? 6 : 24); ++turn) {
+		for (int i = 0; i < TURN; ++i) {
+			times[0].push_back(alone->step().cpu);
+		}
+		for (int i = 0; i < TURN; ++i) {
+			times[1].push_back(beside->step().cpu);
+		}
+	}
+	const double apart = statistics_of(times[0]).median;
+	const double together = statistics_of(times[1]).median;
+	return { { "bodies", BODIES }, { "stiff_pairs", STIFF_PAIRS }, { "stiff_substeps", plan.substeps }, { "alone_ms", 1e3 * apart },
+		{ "beside_ms", 1e3 * together }, { "times", together / apart },
+		{ "substeps_a_body", double(beside->report().substeps) / double(BODIES + 2 * STIFF_PAIRS) } };
+}
+
 } // namespace
 
 json scaling(const Options &options) {
@@ -168,7 +204,8 @@ json scaling(const Options &options) {
 	for (const std::size_t bodies : sizes) {
 		rows.push_back(measure_size(bodies, pool));
 	}
-	return { { "rows", rows }, { "threads", measure_threads(options.quick ? 2000 : 10000, options.quick) } };
+	return { { "rows", rows }, { "threads", measure_threads(options.quick ? 2000 : 10000, options.quick) },
+		{ "beside_stiff", measure_beside_stiff(options.quick) } };
 }
 
 } // namespace bench

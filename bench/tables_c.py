@@ -201,6 +201,10 @@ def print_scaling(summary):
           f" scheduled {number(scheduled, '.2f')} times;"
           f" plain arithmetic here: {threads['arithmetic_speedup_by_median']:.2f} and"
           f" {threads['arithmetic_speedup_by_least']:.2f} times")
+    beside = summary["beside_stiff"]
+    print(f"  {beside['bodies']} bodies alone {beside['alone_ms']:.3g} ms, with {beside['stiff_pairs']} stiff pairs"
+          f" ({beside['stiff_substeps']} substeps) elsewhere {beside['beside_ms']:.3g} ms, {beside['times']:.2f} times;"
+          f" {beside['substeps_a_body']:.1f} substeps a body")
     print_load(summary)
     print_targets(summary)
 

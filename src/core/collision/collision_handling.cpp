@@ -22,6 +22,8 @@ Real fastest(std::span<const Vec2> velocities) {
 	return std::sqrt(greatest_lane(most));
 }
 
+constexpr Aabb NOWHERE{ { std::numeric_limits<Real>::quiet_NaN(), 0 }, { std::numeric_limits<Real>::quiet_NaN(), 0 } };
+
 } // namespace
 
 // The box may be outgrown within the step, as springs accelerate points.
@@ -30,6 +32,9 @@ Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Rea
 	const Vec2 size = box.max - box.min;
 	const Real way = fastest(velocities) * dt;
 	// A body that is about to be reset must not be near everything.
+	if (!is_finite(size)) {
+		return NOWHERE;
+	}
 	return std::isfinite(way) ? box.grown(way + std::max(size.x, size.y) / 16) : box;
 }
 

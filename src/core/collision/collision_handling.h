@@ -85,7 +85,8 @@ private:
 	std::vector<BasicPointAnswer<RealPack>> pack_answers_;
 };
 
-/// The box in which a body that moves as fast as now stays for `dt` [s], and some more.
+/// The box in which a body that moves as fast as now stays for `dt` [s], and some more. Of a hull that is not finite, one that
+/// holds NaN and overlaps nothing.
 Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt);
 
 /// How deep a body is inside its surroundings where they are now [length]: the largest depth of a hull point in a border

@@ -167,7 +167,7 @@ void PairContacts::begin_substeps(const PairBodies &bodies, Real h) {
 	}
 }
 
-void PairContacts::answer(const PairBodies &bodies, const ParallelFor &parallel_for) {
+void PairContacts::answer(const PairBodies &bodies, const HeapTurn &turn, const ParallelFor &parallel_for) {
 	if (!is_used_) {
 		return; // coupled by a rigid body alone
 	}
@@ -183,6 +183,9 @@ void PairContacts::answer(const PairBodies &bodies, const ParallelFor &parallel_
 			for (std::uint32_t k = groups[begin].begin; k < ours.size(); ++k) {
 				ask_ahead(bodies.touching, ours, k);
 				const BodyPair pair = ours[k];
+				if (!turn.has(pair.a) && !turn.has(pair.b)) {
+					continue;
+				}
 				const std::size_t contacts = handling.handle(bodies.touching[pair.a], bodies.touching[pair.b]);
 				all_contacts += contacts;
 				touched_[k] |= char(contacts > 0);

@@ -4,6 +4,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/collision/broad_phase.h"
+#include "core/collision/heap_turn.h"
 #include "core/collision/pair_bounce.h"
 #include "core/collision/pair_handling.h"
 #include "core/collision/pair_response.h"
@@ -49,10 +50,10 @@ public:
 	/// Whether the body may touch another, of which one at least is awake.
 	bool has_pair(std::uint32_t row) const { return is_used_ && has_pair_[row] != 0; }
 
-	/// What holds for all substeps of `h` [s] of the step.
+	/// What holds for all substeps of `h` [s] of a turn.
 	void begin_substeps(const PairBodies &bodies, Real h);
-	/// Answers the contacts of all pairs after a substep.
-	void answer(const PairBodies &bodies, const ParallelFor &parallel_for);
+	/// Answers the contacts of all pairs of the turn after a substep.
+	void answer(const PairBodies &bodies, const HeapTurn &turn, const ParallelFor &parallel_for);
 	/// Brakes spins by what pairs pressed on each other in all substeps, once their frames have been taken.
 	void resist_rolling(const PairBodies &bodies);
 	/// Leaves with the bodies what they must remember. After the last substep.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -81,13 +82,13 @@ void BodyStepper::begin_step(WorldData &world, const SurroundingsIndex &surround
 	counts_.non_finite.clear();
 }
 
-void BodyStepper::begin(const Crew &crew) {
+void BodyStepper::begin(const Crew &crew, std::uint32_t lanes) {
 	if (!world_->is_interpolated()) {
 		return;
 	}
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		SoftBodyData &data = body(crew.bodies[lane]);
-		if (is_finite(data.positions()[0])) { // or else this is all that tells where it was
+		if ((lanes >> lane & 1) && is_finite(data.positions()[0])) { // or else this is all that tells where it was
 			std::ranges::copy(data.positions(), data.mutable_previous_positions().begin());
 		}
 	}
@@ -95,12 +96,36 @@ void BodyStepper::begin(const Crew &crew) {
 
 void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
 		int substeps, const SweptFrom &swept_from, bool are_coupled) {
-	if (can_go_side_by_side(crew, lanes, plan)) {
-		const std::uint32_t alone = lanes_answered_alone(crew, elapsed, duration);
-		advance_side_by_side(crew, alone, plan, duration, substeps, swept_from);
-	} else {
+	if (!can_go_side_by_side(crew, lanes, plan)) {
 		advance_one_by_one(crew, lanes, plan, elapsed, duration, substeps, swept_from, are_coupled);
+	} else if (lanes == ALL_LANES) {
+		const std::uint32_t alone = lanes_answered_alone(crew, lanes, elapsed, duration);
+		advance_side_by_side(crew, lanes, alone, plan, duration, substeps, swept_from);
+	} else {
+		Crew some = with_stand_ins(crew, lanes);
+		const std::uint32_t alone = lanes_answered_alone(some, lanes, elapsed, duration);
+		advance_side_by_side(some, lanes, alone, plan, duration, substeps, swept_from);
+		crew.touching = (crew.touching & ~lanes) | (some.touching & lanes);
 	}
+}
+
+// Where a lane takes no part, a copy of a body that does goes along: all lanes are computed, and nobody asks for that one.
+Crew BodyStepper::with_stand_ins(const Crew &crew, std::uint32_t lanes) {
+	Crew some = crew;
+	const std::uint32_t model = std::uint32_t(std::countr_zero(lanes));
+	const std::size_t size = 2 * crew.shape->point_count() + 1; // positions, velocities, rotation memory
+	stand_ins_.resize(std::max(stand_ins_.size(), PACK_WIDTH * size));
+	for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
+		if (!(lanes >> lane & 1)) {
+			some.bodies[lane] = crew.bodies[model];
+			some.positions[lane] = &stand_ins_[lane * size];
+			some.velocities[lane] = some.positions[lane] + crew.shape->point_count();
+			std::copy_n(crew.positions[model], size, some.positions[lane]);
+		}
+	}
+	some.monitored &= lanes;
+	some.touching &= lanes;
+	return some;
 }
 
 bool BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed,
@@ -115,18 +140,18 @@ bool BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const Substep
 		advance_one(1);
 		return false;
 	}
-	const std::uint32_t alone = lanes_answered_alone(*crews[0], elapsed, duration);
+	const std::uint32_t alone = lanes_answered_alone(*crews[0], ALL_LANES, elapsed, duration);
 	if (alone != 0) {
 		ahead.ask_all();
-		advance_side_by_side(*crews[0], alone, plan, duration, substeps, swept_from[0]);
+		advance_side_by_side(*crews[0], ALL_LANES, alone, plan, duration, substeps, swept_from[0]);
 		advance_one(1);
 		return false;
 	}
-	const std::uint32_t other_alone = lanes_answered_alone(*crews[1], elapsed, duration);
+	const std::uint32_t other_alone = lanes_answered_alone(*crews[1], ALL_LANES, elapsed, duration);
 	if (other_alone != 0 || !advance_wide(crews, plan, duration, substeps, touching, ahead)) {
 		ahead.ask_all();
-		advance_side_by_side(*crews[0], alone, plan, duration, substeps, swept_from[0]);
-		advance_side_by_side(*crews[1], other_alone, plan, duration, substeps, swept_from[1]);
+		advance_side_by_side(*crews[0], ALL_LANES, alone, plan, duration, substeps, swept_from[0]);
+		advance_side_by_side(*crews[1], ALL_LANES, other_alone, plan, duration, substeps, swept_from[1]);
 		return false;
 	}
 	return touching[0] != nullptr;
@@ -174,7 +199,7 @@ void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
 }
 
 bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan) const {
-	if (crew.count < PACK_WIDTH || lanes != ALL_LANES || !integrator_traits(plan.integrator).step_side_by_side) {
+	if (crew.count < PACK_WIDTH || std::popcount(lanes) < 2 || !integrator_traits(plan.integrator).step_side_by_side) {
 		return false;
 	}
 	// Thousands of bodies are many megabytes: what need not be read is left where it is.
@@ -182,14 +207,17 @@ bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, con
 			std::ranges::none_of(crew.bodies, [&](std::uint32_t place) { return body(place).is_pushed(); });
 }
 
-std::uint32_t BodyStepper::lanes_answered_alone(const Crew &crew, Real elapsed, Real duration) {
-	std::uint32_t lanes = borders_bounce_ ? ALL_LANES : crew.touching; // each body remembers its own bounce
+std::uint32_t BodyStepper::lanes_answered_alone(const Crew &crew, std::uint32_t taking_part, Real elapsed, Real duration) {
+	std::uint32_t lanes = borders_bounce_ ? taking_part : crew.touching; // each body remembers its own bounce
 	for (std::uint32_t lane = 0; lane < PACK_WIDTH && (surroundings_->has_colliders() || lanes != 0); ++lane) {
+		if (!(taking_part >> lane & 1)) {
+			continue;
+		}
 		const bool is_near = collision_.begin_body(*surroundings_, body(crew.bodies[lane]), elapsed, duration, lane);
 		lanes |= std::uint32_t(is_near) << lane;
 	}
 	// Borders are answered for all lanes at once, or for each alone.
-	return lanes == 0 || world_->borders().empty() ? lanes : ALL_LANES;
+	return lanes == 0 || world_->borders().empty() ? lanes : taking_part;
 }
 
 // The rotations of the last step only where shape matching asks for them: what need not be read is left where it is.
@@ -213,9 +241,9 @@ BodyLanes<RealPack> BodyStepper::gather_lanes(const Crew &crew) {
 	return lanes;
 }
 
-void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t answered_alone, const SubstepPlan &plan,
-		Real duration, int substeps, const SweptFrom &swept_from) {
-	counts_.substeps += std::uint64_t(substeps) * PACK_WIDTH;
+void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, std::uint32_t answered_alone,
+		const SubstepPlan &plan, Real duration, int substeps, const SweptFrom &swept_from) {
+	counts_.substeps += std::uint64_t(substeps) * std::uint64_t(std::popcount(taking_part));
 	const SoftBodyShape &shape = *crew.shape;
 	const std::size_t count = shape.point_count();
 	const BodyLanes<RealPack> lanes = gather_lanes(crew);
@@ -239,14 +267,14 @@ void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t answered_alone,
 		}
 		pack_workspace_.forces_are_current = both(pack_workspace_.forces_are_current, !(contacts > RealPack(0)));
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-			counts_.contacts += std::uint64_t(contacts[lane]);
+			counts_.contacts += taking_part >> lane & 1 ? std::uint64_t(contacts[lane]) : 0;
 		}
 	}
 	const PackMask sound = is_sound<RealPack>(lanes.positions, lanes.velocities, credible_reach(shape, plan));
 	if (any(!sound)) {
 		// Bodies keep what they started from until here; those that are ruined fall back on it.
 		for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
-			if (!sound[lane]) {
+			if (!sound[lane] && (taking_part >> lane & 1)) {
 				for (std::size_t i = 0; answered_alone != 0 && i < count; ++i) {
 					crew.positions[lane][i] = lane_of(pack_start_[i], lane);
 					crew.velocities[lane][i] = lane_of(pack_start_[count + i], lane);
@@ -416,9 +444,11 @@ std::array<BodyFrame, PACK_WIDTH> BodyStepper::measure_frames(const Crew &crew) 
 	return frames;
 }
 
-void BodyStepper::remember_rotations(const Crew &crew, const std::array<BodyFrame, PACK_WIDTH> &frames) {
+void BodyStepper::remember_rotations(const Crew &crew, std::uint32_t lanes, const std::array<BodyFrame, PACK_WIDTH> &frames) {
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-		body(crew.bodies[lane]).set_rotation_memory(frames[lane].rotation); // the memory itself where it is not defined
+		if (lanes >> lane & 1) {
+			body(crew.bodies[lane]).set_rotation_memory(frames[lane].rotation); // the memory itself where it is not defined
+		}
 	}
 }
 
@@ -426,16 +456,18 @@ void BodyStepper::answer_self_contacts(std::uint32_t place, std::span<const Vec2
 	counts_.self_contacts += self_collision_.handle(body(place), before, h);
 }
 
-void BodyStepper::end(const Crew &crew) {
+void BodyStepper::end(const Crew &crew, std::uint32_t lanes) {
 	for (std::uint32_t lane = 0; has_forces_ && lane < crew.count; ++lane) {
-		body(crew.bodies[lane]).clear_external_forces();
+		if (lanes >> lane & 1) {
+			body(crew.bodies[lane]).clear_external_forces();
+		}
 	}
 }
 
-void BodyStepper::check(const Crew &crew, Real dt) {
+void BodyStepper::check(const Crew &crew, std::uint32_t lanes, Real dt) {
 	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 		const std::size_t count = crew.shape->point_count();
-		if (!is_finite({ crew.positions[lane], count }, { crew.velocities[lane], count })) {
+		if ((lanes >> lane & 1) && !is_finite({ crew.positions[lane], count }, { crew.velocities[lane], count })) {
 			reset(crew.bodies[lane], dt);
 		}
 	}

@@ -39,11 +39,10 @@ public:
 	/// `world` and `surroundings` must outlive the stepper's use. `has_forces`: whether any body has queued forces.
 	void begin_step(WorldData &world, const SurroundingsIndex &surroundings, bool has_forces);
 
-	/// Keeps the positions from which the step starts.
-	void begin(const Crew &crew);
+	/// Keeps the positions from which the step starts. Bit l of `lanes` tells, here and below, whether lane l takes part.
+	void begin(const Crew &crew, std::uint32_t lanes);
 	/// Advances by `duration` [s], `elapsed` [s] after the step began, in `substeps` substeps of the plan's method, each
-	/// ended by the contacts with the surroundings. Resets what is no longer finite, or whole (CREDIBLE_REACH). Bit l of
-	/// `lanes` tells whether lane l takes part.
+	/// ended by the contacts with the surroundings. Resets what is no longer finite, or whole (CREDIBLE_REACH).
 	/// `swept_from`: where each body's hull last had been moved out of the surroundings, if it has been pushed since;
 	/// what then lies between counts as its way. Null: where it is. Contacts of bodies with themselves end each substep
 	/// too, unless `are_coupled`: then other bodies have yet to push them.
@@ -62,11 +61,11 @@ public:
 	/// The frames of a crew's bodies.
 	std::array<BodyFrame, PACK_WIDTH> measure_frames(const Crew &crew);
 	/// Keeps their rotations, as what shape matching takes where the shape no longer tells.
-	void remember_rotations(const Crew &crew, const std::array<BodyFrame, PACK_WIDTH> &frames);
+	void remember_rotations(const Crew &crew, std::uint32_t lanes, const std::array<BodyFrame, PACK_WIDTH> &frames);
 	/// Forgets external forces.
-	void end(const Crew &crew);
+	void end(const Crew &crew, std::uint32_t lanes);
 	/// Resets the bodies that are no longer finite, after something else than `advance` has moved them.
-	void check(const Crew &crew, Real dt);
+	void check(const Crew &crew, std::uint32_t lanes, Real dt);
 
 	StepCounts &counts() { return counts_; }
 	/// Contacts of monitored bodies with the surroundings, since it was last cleared.
@@ -77,14 +76,17 @@ private:
 			const Vec2 *swept_from, bool is_coupled);
 	/// A full crew's bodies side by side, in scratch memory that the next call overwrites.
 	BodyLanes<RealPack> gather_lanes(const Crew &crew);
+	/// A full crew in which others stand in for the bodies that are not of `lanes`, until the next call.
+	Crew with_stand_ins(const Crew &crew, std::uint32_t lanes);
 	/// Lanes of `answered_alone` meet the surroundings one after the other in each substep.
-	void advance_side_by_side(Crew &crew, std::uint32_t answered_alone, const SubstepPlan &plan, Real duration,
-			int substeps, const SweptFrom &swept_from);
+	void advance_side_by_side(Crew &crew, std::uint32_t taking_part, std::uint32_t answered_alone, const SubstepPlan &plan,
+			Real duration, int substeps, const SweptFrom &swept_from);
 	/// Between two substeps: each of those lanes as it is in `lanes`, and back. How many contacts each had.
 	RealPack answer_alone(const Crew &crew, std::uint32_t answered_alone, const BodyLanes<RealPack> &lanes, Real h,
 			const SweptFrom &swept_from);
-	/// Which lanes have more to do with the surroundings than lie on borders that do not bounce: near these, in a touch.
-	std::uint32_t lanes_answered_alone(const Crew &crew, Real elapsed, Real duration);
+	/// Which lanes, of those taking part, have more to do with the surroundings than lie on borders that do not bounce: near
+	/// these, in a touch.
+	std::uint32_t lanes_answered_alone(const Crew &crew, std::uint32_t taking_part, Real elapsed, Real duration);
 	/// False, and nothing has changed, where it cannot be done.
 	bool advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration, int substeps,
 			const std::array<TouchingBody *, WIDE_WIDTH> &touching, StateAhead &ahead);
@@ -110,6 +112,7 @@ private:
 	BasicWorkspace<RealPack> pack_workspace_;
 	std::vector<BasicVec2<RealPack>> pack_positions_;
 	std::vector<BasicVec2<RealPack>> pack_velocities_;
+	std::vector<Vec2> stand_ins_;
 	std::vector<BasicVec2<RealPack>> pack_start_; ///< positions, then velocities, where bodies do not keep them
 	std::unique_ptr<WideStepper> wide_ = make_wide_stepper();
 };

@@ -99,9 +99,12 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> pl
 		if (!is_there) {
 			continue;
 		}
-		for (const Side &side : active.sides) {
+		for (std::size_t end = 0; end < 2; ++end) {
+			const Side &side = active.sides[end];
+			const std::uint32_t other = active.sides[1 - end].rigid;
+			const bool is_to_dynamic = other != NO_RIGID_BODY && world.rigid_bodies()[other].is_dynamic();
 			if (side.body) {
-				is_held_[side.row] = 1;
+				is_held_[side.row] = std::max(is_held_[side.row], char(is_to_dynamic ? 2 : 1));
 			}
 		}
 		active_.push_back(active);
@@ -372,19 +375,23 @@ void JointSolver::stretch(Active &active, Real h) {
 	active.total += change;
 }
 
-void JointSolver::begin_substep() {
+void JointSolver::begin_substep(const HeapTurn &turn) {
 	for (Active &active : active_) {
 		for (Side &side : active.sides) {
-			if (side.body) {
+			if (side.body && active.has_turn(turn)) {
 				side.before = position_of(side.place, side.body->positions());
 			}
 		}
 	}
 }
 
-void JointSolver::solve(Real elapsed, Real h) {
+void JointSolver::solve(Real elapsed, Real h, const HeapTurn &turn) {
 	for (Active &active : active_) {
-		prepare(active, elapsed, h);
+		if (active.has_turn(turn)) {
+			prepare(active, elapsed, h);
+		} else {
+			active.is_idle = true;
+		}
 	}
 	for (int pass = 0; pass < JOINT_PASSES; ++pass) {
 		for (std::size_t i = 0; i < active_.size(); ++i) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "core/collision/broad_phase.h"
+#include "core/collision/heap_turn.h"
 #include "core/collision/surface_response.h"
 #include "core/model/world_data.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -35,15 +37,19 @@ public:
 	bool wake_joined();
 	/// Whether the body is held by a joint in this step.
 	bool holds(std::uint32_t row) const { return !is_held_.empty() && is_held_[row] != 0; }
+	/// Whether any joint holds a dynamic rigid body.
+	bool has_dynamic_ends() const { return std::ranges::any_of(is_held_, [](char held) { return held > 1; }); }
+	/// Whether a joint holds it to a dynamic rigid body.
+	bool holds_to_dynamic(std::uint32_t row) const { return !is_held_.empty() && is_held_[row] > 1; }
 	/// The pairs that are not to collide, because they are joined, in order.
 	std::span<const BodyPair> separated() const { return separated_; }
 	/// The bodies that are joined to each other.
 	std::span<const BodyPair> joined() const { return joined_; }
 
-	/// Keeps where the anchors are as a substep begins.
-	void begin_substep();
-	/// Answers all joints at the end of a substep of `h` [s], `elapsed` [s] after the step began.
-	void solve(Real elapsed, Real h);
+	/// Keeps where the anchors are as a substep begins, of all joints of the bodies whose turn it is.
+	void begin_substep(const HeapTurn &turn);
+	/// Answers their joints at the end of a substep of `h` [s], `elapsed` [s] after the step began.
+	void solve(Real elapsed, Real h, const HeapTurn &turn);
 	/// Removes the joints that bore more than they can in the step, and adds them to `broken`.
 	void end_step(std::vector<JointId> &broken);
 
@@ -67,6 +73,9 @@ private:
 		std::array<Side, 2> sides;
 		Vec2 direction; ///< unit, from the first to the second, where the joint acts along a line
 		bool is_idle = false; ///< in this substep
+		bool has_turn(const HeapTurn &turn) const {
+			return std::ranges::any_of(sides, [&](const Side &side) { return side.body && turn.has(side.row); });
+		}
 		bool is_line = false;
 		Real response = 0; ///< change of the speed along the line per impulse
 		Vec2 wanted; ///< relative velocity [length/s]
@@ -92,7 +101,7 @@ private:
 	std::vector<std::uint32_t> rows_; ///< of every place in the world
 	std::vector<Vec2> last_at_; ///< where the rigid end of each joint was in the last step
 	std::vector<Active> active_;
-	std::vector<char> is_held_;
+	std::vector<char> is_held_; ///< a row; 2: to a dynamic rigid body
 	std::vector<BodyPair> joined_;
 	std::vector<BodyPair> separated_; ///< in order
 	std::vector<std::pair<std::uint64_t, std::uint32_t>> tags_; ///< of rigid bodies, in order

@@ -182,12 +182,12 @@ void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, const Stretch 
 	const SweptFrom from = swept_from(crew, stretch);
 	const std::size_t resets = stepper.counts().non_finite.size();
 	if (state.own_plans == NO_OWN_PLANS) {
-		stepper.advance(roster_.crews()[crew], state.awake, state.plan, stretch.elapsed, stretch.duration,
+		stepper.advance(roster_.crews()[crew], state.stepped(), state.plan, stretch.elapsed, stretch.duration,
 				share_of(state.plan, stretch.parts), from, stretch.is_coupled);
 	}
 	for (std::uint32_t lane = 0; state.own_plans != NO_OWN_PLANS && lane < roster_.crews()[crew].count; ++lane) {
 		const SubstepPlan &own = own_plans_[state.own_plans][lane];
-		stepper.advance(roster_.crews()[crew], state.awake & 1u << lane, own, stretch.elapsed, stretch.duration,
+		stepper.advance(roster_.crews()[crew], state.stepped() & 1u << lane, own, stretch.elapsed, stretch.duration,
 				share_of(own, stretch.parts), from, stretch.is_coupled);
 	}
 	if (stretch.is_coupled && roster_.crews()[crew].settings->self_collision && stepper.counts().non_finite.size() > resets) {
@@ -200,7 +200,9 @@ void Simulator::advance(BodyStepper &stepper, std::uint32_t crew, const Stretch 
 
 void Simulator::measure_extents(std::uint32_t crew) {
 	for (std::uint32_t lane = 0; lane < roster_.crews()[crew].count; ++lane) {
-		touching_[crews_[crew].rows[lane]].measure_extent();
+		if (crews_[crew].stepped() >> lane & 1) {
+			touching_[crews_[crew].rows[lane]].measure_extent();
+		}
 	}
 }
 
@@ -224,12 +226,12 @@ void Simulator::advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_
 bool Simulator::move_alike_now(std::uint32_t a, std::uint32_t b) const {
 	const CrewState &state_a = crews_[a];
 	const CrewState &state_b = crews_[b];
-	return state_a.kind == state_b.kind && (state_a.awake & state_b.awake) == ALL_LANES &&
+	return state_a.kind == state_b.kind && (state_a.stepped() & state_b.stepped()) == ALL_LANES &&
 			state_a.own_plans == NO_OWN_PLANS && state_b.own_plans == NO_OWN_PLANS &&
 			state_a.plan.substeps == state_b.plan.substeps && state_a.plan.integrator == state_b.plan.integrator;
 }
 
-// Which crews take the common contact substeps: those with a body that may touch another or a dynamic rigid body.
+// Which bodies take contact substeps: those that may touch another or a dynamic rigid body, or are joined to something.
 void Simulator::divide_crews(Real dt) {
 	pair_contacts_.begin_step(pair_bodies(), dt, roster_.version(), joint_solver_.separated(), parallel_for_);
 	if (sleepers_.count() == 0 && !pair_contacts_.is_used() && has_rigid_body_.empty() && !joint_solver_.has_joints()) {
@@ -239,22 +241,119 @@ void Simulator::divide_crews(Real dt) {
 		return;
 	}
 	for (std::uint32_t i = 0; i < crews_.size(); ++i) {
-		const CrewState &state = crews_[i];
+		CrewState &state = crews_[i];
 		if (state.awake == 0) {
 			continue;
 		}
-		bool is_coupled = false;
+		state.coupled = 0;
 		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
-			if (!has_rigid_body_.empty() && has_rigid_body_[state.rows[lane]] != 0) {
+			const std::uint32_t row = state.rows[lane];
+			const bool has_rigid_body = !has_rigid_body_.empty() && has_rigid_body_[row] != 0;
+			if (has_rigid_body) {
 				rigid_contacts_.add_body(world_.soft_bodies()[roster_.crews()[i].bodies[lane]]);
-				is_coupled = true;
 			}
-			is_coupled |= pair_contacts_.has_pair(state.rows[lane]);
+			const bool is_coupled = has_rigid_body || pair_contacts_.has_pair(row) || joint_solver_.holds(row);
+			state.coupled |= std::uint32_t(is_coupled) << lane;
 		}
-		for (std::uint32_t lane = 0; joint_solver_.has_joints() && lane < roster_.crews()[i].count; ++lane) {
-			is_coupled |= joint_solver_.holds(state.rows[lane]);
+		(state.coupled != 0 ? coupled_crews_ : free_crews_).push_back(i);
+	}
+	if (!coupled_crews_.empty() || rigid_contacts_.has_bodies()) {
+		choose_contact_substeps(dt);
+	}
+}
+
+// A point that moves through several force substeps between two looks at its contacts trembles: each body gets as many looks
+// as it has force substeps, up to a bound that keeps one very stiff body from slowing its whole heap.
+void Simulator::choose_contact_substeps(Real dt) {
+	const int least = substeps_of_step(world_.contact_substeps(), dt);
+	const bool meets_rigid_bodies = rigid_contacts_.has_bodies() || joint_solver_.has_dynamic_ends();
+	if (const std::optional<int> common = common_need(least)) {
+		heap_substeps_.set_common(*common);
+		rigid_substeps_ = meets_rigid_bodies ? *common : 0;
+		return;
+	}
+	find_heaps(least);
+	leave_free();
+}
+
+int Simulator::needed_substeps(const CrewState &crew, std::uint32_t lane, int least) const {
+	const int own = crew.plan_of(lane, own_plans_).substeps;
+	return crew.coupled >> lane & 1 ? std::max(least, std::min(own, MAX_CONTACT_SUBSTEPS)) : own;
+}
+
+// Where all take the same number, there is no need to know who belongs to which heap. Who is in none ends in the same bits
+// by as many contact substeps as it takes force substeps.
+std::optional<int> Simulator::common_need(int least) const {
+	std::optional<int> common;
+	for (const std::uint32_t i : coupled_crews_) {
+		const CrewState &state = crews_[i];
+		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
+			if (state.awake >> lane & 1) {
+				const int needed = needed_substeps(state, lane, least);
+				if (common.value_or(needed) != needed) {
+					return {};
+				}
+				common = needed;
+			}
 		}
-		(is_coupled ? coupled_crews_ : free_crews_).push_back(i);
+	}
+	return common.value_or(least);
+}
+
+// All who meet dynamic rigid bodies are one heap: these move in the same substeps.
+void Simulator::find_heaps(int least) {
+	const std::uint32_t count = std::uint32_t(touching_.size());
+	heap_substeps_.begin(count);
+	for (const std::span<const BodyPair> pairs : { pair_contacts_.pairs(), joint_solver_.joined() }) {
+		for (const auto [a, b] : pairs) {
+			heap_substeps_.join(a, b);
+		}
+	}
+	beside_dynamic_.clear();
+	for (std::uint32_t row = 0; row < count; ++row) {
+		if ((!has_rigid_body_.empty() && has_rigid_body_[row] != 0) || joint_solver_.holds_to_dynamic(row)) {
+			beside_dynamic_.push_back(row);
+			heap_substeps_.join(beside_dynamic_[0], row);
+		}
+	}
+	for (const std::uint32_t row : beside_dynamic_) {
+		heap_substeps_.need(row, least); // frozen ones, too
+	}
+	for (const std::uint32_t i : coupled_crews_) {
+		const CrewState &state = crews_[i];
+		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
+			if (state.awake & state.coupled & 1u << lane) {
+				heap_substeps_.need(state.rows[lane], needed_substeps(state, lane, least));
+			}
+		}
+	}
+	heap_substeps_.finish();
+	rigid_substeps_ = beside_dynamic_.empty() ? 0 : heap_substeps_.of(beside_dynamic_[0]);
+}
+
+// Bodies of a crew go side by side: who is in no heap goes with one that takes as many substeps, if there is one.
+void Simulator::leave_free() {
+	for (const std::uint32_t i : coupled_crews_) {
+		CrewState &state = crews_[i];
+		const std::uint32_t lanes = (1u << roster_.crews()[i].count) - 1;
+		for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
+			if (!(state.awake & lanes & ~state.coupled & 1u << lane)) {
+				continue;
+			}
+			const int own = state.plan_of(lane, own_plans_).substeps;
+			for (std::uint32_t other = 0; other < PACK_WIDTH; ++other) {
+				if ((lanes & state.coupled & 1u << other) && heap_substeps_.of(state.rows[other]) == own) {
+					heap_substeps_.add(state.rows[lane], own);
+				}
+			}
+		}
+		for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
+			state.coupled |= std::uint32_t((lanes >> lane & 1) && heap_substeps_.of(state.rows[lane]) != 0) << lane;
+		}
+		state.turn = ~state.coupled & ALL_LANES;
+		if (state.stepped() != 0) {
+			free_crews_.push_back(i);
+		}
 	}
 }
 
@@ -405,15 +504,17 @@ StepReport Simulator::simulate(Real dt) {
 		plan_pressure(dt);
 		divide_crews(dt);
 	}
-	const auto begin = [&](BodyStepper &stepper, std::uint32_t i) { stepper.begin(roster_.crews()[i]); };
+	const auto begin = [&](BodyStepper &stepper, std::uint32_t i) {
+		stepper.begin(roster_.crews()[i], crews_[i].stepped());
+	};
 	advance_crews(free_crews_, { 0, dt, 1, false }, begin, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
 		if (crew.settings->matches_shape()) {
-			stepper.remember_rotations(crew, stepper.measure_frames(crew));
+			stepper.remember_rotations(crew, crews_[i].stepped(), stepper.measure_frames(crew));
 		}
-		stepper.end(crew);
+		stepper.end(crew, crews_[i].stepped());
 		if (world_.has_sleeping()) {
-			stepper.time_rest(crew, crews_[i].awake, dt);
+			stepper.time_rest(crew, crews_[i].stepped(), dt);
 		}
 	});
 	if (!coupled_crews_.empty() || rigid_contacts_.has_bodies()) {
@@ -440,42 +541,14 @@ StepReport Simulator::simulate(Real dt) {
 }
 
 void Simulator::step_coupled(Real dt) {
-	// A point that moves through several force substeps between two looks at its contacts trembles: each body gets as
-	// many looks as it has force substeps, up to a bound that keeps one very stiff body from slowing all the others.
-	int contact_substeps = substeps_of_step(world_.contact_substeps(), dt);
-	for (const std::uint32_t i : coupled_crews_) {
-		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
-			const int needed = crews_[i].plan_of(lane, own_plans_).substeps;
-			contact_substeps = std::max(contact_substeps, std::min(needed, MAX_CONTACT_SUBSTEPS));
-		}
+	for (const int substeps : heap_substeps_.counts()) {
+		step_heaps(substeps, dt);
 	}
-	const Real duration = dt / Real(contact_substeps);
-	pair_contacts_.begin_substeps(pair_bodies(), duration);
-	for (int substep = 0; substep < contact_substeps; ++substep) {
-		rigid_contacts_.begin_substep(duration);
-		joint_solver_.begin_substep();
-		const auto begin = [&](BodyStepper &stepper, std::uint32_t i) {
-			const Crew &crew = roster_.crews()[i];
-			if (substep == 0) {
-				stepper.begin(crew);
-			}
-			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-				touching_[crews_[i].rows[lane]].begin_substep();
-			}
-		};
-		const Stretch stretch{ Real(substep) * duration, duration, contact_substeps, true };
-		advance_crews(coupled_crews_, stretch, begin, [&](BodyStepper &, std::uint32_t i) {
-			for (std::uint32_t lane = 0; surroundings_.has_colliders() && lane < roster_.crews()[i].count; ++lane) {
-				const std::uint32_t row = crews_[i].rows[lane];
-				std::ranges::copy(touching_[row].hull(), &swept_from_[first_hull_point_[row]]);
-			}
-		});
-		pair_contacts_.answer(pair_bodies(), parallel_for_);
-		joint_solver_.solve(Real(substep + 1) * duration, duration);
-		if (rigid_contacts_.has_bodies()) {
-			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
-		}
-		answer_self_contacts(duration);
+	if (rigid_substeps_ == 0) {
+		move_rigid_bodies_alone(dt);
+	}
+	for (const std::uint32_t i : coupled_crews_) {
+		crews_[i].turn = heap_substeps_.are_common() ? ALL_LANES : crews_[i].coupled;
 	}
 	pair_contacts_.end_step(pair_bodies());
 	measure_frames();
@@ -486,13 +559,65 @@ void Simulator::step_coupled(Real dt) {
 			const std::size_t first = first_hull_point_[crews_[i].rows[0]];
 			world_.soft_bodies()[crew.bodies[0]].outside_hull().assign(&swept_from_[first], &swept_from_[first] + crew.shape->hull_count());
 		}
-		stepper.check(crew, dt);
-		stepper.end(crew);
+		stepper.check(crew, crews_[i].turn, dt);
+		stepper.end(crew, crews_[i].turn);
 		if (world_.has_sleeping()) {
-			stepper.time_rest(crew, crews_[i].awake, dt);
+			stepper.time_rest(crew, crews_[i].stepped(), dt);
 		}
+		crews_[i].turn = ALL_LANES;
 	});
 	check_touched_sleepers(dt);
+}
+
+// A turn of the heaps that take so many contact substeps.
+void Simulator::step_heaps(int substeps, Real dt) {
+	const HeapTurn turn = heap_substeps_.turn(substeps);
+	turn_crews_.clear();
+	for (const std::uint32_t i : coupled_crews_) {
+		CrewState &state = crews_[i];
+		state.turn = 0;
+		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
+			state.turn |= std::uint32_t(turn.has(state.rows[lane])) << lane;
+		}
+		if (state.stepped() != 0) {
+			turn_crews_.push_back(i);
+		}
+	}
+	const bool moves_rigid_bodies = substeps == rigid_substeps_;
+	const Real duration = dt / Real(substeps);
+	pair_contacts_.begin_substeps(pair_bodies(), duration);
+	for (int substep = 0; substep < substeps; ++substep) {
+		if (moves_rigid_bodies) {
+			rigid_contacts_.begin_substep(duration);
+		}
+		joint_solver_.begin_substep(turn);
+		const auto begin = [&](BodyStepper &stepper, std::uint32_t i) {
+			const Crew &crew = roster_.crews()[i];
+			if (substep == 0) {
+				stepper.begin(crew, crews_[i].stepped());
+			}
+			for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+				if (crews_[i].stepped() >> lane & 1) {
+					touching_[crews_[i].rows[lane]].begin_substep();
+				}
+			}
+		};
+		const Stretch stretch{ Real(substep) * duration, duration, substeps, true };
+		advance_crews(turn_crews_, stretch, begin, [&](BodyStepper &, std::uint32_t i) {
+			for (std::uint32_t lane = 0; surroundings_.has_colliders() && lane < roster_.crews()[i].count; ++lane) {
+				if (crews_[i].stepped() >> lane & 1) {
+					const std::uint32_t row = crews_[i].rows[lane];
+					std::ranges::copy(touching_[row].hull(), &swept_from_[first_hull_point_[row]]);
+				}
+			}
+		});
+		pair_contacts_.answer(pair_bodies(), turn, parallel_for_);
+		joint_solver_.solve(Real(substep + 1) * duration, duration, turn);
+		if (moves_rigid_bodies && rigid_contacts_.has_bodies()) {
+			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
+		}
+		answer_self_contacts(duration);
+	}
 }
 
 // Who sleeps is in no crew that is stepped, but what has blown up may have touched it.
@@ -504,7 +629,7 @@ void Simulator::check_touched_sleepers(Real dt) {
 			has_pair |= pair_contacts_.has_pair(crews_[i].rows[lane]);
 		}
 		if (has_pair) {
-			steppers_[0].check(crew, dt);
+			steppers_[0].check(crew, ALL_LANES, dt);
 		}
 	}
 }
@@ -528,7 +653,7 @@ void Simulator::measure_frames() {
 			touching_[crews_[i].rows[lane]].take_frame(frames[lane]);
 		}
 		if (crew.settings->matches_shape()) {
-			stepper.remember_rotations(crew, frames);
+			stepper.remember_rotations(crew, crews_[i].turn, frames);
 		}
 	});
 }
@@ -538,7 +663,7 @@ void Simulator::answer_self_contacts(Real h) {
 	if (!bodies_meet_themselves_) {
 		return;
 	}
-	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
+	for_crews(turn_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = roster_.crews()[i];
 		if (crew.settings->self_collision) {
 			stepper.answer_self_contacts(crew.bodies[0], touching_[crews_[i].rows[0]].before, h);

@@ -10,6 +10,7 @@
 #include "core/collision/rigid_contacts.h"
 #include "core/collision/surroundings_watch.h"
 #include "core/dynamics/body_stepper.h"
+#include "core/dynamics/heap_substeps.h"
 #include "core/dynamics/joint_solver.h"
 #include "core/dynamics/pin_motion.h"
 #include "core/dynamics/roster.h"
@@ -19,6 +20,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,8 +45,9 @@ struct StepReport {
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
-/// other. Bodies that may touch one another or a dynamic rigid body, or are joined to something, take the world's contact substeps together (more in a long step, see `substeps_of_step`): in each
-/// of them every body advances, in as many force substeps as it needs, and then contacts between bodies are answered,
+/// other. Bodies that may touch one another or a dynamic rigid body, or are joined to something, take contact substeps
+/// together: the world's (more in a long step, see `substeps_of_step`), or as many as one of the heap needs (`HeapSubsteps`). In
+/// each of them every body advances, in as many force substeps as it needs, and then contacts between bodies are answered,
 /// with dynamic rigid bodies, and joints. Owns nothing but scratch memory, which grows with the world.
 /// Islands of bodies at rest fall asleep (`Sleepers`).
 class Simulator {
@@ -77,6 +80,9 @@ private:
 		SubstepPlan plan;
 		std::array<std::uint32_t, PACK_WIDTH> rows{}; ///< of `touching_`
 		std::uint32_t awake = 0; ///< a bit a lane
+		std::uint32_t coupled = 0; ///< likewise: who takes contact substeps, with the rest of a heap
+		std::uint32_t turn = ALL_LANES; ///< likewise: who takes part in the present pass
+		std::uint32_t stepped() const { return awake & turn; }
 		std::uint32_t kind = 0; ///< the same for crews in a row that `move_alike`
 		std::uint32_t own_plans = NO_OWN_PLANS; ///< place in `own_plans_` where lanes differ in this step
 		const SubstepPlan &plan_of(std::uint32_t lane, const auto &all) const {
@@ -90,6 +96,11 @@ private:
 	void find_rigid_contacts(Real dt);
 	void move_rigid_bodies_alone(Real dt);
 	void divide_crews(Real dt);
+	void choose_contact_substeps(Real dt);
+	int needed_substeps(const CrewState &crew, std::uint32_t lane, int least) const;
+	std::optional<int> common_need(int least) const;
+	void find_heaps(int least);
+	void leave_free();
 	PairBodies pair_bodies() { return { touching_, sleepers_.flags(), places_, world_ }; }
 	/// One of `parts` equal stretches of the step, each body in its share of the substeps that it needs.
 	struct Stretch {
@@ -104,6 +115,7 @@ private:
 	SweptFrom swept_from(std::uint32_t crew, const Stretch &stretch) const;
 	void measure_extents(std::uint32_t crew);
 	void step_coupled(Real dt);
+	void step_heaps(int substeps, Real dt);
 	void measure_frames();
 	void answer_self_contacts(Real h);
 	void resist_rolling_between_bodies();
@@ -142,6 +154,10 @@ private:
 	std::vector<std::uint32_t> pressed_crews_; ///< those with pressure
 	std::vector<std::uint32_t> free_crews_;
 	std::vector<std::uint32_t> coupled_crews_;
+	std::vector<std::uint32_t> turn_crews_; ///< those of them whose turn it is
+	HeapSubsteps heap_substeps_;
+	std::vector<std::uint32_t> beside_dynamic_; ///< rows near a dynamic rigid body, or joined to one
+	int rigid_substeps_ = 0; ///< in how many the dynamic rigid bodies move; 0: nobody is near
 	// One an active body.
 	std::vector<TouchingBody> touching_;
 	std::vector<Vec2> before_; ///< hull points of all bodies at the start of a contact substep

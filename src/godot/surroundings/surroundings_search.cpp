@@ -88,7 +88,10 @@ void SurroundingsSearch::follow(const WorldData &p_world, double p_delta) {
 			continue;
 		}
 		followed.asleep = body.is_asleep();
-		followed.reach = reach_of(body, p_world.gravity(), Real(p_delta));
+		const Aabb reach = reach_of(body, p_world.gravity(), Real(p_delta));
+		if (is_finite(reach.max - reach.min)) { // or else the step resets it, about where it was
+			followed.reach = reach;
+		}
 		is_moving |= !followed.asleep;
 	}
 	tick_++;
