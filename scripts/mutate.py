@@ -353,7 +353,7 @@ class Runner:
                 instead[part] = target
         if not instead:
             return "same code"
-        program = place / "tests"
+        program = place / "program"  # `tests` is a folder where a header is tried
         link(self.sources, instead, program)
         for stage in self.stages(mutant.source):
             if failed := stage.run(program):
