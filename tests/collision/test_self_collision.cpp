@@ -289,6 +289,62 @@ TEST_CASE("an arm at 20 radii a second does not pass through the other") {
 	}
 }
 
+TEST_CASE("nor does an arm pass through the other where another body is near, which is stepped together with it") {
+	for (const bool self_collision : { false, true }) {
+		WorldData world;
+		const Ribbon ribbon{ 4, 0.1, 24, 4.5, 1, 500 };
+		world.add_soft_body(ribbon_body(ribbon, settings_with(self_collision)));
+		// Joined to what swings far away.
+		world.add_soft_body(ribbon_body(ribbon, settings_with(false), { { 20, 0 }, {} }));
+		Joint joint;
+		joint.first = JointAnchor::on_point(world.id_at(0), 12);
+		joint.second = JointAnchor::on_point(world.id_at(1), 12);
+		joint.rest_length = 20;
+		joint.stiffness = Real(1e-3);
+		REQUIRE(world.add_joint(joint).has_value());
+		SoftBodyData &body = world.soft_bodies()[0];
+		const Real speed = 20 * body.shape().radius();
+		const Vec2 shut = unit(body.positions()[24] - body.positions()[0]) * speed;
+		for (std::uint32_t i = 0; i < 50; ++i) {
+			const std::uint32_t cell = i < 25 ? i : 49 - i;
+			if (cell < 9) {
+				body.set_point(i, body.positions()[i], shut);
+			}
+		}
+		int folded = 0;
+		world.set_sleeping(false);
+		Simulator simulator(world);
+		for (int tick = 0; tick < 60; ++tick) {
+			CHECK(simulator.simulate(FRAME).reset_bodies.empty());
+			folded += is_folded(world.soft_bodies()[0].hull());
+		}
+		CHECK((folded > 0) == !self_collision);
+	}
+}
+
+TEST_CASE("a hull so tangled that it is held as one piece keeps every distance while it moves and turns") {
+	Random random(11);
+	int whole = 0;
+	for (int trial = 0; trial < 40; ++trial) {
+		SoftBodyData body = ribbon_body({ 4, 0.2, 12 }, settings_with(true));
+		const std::vector<Vec2> before = copy_of(body.hull());
+		const Rotation rotation = Rotation::from_angle(random.real(-1.5, 1.5));
+		for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+			body.set_point(i, rotation.apply(body.positions()[i] * random.real(-3, 3)), {});
+		}
+		SelfCollision collision;
+		REQUIRE(collision.handle(body, before, Real(0.01)) > 0);
+		double change = 0; // of the distance of any two points
+		for (std::size_t i = 0; i < before.size(); ++i) {
+			for (std::size_t k = 0; k < i; ++k) {
+				change = std::max(change, std::abs(distance(body.hull()[i], body.hull()[k]) - distance(before[i], before[k])));
+			}
+		}
+		whole += change < 100 * EPSILON;
+	}
+	CHECK(whole > 5); // in the others some points are no part of it
+}
+
 TEST_CASE("what touches itself gains no energy") {
 	for (const Real friction : { Real(0), Real(0.4) }) {
 		WorldData world;

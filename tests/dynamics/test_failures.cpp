@@ -208,6 +208,37 @@ TEST_CASE("a body that has lost all its numbers comes back where it was before t
 	}
 }
 
+TEST_CASE("a body torn off from several pins comes back amid all of them") {
+	WorldData world;
+	world.set_gravity({ 0, 0 });
+	const auto shape = octagon(Real(0.4), 1000, 2);
+	world.add_soft_body(SoftBodyData::create(shape, {}, { { 30, 40 }, {} }).value());
+	SoftBodyData &body = world.soft_bodies()[0];
+	for (const std::uint32_t pin : { 0, 2, 4 }) {
+		body.set_pinned(pin, true);
+	}
+	body.mutable_positions()[3].x = NOT_A_NUMBER;
+	CHECK(Simulator(world).simulate(FRAME).reset_bodies.size() == 1);
+	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+		CHECK(distance(body.positions()[i], shape->rest_positions()[i] + Vec2{ 30, 40 }) < 1e-3);
+	}
+}
+
+TEST_CASE("a body that is put right has forgotten what it was pushed through, and by itself") {
+	WorldData world;
+	world.set_gravity({ 0, 0 });
+	BodySettings settings;
+	settings.self_collision = true;
+	world.add_soft_body(SoftBodyData::create(octagon(Real(0.4), 1000, 2), settings, { { 30, 40 }, {} }).value());
+	SoftBodyData &body = world.soft_bodies()[0];
+	body.outside_hull().assign(body.hull().begin(), body.hull().end());
+	body.touch_memory().touching = true;
+	body.mutable_velocities()[3].x = NOT_A_NUMBER;
+	CHECK(Simulator(world).simulate(FRAME).reset_bodies.size() == 1);
+	CHECK(body.outside_hull().empty());
+	CHECK_FALSE(body.touch_memory().touching);
+}
+
 // Found by fuzz_state: a body that came back in its rest shape came back 1e38 times as large.
 TEST_CASE("a body that has lost its numbers comes back in its size, whatever it remembers of its rotation") {
 	for (const Vec2 memory : { Vec2{ Real(1e30), 0 }, Vec2{ 0, 0 }, Vec2{ 0, 1 } }) {

@@ -349,6 +349,45 @@ TEST_CASE("a particle welded to any place of a free rigid body goes on with that
 	}
 }
 
+TEST_CASE("a rod between a particle and any place of a free rigid body takes all of their approach by one blow along it") {
+	Random random(22);
+	for (int i = 0; i < 50; ++i) {
+		CAPTURE(i);
+		WorldData world;
+		const Real mass = random.real(0.2, 5);
+		SoftBodyData particle = loose_points(3, mass);
+		const Vec2 speed = random.vector(2);
+		REQUIRE_FALSE(particle.set_point(0, {}, speed));
+		const BodyId id = world.add_soft_body(particle);
+		const Vec2 arm = random.vector(1);
+		const Vec2 place = random.vector(1); // of the rigid end
+		RigidBody rigid;
+		rigid.tag = 5;
+		rigid.pose.position = place - arm;
+		rigid.linear_velocity = random.vector(2);
+		rigid.angular_velocity = random.real(-3, 3);
+		rigid.inverse_mass = random.real(0.05, 1);
+		rigid.inverse_inertia = random.real(0.5, 20);
+		REQUIRE(world.add_rigid_body(rigid).has_value());
+		Joint rod = weld(JointAnchor::on_point(id, 0), JointAnchor::on_rigid_body(5, arm));
+		rod.rest_length = length(place);
+		REQUIRE(world.add_joint(rod).has_value());
+		Simulator simulator(world);
+		simulator.simulate(Real(1e-4)); // in which nothing turns
+		const RigidBody &now = world.rigid_bodies()[0];
+		const Vec2 n = place * (1 / length(place));
+		// J n on the particle: v · n = 0 afterwards, with the mass that each end has along n.
+		const double lever = double(cross(arm, n));
+		const Vec2 apart = rigid.linear_velocity + perpendicular(arm) * rigid.angular_velocity - speed;
+		const double response = 1 / double(mass) + double(rigid.inverse_mass) + double(rigid.inverse_inertia) * lever * lever;
+		const double blow = double(dot(apart, n)) / response;
+		const Vec2 gained = world.find(id)->velocities()[0] - speed;
+		CHECK(std::abs(double(dot(gained, n)) * double(mass) - blow) < 1e-2);
+		CHECK(std::abs(double(cross(gained, n))) < 1e-2);
+		CHECK(std::abs(double(now.angular_velocity - rigid.angular_velocity) + blow * lever * double(rigid.inverse_inertia)) < 2e-2);
+	}
+}
+
 TEST_CASE("a kinematic rigid body drags what is joined to it, and wakes it") {
 	WorldData world;
 	const BodyId ball = add_ball(world, { 0, 0 });

@@ -311,7 +311,7 @@ TEST_CASE("points may tremble faster than the whole may drift") {
 		for (std::uint32_t i = 0; i < 9; ++i) {
 			const Vec2 arm = body.positions()[i] - body.positions()[8];
 			const Vec2 breath = i < 8 ? arm * (1 / length(arm)) : Vec2{};
-			body.set_point(i, body.positions()[i], drifts ? Vec2{ Real(0.07), 0 } : breath * Real(0.07));
+			body.set_point(i, body.positions()[i], drifts ? Vec2{ Real(0.07), 0 } : breath * Real(0.13));
 		}
 		Simulator simulator(world);
 		bool has_slept = false;

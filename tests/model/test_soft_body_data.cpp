@@ -158,8 +158,14 @@ TEST_CASE("a pinned point stops, ignores impulses, and keeps its place in a heav
 	CHECK(body.shared_shape() == heavier);
 	CHECK(body.inverse_masses()[2] == 0);
 	CHECK(body.inverse_masses()[1] == 1 / heavier->masses()[1]);
+	REQUIRE_FALSE(body.set_pinned(1, true));
 	REQUIRE_FALSE(body.set_pinned(2, false));
 	CHECK(body.inverse_masses()[2] == 1 / heavier->masses()[2]);
+	CHECK(body.has_pins());
+	CHECK_FALSE(body.is_free());
+	REQUIRE_FALSE(body.set_pinned(1, false)); // the last one
+	CHECK_FALSE(body.has_pins());
+	CHECK(body.is_free());
 }
 
 TEST_CASE("a teleport moves points and previous points rigidly and leaves velocities alone") {

@@ -142,6 +142,22 @@ TEST_CASE("four rails are three bands side by side") {
 	CHECK(seen == band.vertex_count());
 }
 
+TEST_CASE("a band from round corners to round or sharp ones covers what lies between them once") {
+	const std::vector<Vec2> square{ { 0, 0 }, { 100, 0 }, { 100, 100 }, { 0, 100 } };
+	constexpr std::uint32_t POINTS = 5;
+	// Outside of the square corners are fans of a quarter circle, here a chain of POINTS - 1 chords.
+	const double fan = (POINTS - 1) * std::sin(std::numbers::pi / 2 / (POINTS - 1)) / 2; // of radius 1
+	const auto rounded = [&](double distance) { return 100 * 100 + 4 * 100 * distance + 4 * fan * distance * distance; };
+	const auto band_area = [&](Real from, std::uint32_t from_points, Real to, std::uint32_t to_points) {
+		const OutlineBand::Rail rails[]{ { from, from_points }, { to, to_points } };
+		const OutlineBand band(4, rails);
+		return area_of(band.triangles(), placed(band, square, 1));
+	};
+	CHECK(band_area(-20, POINTS, -10, POINTS) == doctest::Approx(rounded(20) - rounded(10)));
+	CHECK(band_area(-20, POINTS, 0, 1) == doctest::Approx(rounded(20) - rounded(0)));
+	CHECK(band_area(-20, POINTS, 10, 1) == doctest::Approx(rounded(20) - 80 * 80));
+}
+
 TEST_CASE("moved corners of a square are those of a larger one") {
 	const std::vector<Vec2> square{ { 0, 0 }, { 100, 0 }, { 100, 100 }, { 0, 100 } };
 	std::vector<Vec2> moved(4);

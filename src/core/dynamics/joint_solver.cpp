@@ -292,10 +292,6 @@ void JointSolver::prepare(Active &active, Real elapsed, Real h) {
 		} else {
 			active.wanted = gap * (-JOINT_PULL / dt_); // a rigid body that hangs from what cannot move
 		}
-		if (active.is_line) {
-			active.direction = second.at - first.at;
-			active.direction *= 1 / length(active.direction);
-		}
 	}
 	if (!active.is_line) {
 		return;
