@@ -224,6 +224,24 @@ TEST_CASE("a body torn off from several pins comes back amid all of them") {
 	}
 }
 
+// Found by fuzz_world: a body came back where there are no numbers.
+TEST_CASE("a body whose pins were put to the end of all numbers comes back where numbers are") {
+	constexpr Real END = std::numeric_limits<Real>::max();
+	WorldData world;
+	world.add_soft_body(SoftBodyData::create(octagon(Real(0.4), 1000, 2), {}, { { 30, 40 }, {} }).value());
+	SoftBodyData &body = world.soft_bodies()[0];
+	for (const std::uint32_t pin : { 0, 2 }) {
+		REQUIRE_FALSE(body.set_pinned(pin, true));
+		REQUIRE_FALSE(body.set_point(pin, { END, END }, {}));
+	}
+	Simulator simulator(world);
+	for (int tick = 0; tick < 5; ++tick) {
+		simulator.simulate(FRAME);
+		CHECK(all_finite(body.positions()));
+		CHECK(all_finite(body.velocities()));
+	}
+}
+
 TEST_CASE("a body that is put right has forgotten what it was pushed through, and by itself") {
 	WorldData world;
 	world.set_gravity({ 0, 0 });

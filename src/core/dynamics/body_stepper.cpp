@@ -47,7 +47,8 @@ Vec2 centre_by_pins(const SoftBodyData &data, Rotation rotation, Vec2 otherwise)
 			++count;
 		}
 	}
-	return count > 0 ? sum * (1 / Real(count)) : otherwise;
+	const Vec2 mean = sum * (1 / Real(count));
+	return count > 0 && is_finite(mean) ? mean : otherwise;
 }
 
 // Where a body with points that are no numbers most probably is: amid those that are, else where the step began.
