@@ -322,6 +322,35 @@ TEST_CASE("nor does an arm pass through the other where another body is near, wh
 	}
 }
 
+TEST_CASE("two tips that come near each other are parted, whichever points they are, and nothing else moves") {
+	// A C whose arms end in tips towards each other.
+	const std::vector<Vec2> outline{ { -1, -1 }, { Real(1.2), -1 }, { Real(1.2), Real(-0.6) }, { 1, Real(-0.01) }, { Real(0.8), Real(-0.6) },
+		{ Real(-0.5), Real(-0.6) }, { Real(-0.5), Real(0.6) }, { Real(0.8), Real(0.6) }, { 1, Real(0.01) }, { Real(1.2), Real(0.6) },
+		{ Real(1.2), 1 }, { -1, 1 } };
+	const std::uint32_t count = std::uint32_t(outline.size());
+	for (std::uint32_t first = 0; first < count; ++first) {
+		CAPTURE(first);
+		std::vector<Vec2> hull = outline;
+		std::rotate(hull.begin(), hull.begin() + first, hull.end());
+		const std::uint32_t lower = (3 + count - first) % count;
+		const std::uint32_t upper = (8 + count - first) % count;
+		SoftBodyData body = SoftBodyData::create(SoftBodyCreator::create_polygon(hull, {}).value(), settings_with(true)).value();
+		const std::vector<Vec2> before = copy_of(body.hull());
+		const Real tip = Real(1e-6); // nearer than any gap that is kept
+		const Vec2 middle = (before[lower] + before[upper]) * Real(0.5);
+		body.set_point(lower, middle - Vec2{ 0, tip }, {});
+		body.set_point(upper, middle + Vec2{ 0, tip }, {});
+		const std::vector<Vec2> near = copy_of(body.hull());
+		SelfCollision collision;
+		CHECK(collision.handle(body, before, Real(0.01)) > 0);
+		for (std::uint32_t i = 0; i < count; ++i) {
+			const double moved = distance(body.hull()[i], near[i]);
+			CAPTURE(moved);
+			CHECK((i == lower || i == upper ? moved > 1e-4 : moved < 10 * EPSILON));
+		}
+	}
+}
+
 TEST_CASE("a hull so tangled that it is held as one piece keeps every distance while it moves and turns") {
 	Random random(11);
 	int whole = 0;
