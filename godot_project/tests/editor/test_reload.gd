@@ -248,26 +248,26 @@ func _color_at(place: Vector2) -> Color:
 	return (await _picture()).get_pixelv(Vector2i(on_screen(place)))
 
 
-func test_a_preview_that_plays_ends_with_a_word() -> void:
-	await open_scene()
-	var before := values()
+## Starts the preview and waits until it has run for some ticks.
+func _play(what: String) -> void:
 	plugin.set_preview(true)
 	for i in 200:
 		await frames(1)
 		if plugin.preview.played > 5:
 			break
-	check(plugin.preview.played > 5, "it plays")
+	check(plugin.preview.played > 5, what)
+
+
+func test_a_preview_that_plays_ends_with_a_word() -> void:
+	await open_scene()
+	var before := values()
+	await _play("it plays")
 	_reload("gh")
 	await frames(4)
 	check(not plugin.preview.is_playing(), "the preview has ended")
 	check("loaded anew" in plugin.canvas.last_message, "and says so: " + plugin.canvas.last_message)
 	check(_bytes_of(values()) == _bytes_of(before), "the body is as before")
-	plugin.set_preview(true)
-	for i in 200:
-		await frames(1)
-		if plugin.preview.played > 5:
-			break
-	check(plugin.preview.played > 5, "a new preview plays")
+	await _play("a new preview plays")
 	check(plugin.preview.world.get_hull(0)[4].y > (body.global_transform * body.hull)[4].y, "and its body falls")
 
 
