@@ -52,7 +52,7 @@ SoftPileSettings settings_with(const std::string &name) {
 	}
 	SoftPileSettings settings = default_settings(STIFFNESS);
 	settings.integrator = integrator_of(name);
-	settings.substeps = name == "default" ? 0 : 1; // one force substep in each contact substep
+	settings.substeps = name == "default" ? 0 : settings.contact_substeps; // one force substep in each contact substep
 	return settings;
 }
 
