@@ -14,9 +14,13 @@ namespace {
 
 PhaseClock::Phase phase_of(std::string_view name) {
 	const auto is = [&](const char *function) { return name.find(function) != std::string_view::npos; };
-	return is("for_crews") ? PhaseClock::FORCES : is("find_pairs") ? PhaseClock::BROAD_PHASE
-			: is("answer_pairs")                                   ? PhaseClock::CONTACTS
-																   : PhaseClock::OTHER;
+	if (is("PairContacts6answer")) { // as compilers spell PairContacts::answer
+		return PhaseClock::CONTACTS;
+	}
+	if (is("find_all_pairs") || is("PairContacts10begin_step")) {
+		return PhaseClock::BROAD_PHASE;
+	}
+	return is("advance_crews") || is("for_crews") ? PhaseClock::FORCES : PhaseClock::OTHER;
 }
 
 } // namespace
