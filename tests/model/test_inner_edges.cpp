@@ -60,6 +60,15 @@ TEST_CASE("pieces of a polygon, rounding or not, have their cuts inside, and mar
 	CHECK(pieces[0].inner_edges == 0);
 }
 
+TEST_CASE("a box cut into two triangles has its diagonal inside") {
+	std::vector<ConvexCollider> halves(2);
+	halves[0].vertices = { { 0, 0 }, { 100, 0 }, { 100, 100 } };
+	halves[1].vertices = { { 0, 0 }, { 100, 100 }, { 0, 100 } };
+	mark_inner_edges(halves, TOLERANCE);
+	CHECK(halves[0].inner_edges == 0b100);
+	CHECK(halves[1].inner_edges == 0b001);
+}
+
 TEST_CASE("what only a part of the bodies notices, what moves apart, what is round or dented, and half an edge cover nothing") {
 	const std::vector<ConvexCollider> pair = { box_collider({ 0, 0 }, { 16, 16 }), box_collider({ 32, 0 }, { 16, 16 }) };
 	const auto inner = [](std::vector<ConvexCollider> tiles) {
