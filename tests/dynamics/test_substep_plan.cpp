@@ -9,10 +9,15 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <limits>
+
 using namespace softbody;
 using namespace softbody::testing;
 
 namespace {
+
+constexpr Real FRAME = Real(1) / 60; // s
 
 // h²Ω² + 2hΓ, with the bounds summed here from springs and shape matching.
 double load(const SoftBodyShape &shape, const BodySettings &settings, double h) {
@@ -81,6 +86,24 @@ TEST_CASE("a body that can touch something gets at least four substeps") {
 	const int wanted = plan_substeps(*stiff, semi_implicit(), Real(0.016), false).substeps;
 	CHECK(wanted > MIN_CONTACT_SUBSTEPS);
 	CHECK(plan_substeps(*stiff, semi_implicit(), Real(0.016), true).substeps == wanted);
+}
+
+TEST_CASE("a hull that leaves the range of numbers, in one measure or all, asks for no more than the rest of the body") {
+	BodySettings settings = semi_implicit();
+	settings.pressure_stiffness = 500;
+	const SoftBodyData sound = thesis_body(thesis_shape(1000, 1), settings);
+	const SubstepPlan expected = plan_substeps(sound, FRAME, true);
+	REQUIRE(expected.safe);
+	// Fast enough for squares to be too large, and areas still to be finite; and too fast for both.
+	for (const Real speed : { std::sqrt(std::numeric_limits<Real>::max()) * 1000 / FRAME, std::numeric_limits<Real>::max(), NOT_A_NUMBER }) {
+		CAPTURE(speed);
+		SoftBodyData body = sound;
+		body.mutable_velocities()[1] = { speed, 0 };
+		const SubstepPlan plan = plan_substeps(body, FRAME, true);
+		CHECK(plan.substeps == expected.substeps);
+		CHECK(plan.safe);
+		CHECK(std::isfinite(plan.frequency));
+	}
 }
 
 TEST_CASE("a body without springs needs one substep and has an unlimited margin") {
