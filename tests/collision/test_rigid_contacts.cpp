@@ -117,6 +117,45 @@ std::vector<Kind> all_kinds() {
 
 } // namespace
 
+TEST_CASE("a rigid corner hits an edge anywhere between its ends: the place leaves as fast as restitution says") {
+	Random random(342);
+	for (int round = 0; round < 300; ++round) {
+		CAPTURE(round);
+		const Real mass = random.real(0.1, 5);
+		const Real restitution = random.real(0, 1);
+		BodySettings settings;
+		settings.restitution = restitution;
+		settings.friction = 0;
+		settings.substeps = 4;
+		// A large triangle of loose points, whose lower edge comes down, and may turn as it does.
+		SoftBodyData body = loose_points(3, mass, {}, settings);
+		const Vec2 falls{ random.real(-2, 2), -random.real(1, 4) };
+		const Vec2 falls_too{ random.real(-2, 2), -random.real(1, 4) };
+		body.set_point(0, { -20, 0 }, falls);
+		body.set_point(1, { 20, 0 }, falls_too);
+		body.set_point(2, { 0, 300 }, {});
+		WorldData world;
+		world.add_soft_body(std::move(body));
+		const Real at = random.real(-18, 18);
+		RigidBody wedge = box_body({ at, Real(-1e-4) }, random.real(0.1, 5), { 1, 1 });
+		wedge.inverse_inertia = 0; // it does not turn
+		ConvexCollider collider;
+		collider.vertices = { { 0, 0 }, { -1, -3 }, { 1, -3 } };
+		add_rigid(world, wedge, { collider });
+		Simulator simulator(world);
+		simulator.simulate(Real(1e-3)); // so short that nothing but the contact happens
+		const Real t = (at + 20) / 40;
+		const auto velocities = world.soft_bodies()[0].velocities();
+		const double approach = -double((falls * (1 - t) + falls_too * t).y);
+		const double leaving = double((velocities[0] * (1 - t) + velocities[1] * t).y - world.rigid_bodies()[0].linear_velocity.y);
+		CHECK(std::abs(leaving - double(restitution) * approach) <= 0.02 * approach);
+		// Each end gets its share.
+		const double first = double(velocities[0].y - falls.y);
+		const double second = double(velocities[1].y - falls_too.y);
+		CHECK(std::abs(first * double(t) - second * double(1 - t)) <= 0.02 * (first + second));
+	}
+}
+
 TEST_CASE("a particle hits a free box anywhere: restitution, Coulomb's law, one impulse in one place") {
 	Random random(341);
 	for (int round = 0; round < 1000; ++round) {
