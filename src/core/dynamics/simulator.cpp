@@ -281,8 +281,12 @@ int Simulator::needed_substeps(const CrewState &crew, std::uint32_t lane, int le
 	return crew.coupled >> lane & 1 ? std::max(least, std::min(own, MAX_CONTACT_SUBSTEPS)) : own;
 }
 
-// Where all take the same number, there is no need to know who belongs to which heap. Who is in none ends in the same bits
-// by as many contact substeps as it takes force substeps.
+// Whether a body that is in no heap ends in the same bits by as many contact substeps as it takes force substeps.
+bool Simulator::may_be_divided(const CrewState &crew, std::uint32_t lane) const {
+	return integrator_traits(crew.plan_of(lane, own_plans_).integrator).hands_nothing_on;
+}
+
+// Where all take the same number, there is no need to know who belongs to which heap.
 std::optional<int> Simulator::common_need(int least) const {
 	std::optional<int> common;
 	for (const std::uint32_t i : coupled_crews_) {
@@ -290,7 +294,8 @@ std::optional<int> Simulator::common_need(int least) const {
 		for (std::uint32_t lane = 0; lane < roster_.crews()[i].count; ++lane) {
 			if (state.awake >> lane & 1) {
 				const int needed = needed_substeps(state, lane, least);
-				if (common.value_or(needed) != needed) {
+				const bool is_coupled = state.coupled >> lane & 1;
+				if (common.value_or(needed) != needed || !(is_coupled || may_be_divided(state, lane))) {
 					return {};
 				}
 				common = needed;
@@ -337,7 +342,7 @@ void Simulator::leave_free() {
 		CrewState &state = crews_[i];
 		const std::uint32_t lanes = (1u << roster_.crews()[i].count) - 1;
 		for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
-			if (!(state.awake & lanes & ~state.coupled & 1u << lane)) {
+			if (!(state.awake & lanes & ~state.coupled & 1u << lane) || !may_be_divided(state, lane)) {
 				continue;
 			}
 			const int own = state.plan_of(lane, own_plans_).substeps;

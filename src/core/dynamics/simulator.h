@@ -98,6 +98,7 @@ private:
 	void divide_crews(Real dt);
 	void choose_contact_substeps(Real dt);
 	int needed_substeps(const CrewState &crew, std::uint32_t lane, int least) const;
+	bool may_be_divided(const CrewState &crew, std::uint32_t lane) const;
 	std::optional<int> common_need(int least) const;
 	void find_heaps(int least);
 	void leave_free();

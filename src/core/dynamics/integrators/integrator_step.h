@@ -78,6 +78,9 @@ struct IntegratorTraits {
 	/// Whether the velocity after a substep is ahead of the way just gone: it holds the forces of the whole substep, the
 	/// way only those of a part, or none.
 	bool velocity_leads;
+	/// Whether a substep goes by nothing but the state at its start, so that a step may be divided anywhere without a change
+	/// of a bit. Velocity Verlet hands on its forces, XPBD its energy.
+	bool hands_nothing_on;
 	IntegratorStep step;
 	LaneStep<RealPack> step_side_by_side; ///< the same for several bodies at once, with the same result; null for XPBD
 };
