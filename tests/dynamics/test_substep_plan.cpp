@@ -106,6 +106,26 @@ TEST_CASE("a hull that leaves the range of numbers, in one measure or all, asks 
 	}
 }
 
+TEST_CASE("pressure on a stretched hull stiffens it by k_p |A/A0 - s| over the mass of a point") {
+	const auto shape = thesis_shape(1000, 1);
+	const double mean_mass = double(shape->total_mass()) / double(shape->point_count());
+	const auto bound = [&](Real inflation) {
+		BodySettings settings = semi_implicit();
+		settings.pressure_stiffness = 500;
+		settings.inflation = inflation;
+		SoftBodyData body = thesis_body(shape, settings);
+		for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+			body.set_point(i, shape->rest_positions()[i] * 5, {}); // 25 times its area
+		}
+		return frequency_bounds(body, FRAME).frequency_squared;
+	};
+	const double filled_more = bound(8);
+	for (const Real inflation : { Real(0), Real(0.5), Real(2), Real(5) }) {
+		CAPTURE(inflation);
+		CHECK(bound(inflation) - filled_more == doctest::Approx(500 * (8 - double(inflation)) / mean_mass).epsilon(1e-3));
+	}
+}
+
 TEST_CASE("a body without springs needs one substep and has an unlimited margin") {
 	const SoftBodyData body = loose_points(3, 1);
 	const SubstepPlan plan = plan_substeps(body.shape(), semi_implicit(), Real(0.01), false);
