@@ -74,6 +74,17 @@ struct Chain {
 	}
 };
 
+RigidBody random_rigid(Random &random, Vec2 position) {
+	RigidBody rigid;
+	rigid.tag = 5;
+	rigid.pose.position = position;
+	rigid.linear_velocity = random.vector(2);
+	rigid.angular_velocity = random.real(-3, 3);
+	rigid.inverse_mass = random.real(0.05, 1);
+	rigid.inverse_inertia = random.real(0.5, 20);
+	return rigid;
+}
+
 } // namespace
 
 TEST_CASE("bodies hang from one another and from the world, with gaps below a percent") {
@@ -327,13 +338,7 @@ TEST_CASE("a particle welded to any place of a free rigid body goes on with that
 		REQUIRE_FALSE(particle.set_point(0, {}, speed));
 		const BodyId id = world.add_soft_body(particle);
 		const Vec2 arm = random.vector(1); // oblique: a push along x moves the place along y too
-		RigidBody rigid;
-		rigid.tag = 5;
-		rigid.pose.position = -arm;
-		rigid.linear_velocity = random.vector(2);
-		rigid.angular_velocity = random.real(-3, 3);
-		rigid.inverse_mass = random.real(0.05, 1);
-		rigid.inverse_inertia = random.real(0.5, 20);
+		const RigidBody rigid = random_rigid(random, -arm);
 		REQUIRE(world.add_rigid_body(rigid).has_value());
 		REQUIRE(world.add_joint(weld(JointAnchor::on_point(id, 0), JointAnchor::on_rigid_body(5, arm))).has_value());
 		Simulator simulator(world);
@@ -361,13 +366,7 @@ TEST_CASE("a rod between a particle and any place of a free rigid body takes all
 		const BodyId id = world.add_soft_body(particle);
 		const Vec2 arm = random.vector(1);
 		const Vec2 place = random.vector(1); // of the rigid end
-		RigidBody rigid;
-		rigid.tag = 5;
-		rigid.pose.position = place - arm;
-		rigid.linear_velocity = random.vector(2);
-		rigid.angular_velocity = random.real(-3, 3);
-		rigid.inverse_mass = random.real(0.05, 1);
-		rigid.inverse_inertia = random.real(0.5, 20);
+		const RigidBody rigid = random_rigid(random, place - arm);
 		REQUIRE(world.add_rigid_body(rigid).has_value());
 		Joint rod = weld(JointAnchor::on_point(id, 0), JointAnchor::on_rigid_body(5, arm));
 		rod.rest_length = length(place);
