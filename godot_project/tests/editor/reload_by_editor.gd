@@ -8,6 +8,8 @@ const TestReload := preload("test_reload.gd")
 const MARK := "zz"
 ## Frames after which the editor is given up.
 const PATIENCE := 600
+## How often the library is put in place, a tenth of a second apart.
+const ATTEMPTS := 30
 ## Frames for the scripts to be reloaded in, after the library.
 const AFTERMATH := 30
 
@@ -26,9 +28,21 @@ func start() -> void:
 	before = suite.stored(suite.root())
 	hull = suite.body.hull
 	GDExtensionManager.extensions_reloaded.connect(_on_reloaded)
-	suite.replace_library(MARK)
+	_replace_library_seen_by_editor()
 	watching = true
 	get_tree().root.propagate_notification(NOTIFICATION_APPLICATION_FOCUS_IN)
+
+
+# The editor tells a changed library by its modification time in whole seconds, and the suites before may have replaced it in
+# this very second: then it is put in place again in the next one.
+func _replace_library_seen_by_editor() -> void:
+	var last := suite.library_time()
+	for attempt in ATTEMPTS:
+		suite.replace_library(MARK)
+		if suite.library_time() != last:
+			return
+		OS.delay_msec(100)
+	suite.check(false, "the modification time of the library changes when it is replaced")
 
 
 func _on_reloaded() -> void:
@@ -43,8 +57,8 @@ func _process(_delta: float) -> void:
 	if waited < (AFTERMATH if reloaded else PATIENCE):
 		return
 	watching = false
-	suite.check(reloaded, "the editor reloads a library that has changed when its window is focused")
-	_check()
+	if suite.check(reloaded, "the editor reloads a library that has changed when its window is focused"):
+		_check()
 	done.emit()
 
 

@@ -53,6 +53,11 @@ func _library() -> String:
 	return ""
 
 
+## When the library was last changed, in whole seconds, as the engine compares it.
+func library_time() -> int:
+	return FileAccess.get_modified_time(_library())
+
+
 ## Copies the library with another mark, and puts the copy in its place, as a linker does: whoever runs the old one keeps it.
 func replace_library(mark: String) -> bool:
 	var name := _library()
