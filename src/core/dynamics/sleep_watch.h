@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Lets bodies fall asleep, and wakes them when what is around them changes.
+#pragma once
+
+#include "core/collision/surroundings_watch.h"
+#include "core/dynamics/active_bodies.h"
+#include "core/dynamics/sleepers.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Keeps `Sleepers` in step with the world: what came, went, changed or moves near a body that sleeps wakes it with its
+/// island, and so does a frozen body that is moved or let go. Whatever falls asleep or wakes is told to `ActiveBodies`.
+class SleepWatch {
+public:
+	/// All must outlive the object.
+	SleepWatch(WorldData &world, ActiveBodies &bodies, const SurroundingsIndex &surroundings) :
+			world_(world), bodies_(bodies), surroundings_(surroundings) {}
+
+	const Sleepers &sleepers() const { return sleepers_; }
+
+	/// Begins a step: takes over who was woken or put to sleep from outside. `is_rearranged`: rows are others than before.
+	void begin_step(bool is_rearranged);
+	/// Wakes those around whom something has changed. O(1) where nothing has, else O(bodies).
+	void wake_by_surroundings();
+	/// Takes over who has been woken meanwhile (SoftBodyData::wake), with their islands.
+	void take_over() { take_over(false); }
+	/// After a step; see `Sleepers::let_sleep`.
+	void let_sleep(std::span<const BodyPair> pairs, std::span<const char> touched, std::span<const BodyPair> joined,
+			std::span<const char> restless);
+
+private:
+	void take_over(bool is_rearranged);
+	void wake_by_what_changed();
+	void wake_by_frozen_bodies();
+	Aabb rest_box(std::uint32_t row) const;
+	std::uint64_t describe(std::uint32_t row) { return watch_.describe(surroundings_, rest_box(row)); }
+
+	WorldData &world_;
+	ActiveBodies &bodies_;
+	const SurroundingsIndex &surroundings_;
+	SurroundingsWatch watch_;
+	Sleepers sleepers_;
+	std::uint64_t seen_restores_ = 0;
+};
+
+} // namespace softbody
