@@ -4,6 +4,7 @@
 #include "scenes/thesis_body.h"
 
 #include <doctest/doctest.h>
+#include <algorithm>
 #include <vector>
 
 using namespace softbody;
@@ -116,5 +117,35 @@ TEST_CASE("a sleeping rigid body that is taken away, or put elsewhere, wakes tho
 		bridge.plank.pose.position.y += 5;
 		bridge.surround(is_moved);
 		CHECK(bridge.step(1) == 0);
+	}
+}
+
+TEST_CASE("a sleeper is not pushed out of a rigid body that sleeps, however many others are stepped beside it") {
+	for (const int others : { 0, 3 }) {
+		CAPTURE(others);
+		WorldData world;
+		const auto shape = thesis_shape(1000, 1);
+		const BodyId sleeper = world.add_soft_body(thesis_body(shape));
+		for (int i = 1; i <= others; ++i) {
+			const BodyId other = world.add_soft_body(thesis_body(shape, {}, { { Real(100 * i), 0 }, {} }));
+			REQUIRE(!world.find(other)->apply_impulse(0, { 1, 0 }));
+		}
+		RigidBody crate;
+		crate.inverse_mass = 1;
+		crate.inverse_inertia = 1;
+		crate.asleep = true;
+		ConvexCollider collider;
+		collider.vertices = { { -1, -1 }, { 1, -1 }, { 1, Real(-0.4) }, { -1, Real(-0.4) } }; // a fifth of the radius inside
+		collider.rigid_body = world.add_rigid_body(crate).value();
+		REQUIRE(!world.add_collider(collider));
+		world.find(sleeper)->put_to_sleep();
+		const std::vector<Vec2> before(world.find(sleeper)->positions().begin(), world.find(sleeper)->positions().end());
+		Simulator simulator(world);
+		for (int i = 0; i < 3; ++i) {
+			CHECK(simulator.simulate(FRAME).contacts == 0);
+		}
+		CHECK(world.find(sleeper)->is_asleep());
+		CHECK(std::ranges::equal(world.find(sleeper)->positions(), before));
+		CHECK(world.reactions()[collider.rigid_body].impulse == Vec2{});
 	}
 }

@@ -233,6 +233,9 @@ void Simulator::divide_crews(Real dt) {
 		state.coupled = 0;
 		for (std::uint32_t lane = 0; lane < bodies_.crew(i).count; ++lane) {
 			const std::uint32_t row = state.rows[lane];
+			if ((state.awake >> lane & 1) == 0) {
+				continue; // or a sleeper would be moved where others of its crew are awake
+			}
 			const bool has_rigid_body = rigid_neighbours_.has(row);
 			if (has_rigid_body) {
 				rigid_contacts_.add_body(bodies_.data(row));
@@ -345,16 +348,17 @@ void Simulator::step_heaps(int substeps, Real dt) {
 	}
 }
 
-// Who sleeps is in no crew that is stepped, but what has blown up may have touched it.
+// Who sleeps is not stepped, but what has blown up may have touched it.
 void Simulator::check_touched_sleepers(Real dt) {
 	for (std::uint32_t i = 0; sleep_.sleepers().count() > 0 && i < bodies_.crew_count(); ++i) {
-		const Crew &crew = bodies_.crew(i);
-		bool has_pair = false;
-		for (std::uint32_t lane = 0; bodies_.state(i).awake == 0 && lane < crew.count; ++lane) {
-			has_pair |= pair_contacts_.has_pair(bodies_.state(i).rows[lane]);
+		const CrewState &state = bodies_.state(i);
+		std::uint32_t touched = 0;
+		for (std::uint32_t lane = 0; lane < bodies_.crew(i).count; ++lane) {
+			const bool is_touched = (state.awake >> lane & 1) == 0 && pair_contacts_.has_pair(state.rows[lane]);
+			touched |= std::uint32_t(is_touched) << lane;
 		}
-		if (has_pair) {
-			steppers_[0].check(crew, ALL_LANES, dt);
+		if (touched != 0) {
+			steppers_[0].check(bodies_.crew(i), touched, dt);
 		}
 	}
 }
