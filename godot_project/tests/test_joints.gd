@@ -84,6 +84,28 @@ func test_a_joint_to_a_rigid_body_pulls_both_ways() -> void:
 		joint.free()
 
 
+func test_a_body_tied_to_a_crate_sleeps_with_it_until_the_crate_is_gone() -> void:
+	add_floor(0)
+	var crate := _add_crate(Vector2(0, -20), 5.0)
+	var body := add_body(Vector2(120, -50))
+	join(Vector2(60, -20), body, crate)
+	await seconds(12)
+	check(body.sleeping and crate.sleeping, "both sleep")
+	await ticks(30)
+	check(body.sleeping, "and sleep on")
+	add_weightless_body(Vector2(900, -600))
+	await ticks(3)
+	check(body.sleeping, "also when another body comes")
+	crate.global_position.x -= 40 # read first, or the engine takes no notice
+	await ticks(3)
+	check(not body.sleeping, "the body wakes when the crate is put elsewhere")
+	await seconds(12)
+	check(body.sleeping, "it sleeps again")
+	crate.free()
+	await ticks(3)
+	check(not body.sleeping, "the body wakes when the crate is gone")
+
+
 func test_a_joined_rigid_body_does_not_collide_unless_told_to() -> void:
 	for collides: bool in [false, true]:
 		var body := add_weightless_body(Vector2.ZERO)

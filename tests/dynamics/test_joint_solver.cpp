@@ -413,6 +413,97 @@ TEST_CASE("a kinematic rigid body drags what is joined to it, and wakes it") {
 	CHECK(double(measure_frame(*world.find(ball)).centre.x) == doctest::Approx(2).epsilon(0.1));
 }
 
+namespace {
+
+// A ball that sleeps, held by a rigid body without colliders, which its engine hands over anew every step.
+struct Held {
+	WorldData world;
+	Simulator simulator{ world };
+	BodyId ball = add_ball(world, { 0, 0 });
+	RigidBody hook;
+	bool has_hook = true;
+
+	Held() {
+		REQUIRE(world.add_joint(weld(JointAnchor::on_point(ball, 0), JointAnchor::on_rigid_body(9, {}))).has_value());
+		hook.pose.position = world.find(ball)->positions()[0];
+		hook.tag = 9;
+		step(120);
+		REQUIRE(sleeps());
+	}
+	void step(int count = 1) {
+		for (int tick = 0; tick < count; ++tick) {
+			world.clear_surroundings();
+			if (has_hook) {
+				REQUIRE(world.add_rigid_body(hook).has_value());
+			}
+			simulator.simulate(FRAME);
+		}
+	}
+	bool sleeps() { return world.find(ball)->is_asleep(); }
+};
+
+} // namespace
+
+TEST_CASE("who is joined to a rigid body sleeps on when bodies and joints come and go elsewhere") {
+	Held held;
+	const BodyId other = add_ball(held.world, { 20, 0 });
+	held.step();
+	CHECK(held.sleeps());
+	const JointId joint = held.world.add_joint(weld(JointAnchor::on_point(other, 0), JointAnchor::at_place({ 20, 0 }))).value();
+	held.step();
+	CHECK(held.sleeps());
+	held.world.remove_joint(joint);
+	held.world.remove_soft_body(other);
+	held.step();
+	CHECK(held.sleeps());
+}
+
+TEST_CASE("who is joined to a rigid body wakes when that has been put elsewhere or taken away, on whatever step") {
+	SUBCASE("put elsewhere") {
+		Held held;
+		held.hook.pose.position.x += 1;
+		held.step();
+		CHECK(!held.sleeps());
+	}
+	SUBCASE("taken away") {
+		Held held;
+		held.has_hook = false;
+		held.step();
+		CHECK(!held.sleeps());
+	}
+	SUBCASE("a state of another place put back") {
+		Held held;
+		const BodyState here = held.world.find(held.ball)->save_state();
+		held.hook.pose.position.x += 1;
+		held.step(240);
+		REQUIRE(held.sleeps()); // where it is now
+		REQUIRE(!held.world.find(held.ball)->restore_state(here));
+		held.step();
+		CHECK(!held.sleeps());
+	}
+	SUBCASE("a state of this place put back") {
+		Held held;
+		const BodyState here = held.world.find(held.ball)->save_state();
+		held.world.find(held.ball)->wake();
+		held.step(3);
+		REQUIRE(!held.sleeps());
+		REQUIRE(!held.world.find(held.ball)->restore_state(here));
+		held.step();
+		CHECK(held.sleeps());
+	}
+	SUBCASE("put to sleep by hand, and then put elsewhere") {
+		Held held;
+		held.world.find(held.ball)->wake();
+		held.step(3);
+		held.world.find(held.ball)->put_to_sleep();
+		held.step(3);
+		REQUIRE(held.sleeps());
+		held.hook.pose.position.y += 1;
+		held.step();
+		CHECK(!held.sleeps());
+	}
+}
+
 TEST_CASE("a chain ends in the same bits on any number of threads" * doctest::test_suite("threads")) {
 	std::vector<Vec2> ends[3];
 	for (int run = 0; run < 3; ++run) {

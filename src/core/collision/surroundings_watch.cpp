@@ -2,37 +2,24 @@
 // What has changed around sleeping bodies.
 #include "core/collision/surroundings_watch.h"
 
+#include "core/base/hash.h"
+
 #include <algorithm>
-#include <bit>
 
 namespace softbody {
 
 namespace {
 
-/// FNV-1a over the bits of values.
-class Hash {
-public:
-	void add(std::uint64_t bits) { state_ = (state_ ^ bits) * 0x100000001b3u; }
-	void add(Real value) { add(std::uint64_t(std::bit_cast<std::uint64_t>(double(value)))); }
-	void add(Vec2 value) {
-		add(value.x);
-		add(value.y);
-	}
-	void add(const Surface &surface) {
-		add(surface.friction);
-		add(std::uint64_t(surface.rough) | std::uint64_t(surface.absorbent) << 1);
-		add(surface.restitution);
-		add(surface.linear_velocity);
-		add(surface.angular_velocity);
-		add(surface.velocity_origin);
-		add(std::uint64_t(surface.layer));
-		add(surface.tag); // whoever rests on it is told that it touches another
-	}
-	std::uint64_t value() const { return state_ ^ state_ >> 32; }
-
-private:
-	std::uint64_t state_ = 0xcbf29ce484222325u;
-};
+void add(Hash &hash, const Surface &surface) {
+	hash.add(surface.friction);
+	hash.add(std::uint64_t(surface.rough) | std::uint64_t(surface.absorbent) << 1);
+	hash.add(surface.restitution);
+	hash.add(surface.linear_velocity);
+	hash.add(surface.angular_velocity);
+	hash.add(surface.velocity_origin);
+	hash.add(std::uint64_t(surface.layer));
+	hash.add(surface.tag); // whoever rests on it is told that it touches another
+}
 
 std::uint64_t hash_of(const ConvexCollider &collider) {
 	Hash hash;
@@ -40,7 +27,7 @@ std::uint64_t hash_of(const ConvexCollider &collider) {
 		hash.add(vertex);
 	}
 	hash.add(collider.radius);
-	hash.add(collider.surface);
+	add(hash, collider.surface);
 	hash.add(std::uint64_t(collider.concave));
 	hash.add(collider.one_way);
 	hash.add(collider.one_way_margin);
@@ -69,7 +56,7 @@ std::uint64_t hash_of_borders(const WorldData &world) {
 	for (const Border &border : world.borders()) {
 		hash.add(border.plane.position);
 		hash.add(border.plane.normal);
-		hash.add(border.surface);
+		add(hash, border.surface);
 	}
 	return hash.value();
 }

@@ -88,20 +88,18 @@ void ContactSubsteps::find_heaps(const ActiveBodies &bodies, std::span<const std
 // Bodies of a crew go side by side: who is in no heap goes with one that takes as many substeps, if there is one.
 void ContactSubsteps::leave_free(ActiveBodies &bodies, std::uint32_t crew) {
 	CrewState &state = bodies.state(crew);
-	const std::uint32_t lanes = (1u << bodies.crew(crew).count) - 1;
-	for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
-		if (!(state.awake & lanes & ~state.coupled & 1u << lane) || !may_be_divided(bodies, state, lane)) {
-			continue;
-		}
-		const int own = bodies.plan_of(state, lane).substeps;
-		for (std::uint32_t other = 0; other < PACK_WIDTH; ++other) {
-			if ((lanes & state.coupled & 1u << other) && heaps_.of(state.rows[other]) == own) {
-				heaps_.add(state.rows[lane], own);
+	const std::uint32_t count = bodies.crew(crew).count;
+	const std::uint32_t in_heaps = state.coupled;
+	for (std::uint32_t lane = 0; lane < count; ++lane) {
+		if ((state.awake & ~in_heaps & 1u << lane) && may_be_divided(bodies, state, lane)) {
+			const int own = bodies.plan_of(state, lane).substeps;
+			for (std::uint32_t other = 0; other < count; ++other) {
+				if ((in_heaps & 1u << other) && heaps_.of(state.rows[other]) == own) {
+					heaps_.add(state.rows[lane], own);
+					state.coupled |= 1u << lane;
+				}
 			}
 		}
-	}
-	for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
-		state.coupled |= std::uint32_t((lanes >> lane & 1) && heaps_.of(state.rows[lane]) != 0) << lane;
 	}
 	state.turn = ~state.coupled & ALL_LANES;
 }

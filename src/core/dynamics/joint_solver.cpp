@@ -3,10 +3,10 @@
 #include "core/dynamics/joint_solver.h"
 
 #include "core/base/constants.h"
+#include "core/base/hash.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace softbody {
 
@@ -68,7 +68,8 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> pl
 		joined_.clear();
 		separated_.clear();
 		is_held_.assign(joints.empty() ? 0 : places.size(), 0);
-		last_at_.assign(joints.size(), Vec2{ std::numeric_limits<Real>::infinity(), 0 });
+		rigid_ends_.assign(joints.empty() ? 0 : places.size(), 0);
+		held_to_rigid_.clear();
 		rows_.assign(joints.empty() ? 0 : world.soft_bodies().size(), UINT32_MAX);
 		for (std::uint32_t row = 0; !joints.empty() && row < places.size(); ++row) {
 			rows_[places[row]] = row;
@@ -85,10 +86,15 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> pl
 	}
 	std::ranges::sort(tags_);
 	std::ranges::fill(is_held_, char(0));
+	for (const std::uint32_t row : held_to_rigid_) {
+		rigid_ends_[row] = 0;
+	}
+	held_to_rigid_.clear();
 	for (std::uint32_t i = 0; i < joints.size(); ++i) {
 		Active active;
 		active.joint = i;
 		active.sides = { side_of(joints[i].first), side_of(joints[i].second) };
+		note_rigid_ends(joints[i], active.sides);
 		bool is_there = true;
 		for (std::size_t end = 0; end < 2; ++end) {
 			const Side &side = active.sides[end];
@@ -119,6 +125,25 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> pl
 	if (has_changed) {
 		std::ranges::sort(separated_);
 	}
+	std::ranges::sort(held_to_rigid_);
+	held_to_rigid_.erase(std::unique(held_to_rigid_.begin(), held_to_rigid_.end()), held_to_rigid_.end());
+}
+
+// Sums, so that the order of the joints does not matter. A rigid body that is not there is a place, too.
+void JointSolver::note_rigid_ends(const Joint &joint, const std::array<Side, 2> &sides) {
+	for (std::size_t end = 0; end < 2; ++end) {
+		const JointAnchor &other = end == 0 ? joint.second : joint.first;
+		if (sides[end].row == UINT32_MAX || other.kind != JointAnchor::Kind::RIGID_BODY) {
+			continue;
+		}
+		const std::uint32_t rigid = sides[1 - end].rigid;
+		Hash hash;
+		if (rigid != NO_RIGID_BODY) {
+			hash.add(world_->rigid_bodies()[rigid].pose.apply(other.position));
+		}
+		rigid_ends_[sides[end].row] += hash.value();
+		held_to_rigid_.push_back(sides[end].row);
+	}
 }
 
 bool JointSolver::is_still(const Side &side) const {
@@ -148,13 +173,10 @@ bool JointSolver::wake_joined() {
 			}
 			// Who rests on what moves does not rest. A dynamic body would fall, held by one that is not looked at.
 			const RigidBody &rigid = world_->rigid_bodies()[other.rigid];
-			const Vec2 at = rigid.pose.apply(other.position);
-			if ((rigid.is_dynamic() && !rigid.asleep) || rigid.linear_velocity != Vec2{} || rigid.angular_velocity != 0 ||
-					at != last_at_[active.joint]) {
+			if ((rigid.is_dynamic() && !rigid.asleep) || rigid.linear_velocity != Vec2{} || rigid.angular_velocity != 0) {
 				wake(side);
 				side.body->wake();
 			}
-			last_at_[active.joint] = at;
 		}
 	}
 	return has_woken;

@@ -33,6 +33,10 @@ public:
 	/// without joints, else O(joints), and O(bodies) where joints or bodies have changed.
 	void begin_step(WorldData &world, std::span<const std::uint32_t> places, bool is_rearranged, Real dt);
 	bool has_joints() const { return !active_.empty(); }
+	/// The bodies that a joint holds to a rigid body, or would if that were there, in order.
+	std::span<const std::uint32_t> held_to_rigid() const { return held_to_rigid_; }
+	/// A number that stands for where the rigid ends of a body's joints are; 0: it has none.
+	std::uint64_t rigid_ends_of(std::uint32_t row) const { return rigid_ends_.empty() ? 0 : rigid_ends_[row]; }
 	/// Wakes whoever is joined to a body that is awake, or to a rigid one that moves or may. True when somebody woke.
 	bool wake_joined();
 	/// Whether the body is held by a joint in this step.
@@ -94,14 +98,16 @@ private:
 	void stretch(Active &active, Real h);
 	void keep_spin(Active &active, Real closed);
 	bool is_still(const Side &side) const;
+	void note_rigid_ends(const Joint &joint, const std::array<Side, 2> &sides);
 
 	WorldData *world_ = nullptr;
 	std::uint64_t seen_joints_ = 0;
 	Real dt_ = 0;
 	std::vector<std::uint32_t> rows_; ///< of every place in the world
-	std::vector<Vec2> last_at_; ///< where the rigid end of each joint was in the last step
 	std::vector<Active> active_;
 	std::vector<char> is_held_; ///< a row; 2: to a dynamic rigid body
+	std::vector<std::uint64_t> rigid_ends_; ///< a row
+	std::vector<std::uint32_t> held_to_rigid_;
 	std::vector<BodyPair> joined_;
 	std::vector<BodyPair> separated_; ///< in order
 	std::vector<std::pair<std::uint64_t, std::uint32_t>> tags_; ///< of rigid bodies, in order

@@ -23,8 +23,8 @@ int share_of(const SubstepPlan &plan, int parts) {
 } // namespace
 
 Simulator::Simulator(WorldData &world, ParallelFor parallel_for) :
-		world_(world), parallel_for_(std::move(parallel_for)), bodies_(world), sleep_(world, bodies_, surroundings_),
-		steppers_(MOST_SLICES) {}
+		world_(world), parallel_for_(std::move(parallel_for)), bodies_(world),
+		sleep_(world, bodies_, surroundings_, joint_solver_), steppers_(MOST_SLICES) {}
 
 SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
 	return plan_substeps(body, dt, world_.has_surroundings());
@@ -175,6 +175,7 @@ void Simulator::begin_step(Real dt) {
 			pair_contacts_.add_body(bodies_.data(row).settings());
 		}
 	}
+	joint_solver_.begin_step(world_, bodies_.places(), is_arranged, dt);
 	sleep_.begin_step(is_arranged);
 	// Bodies that came or were activated may have brought forces along.
 	const bool is_rearranged = bodies_.version() != old_version;
@@ -192,7 +193,6 @@ void Simulator::begin_step(Real dt) {
 	coupled_crews_.clear();
 	beside_dynamic_.clear();
 	sleep_.wake_by_surroundings();
-	joint_solver_.begin_step(world_, bodies_.places(), is_arranged, dt);
 	while (joint_solver_.wake_joined()) {
 		sleep_.take_over();
 	}

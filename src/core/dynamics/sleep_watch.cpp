@@ -37,6 +37,7 @@ void SleepWatch::begin_step(bool is_rearranged) {
 void SleepWatch::wake_by_surroundings() {
 	if (world_.has_sleeping()) {
 		wake_by_what_changed();
+		wake_by_rigid_ends();
 	}
 	wake_by_frozen_bodies();
 }
@@ -60,6 +61,21 @@ void SleepWatch::wake_by_what_changed() {
 		}
 	}
 	take_over();
+}
+
+// A joint may be longer than what is near, so that nothing has to have changed there.
+void SleepWatch::wake_by_rigid_ends() {
+	bool has_woken = false;
+	for (const std::uint32_t row : joints_.held_to_rigid()) {
+		SoftBodyData &body = bodies_.data(row);
+		if (body.is_asleep() && describe(row) != body.rest_state().surroundings) {
+			body.wake();
+			has_woken = true;
+		}
+	}
+	if (has_woken) {
+		take_over();
+	}
 }
 
 // Where one was, is now, or both.

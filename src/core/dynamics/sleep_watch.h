@@ -4,6 +4,7 @@
 
 #include "core/collision/surroundings_watch.h"
 #include "core/dynamics/active_bodies.h"
+#include "core/dynamics/joint_solver.h"
 #include "core/dynamics/sleepers.h"
 
 #include <cstdint>
@@ -13,16 +14,18 @@
 namespace softbody {
 
 /// Keeps `Sleepers` in step with the world: what came, went, changed or moves near a body that sleeps wakes it with its
-/// island, and so does a frozen body that is moved or let go. Whatever falls asleep or wakes is told to `ActiveBodies`.
+/// island, and so does a rigid body to which it is joined and that is put elsewhere, and a frozen body that is moved or
+/// let go. Whatever falls asleep or wakes is told to `ActiveBodies`.
 class SleepWatch {
 public:
 	/// All must outlive the object.
-	SleepWatch(WorldData &world, ActiveBodies &bodies, const SurroundingsIndex &surroundings) :
-			world_(world), bodies_(bodies), surroundings_(surroundings) {}
+	SleepWatch(WorldData &world, ActiveBodies &bodies, const SurroundingsIndex &surroundings, const JointSolver &joints) :
+			world_(world), bodies_(bodies), surroundings_(surroundings), joints_(joints) {}
 
 	const Sleepers &sleepers() const { return sleepers_; }
 
-	/// Begins a step: takes over who was woken or put to sleep from outside. `is_rearranged`: rows are others than before.
+	/// Begins a step, once the others have: takes over who was woken or put to sleep from outside. `is_rearranged`: rows
+	/// are others than before.
 	void begin_step(bool is_rearranged);
 	/// Wakes those around whom something has changed. O(1) where nothing has, else O(bodies).
 	void wake_by_surroundings();
@@ -35,13 +38,18 @@ public:
 private:
 	void take_over(bool is_rearranged);
 	void wake_by_what_changed();
+	void wake_by_rigid_ends();
 	void wake_by_frozen_bodies();
 	Aabb rest_box(std::uint32_t row) const;
-	std::uint64_t describe(std::uint32_t row) { return watch_.describe(surroundings_, rest_box(row)); }
+	/// What the body rests amid and hangs from, as a number (RestState::surroundings).
+	std::uint64_t describe(std::uint32_t row) {
+		return watch_.describe(surroundings_, rest_box(row)) + joints_.rigid_ends_of(row);
+	}
 
 	WorldData &world_;
 	ActiveBodies &bodies_;
 	const SurroundingsIndex &surroundings_;
+	const JointSolver &joints_;
 	SurroundingsWatch watch_;
 	Sleepers sleepers_;
 	std::uint64_t seen_restores_ = 0;

@@ -71,7 +71,7 @@ struct RestState {
 	Real rest_time = 0; ///< [s]
 	bool asleep = false;
 	std::uint64_t island = 0; ///< while asleep: the same for all bodies that fell asleep together
-	std::uint64_t surroundings = 0; ///< while asleep: what was around it, as `SurroundingsWatch::describe` put it
+	std::uint64_t surroundings = 0; ///< while asleep: what it rests amid and hangs from, as `SleepWatch` put it
 	std::uint32_t restored = 0; ///< how often its state was put back since the last step
 	friend bool operator==(const RestState &, const RestState &) = default;
 };
