@@ -178,6 +178,27 @@ TEST_CASE("who sleeps on a frozen body wakes when that is let go, moved, pinned,
 	}
 }
 
+TEST_CASE("a frozen body carries what falls on it where its points were set, or its state put back") {
+	for (const bool is_restored : { false, true }) {
+		CAPTURE(is_restored);
+		Scene scene;
+		scene.step();
+		const BodyState there = scene.plank().save_state();
+		const Vec2 way{ 20, 0 };
+		for (std::uint32_t i = 0; i < scene.plank().point_count(); ++i) {
+			REQUIRE(!scene.plank().set_point(i, scene.plank().positions()[i] + way, {}));
+		}
+		scene.step();
+		if (is_restored) {
+			REQUIRE(!scene.plank().restore_state(there));
+		} else {
+			REQUIRE(!scene.ball().teleport({}, { way, {} }));
+		}
+		scene.step(180);
+		CHECK(double(measure_frame(scene.ball()).centre.y) == doctest::Approx(0.5 + 0.46).epsilon(0.1)); // on half the plank
+	}
+}
+
 TEST_CASE("two piles on one frozen body do not wake each other") {
 	Scene scene;
 	scene.world.add_soft_body(ball({ Real(-1.2), 2 }));

@@ -354,6 +354,27 @@ TEST_CASE("a particle welded to any place of a free rigid body goes on with that
 	}
 }
 
+TEST_CASE("a rigid body that flies with what is welded to it moves in the same substeps, so that no step parts them") {
+	WorldData world;
+	const BodyId ball = add_ball(world, { 0, 0 });
+	const Vec2 anchor = world.find(ball)->positions()[0];
+	REQUIRE(!set_linear_velocity(*world.find(ball), { 3, 0 }));
+	RigidBody crate;
+	crate.pose.position = anchor;
+	crate.linear_velocity = { 3, 0 };
+	crate.inverse_mass = 1;
+	crate.inverse_inertia = 1;
+	crate.tag = 5;
+	REQUIRE(world.add_rigid_body(crate).has_value());
+	REQUIRE(world.add_joint(weld(JointAnchor::on_point(ball, 0), JointAnchor::on_rigid_body(5, {}))).has_value());
+	Simulator simulator(world);
+	for (int tick = 1; tick <= 30; ++tick) {
+		simulator.simulate(FRAME);
+		CHECK(distance(world.find(ball)->positions()[0], world.rigid_bodies()[0].pose.position) < 1e-4);
+		CHECK(double(measure_frame(*world.find(ball)).centre.x) == doctest::Approx(3.0 * tick / 60).epsilon(1e-3));
+	}
+}
+
 TEST_CASE("a rod between a particle and any place of a free rigid body takes all of their approach by one blow along it") {
 	Random random(22);
 	for (int i = 0; i < 50; ++i) {
