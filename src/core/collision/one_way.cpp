@@ -3,10 +3,10 @@
 #include "core/collision/one_way.h"
 
 #include "core/base/constants.h"
+#include "core/base/hash.h"
 #include "core/collision/convex_query.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -78,18 +78,14 @@ Real hull_behind(std::span<const Vec2> hull, const Place &from, Vec2 direction) 
 } // namespace
 
 std::uint64_t one_way_name(const ConvexCollider &collider) {
-	std::uint64_t state = 0xcbf29ce484222325u; // FNV-1a
-	const auto add = [&](std::uint64_t bits) { state = (state ^ bits) * 0x100000001b3u; };
-	const auto add_number = [&](Real value) { add(std::bit_cast<std::uint64_t>(double(value))); };
+	Hash hash;
 	for (const Vec2 vertex : collider.vertices) {
-		add_number(vertex.x);
-		add_number(vertex.y);
+		hash.add(vertex);
 	}
-	add_number(collider.radius);
-	add_number(collider.one_way.x);
-	add_number(collider.one_way.y);
-	add(collider.surface.tag);
-	return state ^ state >> 32;
+	hash.add(collider.radius);
+	hash.add(collider.one_way);
+	hash.add(collider.surface.tag);
+	return hash.value();
 }
 
 Real one_way_depth(std::span<const Vec2> hull, const ConvexCollider &collider, Real raised) {
