@@ -23,7 +23,7 @@ std::vector<Vec2> forces_on(const SoftBodyData &body, Vec2 gravity = {}) {
 
 std::vector<Vec2> spring_forces_on(const SoftBodyData &body) {
 	std::vector<Vec2> forces(body.point_count());
-	add_spring_forces<Real>(body.shape(), body.positions(), body.velocities(), forces);
+	add_spring_forces<Real>(model_of(body), body.positions(), body.velocities(), forces);
 	return forces;
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("springs damp the rate at which they change length, with power -c rate
 		const auto moving = spring_forces_on(body);
 		std::vector<Vec2> still(body.point_count());
 		const std::vector<Vec2> rest(body.point_count());
-		add_spring_forces<Real>(body.shape(), body.positions(), rest, still);
+		add_spring_forces<Real>(model_of(body), body.positions(), rest, still);
 		double power = 0;
 		for (std::size_t i = 0; i < body.point_count(); ++i) {
 			power += scalar_product(to_complex(moving[i]) - to_complex(still[i]), to_complex(body.velocities()[i]));

@@ -17,6 +17,10 @@ inline constexpr int MAX_HULL_POINTS = 4096;
 /// between them [1]. Larger: points are joined past others. Smaller: rounding decides which diagonals a lattice gets.
 inline constexpr Real CIRCLE_TOLERANCE = Real(1e-4);
 
+/// Largest Poisson's ratio of a material [1]. At 1/2, the limit of theory, nothing can change its area, and the moduli
+/// are infinite.
+inline constexpr Real MOST_POISSON_RATIO = Real(0.49);
+
 /// Largest substep count accepted or chosen [1]. Past it a body cannot be stepped explicitly in
 /// real time; the plan then reports itself as unsafe instead of growing without bound.
 inline constexpr int MAX_SUBSTEPS = 64;
@@ -120,6 +124,13 @@ inline constexpr Real ONE_WAY_FACING = Real(0.1);
 /// it may fly in a step for that flight to outlast a reset [1]. Larger: a body that blows up over several steps
 /// reappears away from where it was. Smaller: one that is only stretched is taken for lost.
 inline constexpr Real CREDIBLE_REACH = 1000;
+
+/// By how much a stretch or area out of bounds is corrected in a substep, as a share of the rest size or area [1]. Larger:
+/// crushed bodies jump up. Smaller: they are out of bounds for longer.
+inline constexpr Real LIMIT_PUSH = Real(0.05);
+
+/// Which share of its way to where the body's affine map has it a point of a crumpled body goes in a substep at most [1].
+inline constexpr Real LIMIT_SMOOTHING = Real(0.25);
 
 /// Springs shorter than this fraction of their rest length have no usable direction and exert no
 /// force for that evaluation [1].

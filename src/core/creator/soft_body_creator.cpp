@@ -2,6 +2,7 @@
 // Turns an outline and a few material values into the structure of a soft body.
 #include "core/creator/soft_body_creator.h"
 
+#include "core/creator/elastic_modes.h"
 #include "core/creator/hulls.h"
 #include "core/geometry/polygon.h"
 
@@ -151,7 +152,15 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	if (is_reversed) {
 		std::reverse(points.begin() + 1, points.begin() + std::ptrdiff_t(count));
 	}
-	description.masses.assign(points.size(), options.mass / Real(points.size()));
+	if (options.elastic) {
+		ElasticReduction reduction = reduce_solid(points, count);
+		for (const Real share : reduction.mass_shares) {
+			description.masses.push_back(options.mass * share);
+		}
+		description.modes = std::move(reduction.modes);
+	} else {
+		description.masses.assign(points.size(), options.mass / Real(points.size()));
+	}
 	description.points = std::move(points);
 	return SoftBodyShape::create(std::move(description));
 }

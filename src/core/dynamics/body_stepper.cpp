@@ -3,7 +3,9 @@
 #include "core/dynamics/body_stepper.h"
 
 #include "core/base/constants.h"
+#include "core/dynamics/area_lanes.h"
 #include "core/dynamics/rigid_damping.h"
+#include "core/dynamics/shape_limits_lanes.h"
 #include "core/dynamics/soundness.h"
 #include "core/model/body_frame.h"
 #include "core/model/rigid_motion.h"
@@ -257,6 +259,10 @@ void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, st
 	const Real h = duration / Real(substeps);
 	for (int i = 0; i < substeps; ++i) {
 		step(lanes, { world_->gravity(), {}, h }, pack_workspace_);
+		if (crew.settings->area_stiffness > 0) {
+			hold_area<RealPack>(lanes, h);
+			pack_workspace_.forces_are_current = RealPack(0) < RealPack(0);
+		}
 		if (crew.settings->has_damp()) {
 			damp_rigid_motion<RealPack>(lanes, h);
 		}
@@ -269,6 +275,12 @@ void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, st
 		pack_workspace_.forces_are_current = both(pack_workspace_.forces_are_current, !(contacts > RealPack(0)));
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
 			counts_.contacts += taking_part >> lane & 1 ? std::uint64_t(contacts[lane]) : 0;
+		}
+	}
+	if (crew.settings->has_limits()) {
+		const PackMask crushed = may_break_limits<RealPack>(lanes.model, lanes.positions);
+		if (any(crushed)) {
+			keep_whole_in_lanes(crew, taking_part, bits(crushed), lanes, h);
 		}
 	}
 	const PackMask sound = is_sound<RealPack>(lanes.positions, lanes.velocities, credible_reach(shape, plan));
@@ -295,6 +307,32 @@ void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, st
 	for (std::uint32_t lane = 0; answered_alone != 0 && lane < PACK_WIDTH; ++lane) {
 		const std::uint32_t is_touching = body(crew.bodies[lane]).touch_memory().touching;
 		crew.touching = (crew.touching & ~(1u << lane)) | is_touching << lane;
+	}
+}
+
+// Few bodies are crushed at a time.
+void BodyStepper::keep_whole_in_lanes(const Crew &crew, std::uint32_t taking_part, std::uint32_t crushed,
+		const BodyLanes<RealPack> &lanes, Real h) {
+	for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
+		if ((taking_part & crushed) >> lane & 1) {
+			SoftBodyData &data = body(crew.bodies[lane]);
+			limited_.resize(std::max(limited_.size(), 2 * lanes.positions.size()));
+			const std::span<Vec2> positions = data.mutable_positions();
+			const std::span<Vec2> velocities = data.mutable_velocities();
+			std::copy(positions.begin(), positions.end(), limited_.begin());
+			std::copy(velocities.begin(), velocities.end(), limited_.begin() + std::ptrdiff_t(positions.size()));
+			for (std::size_t i = 0; i < positions.size(); ++i) {
+				positions[i] = lane_of(lanes.positions[i], lane);
+				velocities[i] = lane_of(lanes.velocities[i], lane);
+			}
+			keep_whole(data, h);
+			for (std::size_t i = 0; i < positions.size(); ++i) {
+				set_lane(lanes.positions[i], lane, positions[i]);
+				set_lane(lanes.velocities[i], lane, velocities[i]);
+				positions[i] = limited_[i]; // what the step started from, for those that are ruined
+				velocities[i] = limited_[positions.size() + i];
+			}
+		}
 	}
 }
 
@@ -400,6 +438,10 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 			workspace_.forces_are_current = false; // as the load turns with the body
 		}
 		step(data, input, workspace_);
+		if (data.settings().area_stiffness > 0) {
+			hold_area<Real>(lanes_of(data), h);
+			workspace_.forces_are_current = false;
+		}
 		if (data.settings().has_damp()) {
 			damp_rigid_motion(lanes_of(data), h);
 			workspace_.forces_are_current &= !data.has_pins(); // or else no spring feels it
@@ -421,6 +463,7 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 			workspace_.forces_are_current = false;
 		}
 	}
+	keep_whole(data, h);
 	if (!is_sound<Real>(data.positions(), data.velocities(), credible_reach(data.shape(), plan))) {
 		std::ranges::copy(std::span(start_).first(count), data.mutable_positions().begin());
 		std::ranges::copy(std::span(start_).last(count), data.mutable_velocities().begin());

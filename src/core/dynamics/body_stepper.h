@@ -90,6 +90,9 @@ private:
 	/// False, and nothing has changed, where it cannot be done.
 	bool advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration, int substeps,
 			const std::array<TouchingBody *, WIDE_WIDTH> &touching, StateAhead &ahead);
+	/// Brings those of the lanes that are crushed or drawn out back within their limits.
+	void keep_whole_in_lanes(const Crew &crew, std::uint32_t taking_part, std::uint32_t crushed,
+			const BodyLanes<RealPack> &lanes, Real h);
 	void advance_one_by_one(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
 			int substeps, const SweptFrom &swept_from, bool are_coupled);
 	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan) const;
@@ -112,6 +115,7 @@ private:
 	BasicWorkspace<RealPack> pack_workspace_;
 	std::vector<BasicVec2<RealPack>> pack_positions_;
 	std::vector<BasicVec2<RealPack>> pack_velocities_;
+	std::vector<Vec2> limited_; ///< of a body whose limits are kept
 	std::vector<Vec2> stand_ins_;
 	std::vector<BasicVec2<RealPack>> pack_start_; ///< positions, then velocities, where bodies do not keep them
 	std::unique_ptr<WideStepper> wide_ = make_wide_stepper();

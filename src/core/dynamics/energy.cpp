@@ -2,12 +2,47 @@
 // Energy and momentum of a body.
 #include "core/dynamics/energy.h"
 
+#include "core/dynamics/elastic_lanes.h"
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 
 #include <cmath>
 
 namespace softbody {
+
+namespace {
+
+double mode_energy(const SoftBodyData &body, const BodyFrame &frame) {
+	const SoftBodyShape &shape = body.shape();
+	const ElasticModes &modes = *shape.modes();
+	const ModeStiffness stiffness = mode_stiffness(modes, body.settings());
+	std::array<double, MAX_ELASTIC_MODES> amplitudes{};
+	double dilation = 0;
+	double along = 0;
+	double squares = 0;
+	for (std::size_t i = 0; i < shape.point_count(); ++i) {
+		const Vec2 q = shape.rest_positions()[i];
+		const Vec2 y = frame.rotation.apply_inverse(body.positions()[i] - frame.centre) - q;
+		const double share = double(shape.masses()[i]) / shape.total_mass();
+		const std::span<const Vec2> mode = modes.shape_of_point(i);
+		for (std::size_t j = 0; j < mode.size(); ++j) {
+			amplitudes[j] += double(dot(mode[j], y));
+		}
+		dilation += i < shape.hull_count() ? double(dot(modes.dilation[i], y)) : 0.0;
+		along += share * dot(q, y);
+		squares += share * length_squared(y);
+	}
+	// Of what is left without the dilation.
+	squares += dilation * (dilation * shape.rest_inertia() / shape.total_mass() - 2 * along);
+	double twice = stiffness.rest * squares;
+	for (std::size_t j = 0; j < modes.count; ++j) {
+		const double amplitude = amplitudes[j] - dilation * modes.dilation_overlap[j];
+		twice += (double(stiffness.modes[j]) - stiffness.rest) * amplitude * amplitude;
+	}
+	return twice / 2;
+}
+
+} // namespace
 
 Energy measure_energy(const SoftBodyData &body, Vec2 gravity) {
 	const SoftBodyShape &shape = body.shape();
@@ -26,12 +61,16 @@ Energy measure_energy(const SoftBodyData &body, Vec2 gravity) {
 		energy.gravity -= mass * (double(acceleration.x) * p.x + double(acceleration.y) * p.y);
 	}
 	const double excess = signed_area(body.hull()) - double(body.settings().inflation) * shape.rest_area();
+	energy.area = body.settings().area_stiffness * excess * excess / (2 * double(shape.rest_area()));
+	if (body.settings().is_elastic() && shape.modes() != nullptr) {
+		energy.modes = mode_energy(body, frame);
+	}
 	energy.pressure = body.settings().pressure_stiffness * excess * excess / (2 * double(shape.rest_area()));
 	for (const Spring2D &spring : shape.springs()) {
 		const Vec2 a = body.positions()[spring.a];
 		const Vec2 b = body.positions()[spring.b];
 		const double stretch = std::hypot(double(b.x) - a.x, double(b.y) - a.y) - spring.rest_length;
-		energy.springs += spring.stiffness * stretch * stretch / 2;
+		energy.springs += double(spring.stiffness) * body.settings().spring_stiffness_scale * stretch * stretch / 2;
 	}
 	return energy;
 }

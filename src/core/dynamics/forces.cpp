@@ -7,7 +7,7 @@
 namespace softbody {
 
 #define SOFTBODY_INSTANTIATE(T)                                                                                      \
-	template void add_spring_forces<T>(const SoftBodyShape &, std::span<const BasicVec2<T>>,                         \
+	template void add_spring_forces<T>(const BodyModel<T> &, std::span<const BasicVec2<T>>,                          \
 			std::span<const BasicVec2<T>>, std::span<BasicVec2<T>>);                                                 \
 	template void add_shape_forces<T>(const BodyModel<T> &, std::span<const BasicVec2<T>>,                           \
 			std::span<const BasicVec2<T>>, std::span<BasicVec2<T>>);                                                 \

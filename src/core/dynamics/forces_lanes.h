@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/constants.h"
+#include "core/dynamics/elastic_lanes.h"
 #include "core/dynamics/forces.h"
 #include "core/dynamics/pressure.h"
 #include "core/model/body_frame.h"
@@ -10,15 +11,17 @@
 namespace softbody {
 
 template <class T>
-void add_spring_forces(const SoftBodyShape &shape, std::span<const BasicVec2<T>> positions,
+void add_spring_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,
 		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {
-	for (const Spring2D &spring : shape.springs()) {
+	const Real stiffness = body.settings.spring_stiffness_scale;
+	const Real damping = body.settings.spring_damping_scale;
+	for (const Spring2D &spring : body.shape.springs()) {
 		const BasicVec2<T> d = positions[spring.b] - positions[spring.a];
 		const T current = length(d);
 		const auto has_direction = current > T(DEGENERATE_LENGTH * spring.rest_length);
 		const BasicVec2<T> e = d * (T(1) / current);
 		const T rate = dot(velocities[spring.b] - velocities[spring.a], e);
-		const T size = T(spring.stiffness) * (current - T(spring.rest_length)) + T(spring.damping) * rate;
+		const T size = T(spring.stiffness * stiffness) * (current - T(spring.rest_length)) + T(spring.damping * damping) * rate;
 		const BasicVec2<T> force = select(has_direction, e * size, BasicVec2<T>{});
 		forces[spring.a] += force;
 		forces[spring.b] -= force;
@@ -64,7 +67,12 @@ void evaluate_forces(const BodyModel<T> &body, Vec2 gravity, std::span<const Bas
 	for (std::size_t i = 0; i < external.size(); ++i) {
 		forces[i] += external[i];
 	}
-	add_spring_forces<T>(shape, positions, velocities, forces);
+	if (settings.has_springs()) {
+		add_spring_forces<T>(body, positions, velocities, forces);
+	}
+	if (settings.is_elastic() && shape.modes() != nullptr) {
+		add_mode_forces<T>(body, positions, velocities, forces);
+	}
 	if (settings.pressure_stiffness > 0) {
 		add_pressure_forces<T>(shape, settings, positions, forces);
 	}

@@ -18,30 +18,18 @@ constexpr std::uint32_t EVERY_LAYER = UINT32_MAX;
 constexpr Real LARGEST_FACTOR = 4096;
 constexpr Real FACTOR_PRECISION = Real(1.1);
 
-// Springs and shape matching times `factor`, with the damping ratios that they have.
+// All that resists a change of shape times `factor`, with the damping ratios that it has.
 Result<SoftBodyData> made_stiffer(const SoftBodyData &body, Real factor) {
-	const SoftBodyShape &shape = body.shape();
-	SoftBodyShape::Description description;
-	description.points.assign(shape.rest_positions().begin(), shape.rest_positions().end());
-	description.masses.assign(shape.masses().begin(), shape.masses().end());
-	description.hull_count = shape.hull_count();
-	description.springs.assign(shape.springs().begin(), shape.springs().end());
-	for (Spring2D &spring : description.springs) {
-		spring.stiffness *= factor;
-		spring.damping *= std::sqrt(factor);
-	}
-	auto made = SoftBodyShape::create(std::move(description));
-	if (!made) {
-		return made.error();
-	}
 	SoftBodyData stiffer = body;
 	BodySettings settings = body.settings();
+	settings.spring_stiffness_scale *= factor;
+	settings.spring_damping_scale *= std::sqrt(factor);
 	settings.shape_stiffness *= factor;
 	settings.shape_damping *= std::sqrt(factor);
+	settings.shear_modulus *= factor;
+	settings.area_stiffness *= factor;
+	settings.elastic_damping_time /= std::sqrt(factor);
 	if (Status status = stiffer.set_settings(settings)) {
-		return *status;
-	}
-	if (Status status = stiffer.set_shape(made.value())) {
 		return *status;
 	}
 	return stiffer;

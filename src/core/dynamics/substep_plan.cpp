@@ -3,6 +3,7 @@
 #include "core/dynamics/substep_plan.h"
 
 #include "core/base/constants.h"
+#include "core/dynamics/elastic_lanes.h"
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include <algorithm>
@@ -73,16 +74,25 @@ FrequencyBounds bounds_with(const SoftBodyShape &shape, const BodySettings &sett
 	const double per_mass = double(shape.point_count()) / shape.total_mass();
 	const double area_term = settings.pressure_stiffness * hull.area_mobility / shape.rest_area();
 	FrequencyBounds bounds;
-	bounds.frequency_squared = shape.spring_frequency_squared() + settings.shape_stiffness * per_mass + area_term +
+	double mode_term = 0;
+	if (settings.is_elastic() && shape.modes() != nullptr) {
+		mode_term = double(mode_stiffness(*shape.modes(), settings).rest) * shape.modes()->projection_bound / shape.total_mass();
+	}
+	bounds.frequency_squared = double(settings.spring_stiffness_scale) * shape.spring_frequency_squared() + mode_term + settings.shape_stiffness * per_mass + area_term +
 			settings.pressure_stiffness * hull.excess / shape.least_hull_mass();
-	bounds.damping_rate = shape.spring_damping_rate() + settings.shape_damping * per_mass;
+	bounds.damping_rate = double(settings.spring_damping_scale) * shape.spring_damping_rate() + mode_term * settings.elastic_damping_time + settings.shape_damping * per_mass;
 	if (!lives_on_damping(settings.integrator)) {
 		return bounds;
 	}
 	bounds.damping_time = ratio(settings.shape_damping, settings.shape_stiffness + area_term / per_mass);
+	if (mode_term > 0) {
+		bounds.damping_time = std::min(bounds.damping_time, double(settings.elastic_damping_time));
+	}
 	for (const Spring2D &spring : shape.springs()) {
-		if (spring.damping < bounds.damping_time * spring.stiffness) {
-			bounds.damping_time = double(spring.damping) / spring.stiffness;
+		const double stiffness = double(spring.stiffness) * settings.spring_stiffness_scale;
+		const double damping = double(spring.damping) * settings.spring_damping_scale;
+		if (damping < bounds.damping_time * stiffness) {
+			bounds.damping_time = damping / stiffness;
 		}
 	}
 	return bounds;
@@ -101,7 +111,8 @@ SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shap
 	// (`bench.sh auto`). That one swings farther when a crumpled body is let go beside the ground: 1 in 500 showed more
 	// than twice its energy for a moment. A budget of 0.8 would end that and take 1.7 times the substeps of every body
 	// at rest; Verlet for the flight alone left less trembling, but some, and one such body.
-	const Integrator chosen = has_contacts ? Integrator::SEMI_IMPLICIT_EULER : Integrator::VELOCITY_VERLET;
+	// A body whose area is held is moved after its forces were evaluated, which takes Verlet's advantage away as well.
+	const Integrator chosen = has_contacts || settings.area_stiffness > 0 ? Integrator::SEMI_IMPLICIT_EULER : Integrator::VELOCITY_VERLET;
 	plan.integrator = automatic ? chosen : settings.integrator;
 
 	// A damping of -0 is none, and gives a step of -0.

@@ -7,10 +7,12 @@
 
 #include "core/collision/extent_lanes.h"
 #include "core/collision/surface_response_lanes.h"
+#include "core/dynamics/area_lanes.h"
 #include "core/dynamics/forces_lanes.h"
 #include "core/dynamics/integrators/lane_steps.h"
 #include "core/dynamics/pressure_lanes.h"
 #include "core/dynamics/rigid_damping_lanes.h"
+#include "core/dynamics/shape_limits_lanes.h"
 #include "core/dynamics/soundness.h"
 #include "core/model/body_frame_lanes.h"
 
@@ -129,6 +131,10 @@ public:
 		for (int i = 0; i < stretch.substeps; ++i) {
 			ahead.ask(2);
 			step(bodies, { stretch.gravity, {}, stretch.h }, workspace_);
+			if (settings.area_stiffness > 0) {
+				hold_area<WidePack>(bodies, stretch.h);
+				workspace_.forces_are_current = WidePack(0) < WidePack(0);
+			}
 			ahead.ask(2);
 			if (settings.has_damp()) {
 				damp_rigid_motion<WidePack>(bodies, stretch.h);
@@ -141,6 +147,9 @@ public:
 		}
 		ahead.ask_all();
 		if (any(!is_sound<WidePack>(bodies.positions, bodies.velocities, stretch.reach))) {
+			return std::nullopt;
+		}
+		if (settings.has_limits() && any(may_break_limits<WidePack>(bodies.model, bodies.positions))) {
 			return std::nullopt;
 		}
 		scatter_all(bodies.positions, to_positions);

@@ -7,6 +7,33 @@
 namespace softbody {
 
 Status check_settings(const BodySettings &settings) {
+	if (Status status = check_at_least("spring_stiffness_scale", settings.spring_stiffness_scale, 0, "")) {
+		return status;
+	}
+	if (Status status = check_at_least("spring_damping_scale", settings.spring_damping_scale, 0, "")) {
+		return status;
+	}
+	if (Status status = check_at_least("shear_modulus", settings.shear_modulus, 0, "N/m")) {
+		return status;
+	}
+	if (Status status = check_between("poisson_ratio", settings.poisson_ratio, 0, double(MOST_POISSON_RATIO), "")) {
+		return status;
+	}
+	if (Status status = check_at_least("area_stiffness", settings.area_stiffness, 0, "N/m")) {
+		return status;
+	}
+	if (Status status = check_at_least("elastic_damping_time", settings.elastic_damping_time, 0, "s")) {
+		return status;
+	}
+	if (Status status = check_between("least_area", settings.least_area, 0, 1, "")) {
+		return status;
+	}
+	if (Status status = check_between("least_stretch", settings.least_stretch, 0, 1, "")) {
+		return status;
+	}
+	if (Status status = check_at_least("most_stretch", settings.most_stretch, 1, "")) {
+		return status;
+	}
 	if (Status status = check_at_least("shape_stiffness", settings.shape_stiffness, 0, "N/m")) {
 		return status;
 	}

@@ -21,6 +21,24 @@ inline constexpr int FAILURE_RESPONSE_COUNT = 2;
 /// What a body is made of beyond its springs, and how it is stepped. A term whose coefficient is 0
 /// is not evaluated.
 struct BodySettings {
+	/// Factors on the stiffness and damping of all springs of the shape [1], >= 0. Springs of stiffness 0 are not evaluated.
+	Real spring_stiffness_scale = 1;
+	Real spring_damping_scale = 1;
+	/// Shear modulus μ of the elastic modes [force/length], >= 0; without effect where the shape has none. See `Material`.
+	Real shear_modulus = 0;
+	/// Poisson's ratio ν of the elastic modes [1], 0..0.49. How far the area gives way is set by `area_stiffness`.
+	Real poisson_ratio = Real(0.45);
+	/// Bulk modulus K of the hull's area [force/length], >= 0: energy K (A - inflation A0)² / (2 A0). Solved as a compliant
+	/// constraint (XPBD, Macklin 2016), so it takes no substeps, however large.
+	Real area_stiffness = 0;
+	/// Damping of elastic modes and area as the time β by which strain rate counts as strain [s], >= 0 (Kelvin and Voigt).
+	Real elastic_damping_time = 0;
+	/// The area is kept above this share of the rest area [1], 0..1; 0 switches it off. See `keep_whole`.
+	Real least_area = Real(0.35);
+	/// The body as a whole is kept from being pressed to less, or drawn to more, than these shares of its rest size in any
+	/// direction [1]: 0..1 and >= 1; 0 and infinity switch them off. See `keep_whole`.
+	Real least_stretch = Real(0.2);
+	Real most_stretch = Real(3);
 	/// Shape-matching stiffness k_s [force/length], >= 0. Each point of mass m is pulled towards its
 	/// place in the best-fitting rigid copy of the rest shape with m k_s / mean(m). 0 switches the
 	/// term off; then a folded body stays folded. About 0.4 of the springs' stiffness always recovers.
@@ -72,6 +90,12 @@ struct BodySettings {
 
 	/// Whether shape matching takes part at all.
 	bool matches_shape() const { return shape_stiffness > 0 || shape_damping > 0; }
+	/// Whether springs take part.
+	bool has_springs() const { return spring_stiffness_scale > 0 || spring_damping_scale > 0; }
+	/// Whether the elastic modes of the shape take part.
+	bool is_elastic() const { return shear_modulus > 0; }
+	/// Whether anything resists being crushed.
+	bool has_limits() const { return least_area > 0 || least_stretch > 0; }
 	/// Whether its motion as a whole is damped.
 	bool has_damp() const { return linear_damp > 0 || angular_damp > 0; }
 

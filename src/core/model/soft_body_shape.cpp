@@ -84,6 +84,11 @@ Status check(const SoftBodyShape::Description &description) {
 			return status;
 		}
 	}
+	if (description.modes != nullptr && (description.modes->shapes.size() != count * description.modes->count ||
+												description.modes->dilation.size() != description.hull_count)) {
+		return Error{ "modes", std::to_string(description.modes->shapes.size()) + " entries",
+			"must have one a point and mode", "find the modes of these points" };
+	}
 	return check_duplicates(description.springs);
 }
 
@@ -98,6 +103,7 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::create(Description d
 	shape->rest_positions_ = std::move(description.points);
 	shape->masses_ = std::move(description.masses);
 	shape->springs_ = std::move(description.springs);
+	shape->modes_ = std::move(description.modes);
 	shape->hull_count_ = description.hull_count;
 	if (Status status = shape->derive()) {
 		return *status;

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
+#include "core/model/elastic_modes.h"
 #include "core/model/spring2d.h"
 
 #include <memory>
@@ -25,12 +26,14 @@ public:
 		std::vector<Real> masses; ///< [mass], each > 0
 		std::size_t hull_count = 0; ///< 3..points.size()
 		std::vector<Spring2D> springs;
+		/// For exactly these points and mass shares; null: none.
+		std::shared_ptr<const ElasticModes> modes = nullptr;
 	};
 
 	/// Checks everything and builds the shape. Refuses: a bad hull (see `check_hull`) or one of
 	/// negative winding, sizes that do not match, non-finite points, masses <= 0, springs whose
 	/// index is out of range, whose ends are the same point or repeat an earlier spring, whose rest
-	/// length is not > 0, or whose stiffness or damping is negative or not finite; and sizes and masses whose area, inertia,
+	/// length is not > 0, or whose stiffness or damping is negative or not finite; modes of another number of points; and sizes and masses whose area, inertia,
 	/// inverse or frequency leaves the range of numbers. O(points² + springs).
 	static Result<std::shared_ptr<const SoftBodyShape>> create(Description description);
 
@@ -39,6 +42,8 @@ public:
 	std::span<const Real> masses() const { return masses_; }
 	std::span<const Real> inverse_masses() const { return inverse_masses_; } ///< [1/mass]
 	std::span<const Spring2D> springs() const { return springs_; }
+	/// How the body deforms as an elastic solid, or null (BodySettings::shear_modulus).
+	const ElasticModes *modes() const { return modes_.get(); }
 	std::size_t point_count() const { return rest_positions_.size(); }
 	std::size_t hull_count() const { return hull_count_; }
 
@@ -80,6 +85,7 @@ private:
 	std::vector<Real> masses_;
 	std::vector<Real> inverse_masses_;
 	std::vector<Spring2D> springs_;
+	std::shared_ptr<const ElasticModes> modes_;
 	std::size_t hull_count_ = 0;
 	Vec2 origin_offset_;
 	Real total_mass_ = 0;

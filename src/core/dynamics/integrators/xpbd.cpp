@@ -3,6 +3,7 @@
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include "core/base/constants.h"
+#include "core/dynamics/elastic_lanes.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/forces.h"
 #include "core/dynamics/pressure.h"
@@ -22,6 +23,11 @@ namespace {
 // The denominator exceeds the numerator's gain for every k, c and h: one spring alone is stable with all of them.
 // Many springs at once are not, see balance_energy.
 void solve_springs(const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x) {
+	if (!body.settings().has_springs()) {
+		return;
+	}
+	const Real stiffness = body.settings().spring_stiffness_scale;
+	const Real damping = body.settings().spring_damping_scale;
 	const std::span<const Real> w = body.inverse_masses();
 	for (const Spring2D &spring : body.shape().springs()) {
 		const Vec2 d = x[spring.b] - x[spring.a];
@@ -30,8 +36,8 @@ void solve_springs(const SoftBodyData &body, std::span<const Vec2> before, Real 
 			continue;
 		}
 		const Vec2 e = d * (1 / current);
-		const Real elastic = spring.stiffness * h * h;
-		const Real viscous = spring.damping * h;
+		const Real elastic = spring.stiffness * stiffness * h * h;
+		const Real viscous = spring.damping * damping * h;
 		const Real way = dot(e, (x[spring.b] - before[spring.b]) - (x[spring.a] - before[spring.a]));
 		const Real impulse = (elastic * (current - spring.rest_length) + viscous * way) /
 				(1 + (elastic + viscous) * (w[spring.a] + w[spring.b]));
@@ -78,6 +84,52 @@ void solve_shape(SoftBodyData &body, std::span<const Vec2> before, Real h, std::
 		const Vec2 strain = frame.rotation.apply(shape.rest_positions()[i]) - arm;
 		const Vec2 drift = frame.velocity + perpendicular(arm) * frame.angular_velocity - velocities[i];
 		x[i] += (strain * elastic + drift * (viscous * h)) * share;
+	}
+}
+
+// Elastic modes by an implicit step of each along itself, and of what is in no mode: they are independent oscillators, so
+// this is exact for all of them at once but for the turn of the body within the substep.
+void solve_modes(const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x, std::span<Vec2> scratch) {
+	const SoftBodyShape &shape = body.shape();
+	const ElasticModes &modes = *shape.modes();
+	const ModeStiffness stiffness = mode_stiffness(modes, body.settings());
+	const Real damping = body.settings().elastic_damping_time;
+	for (std::size_t i = 0; i < x.size(); ++i) {
+		scratch[i] = (x[i] - before[i]) * (1 / h);
+	}
+	const BodyFrame frame = measure_frame(body, x, scratch);
+	const Real per_mass = 1 / shape.total_mass();
+	const auto share_of = [&](Real k) {
+		const Real elastic = k * per_mass * h * h;
+		return elastic / (1 + elastic + k * per_mass * damping * h);
+	};
+	std::array<Real, MAX_ELASTIC_MODES> amplitudes{};
+	Real dilation = 0;
+	for (std::size_t i = 0; i < x.size(); ++i) {
+		const Vec2 arm = x[i] - frame.centre;
+		const Vec2 drift = scratch[i] - frame.velocity - perpendicular(arm) * frame.angular_velocity;
+		scratch[i] = frame.rotation.apply_inverse(arm + drift * damping) - shape.rest_positions()[i];
+		const std::span<const Vec2> mode = modes.shape_of_point(i);
+		for (std::size_t j = 0; j < mode.size(); ++j) {
+			amplitudes[j] += dot(mode[j], scratch[i]);
+		}
+		dilation += i < shape.hull_count() ? dot(modes.dilation[i], scratch[i]) : Real(0);
+	}
+	const Real rest = share_of(stiffness.rest);
+	for (std::size_t j = 0; j < modes.count; ++j) {
+		amplitudes[j] = (amplitudes[j] - dilation * modes.dilation_overlap[j]) * (share_of(stiffness.modes[j]) - rest);
+	}
+	for (std::size_t i = 0; i < x.size(); ++i) {
+		if (body.inverse_masses()[i] == 0) {
+			continue;
+		}
+		Vec2 back = (scratch[i] - shape.rest_positions()[i] * dilation) * rest;
+		const Real per_share = shape.total_mass() * shape.inverse_masses()[i];
+		const std::span<const Vec2> mode = modes.shape_of_point(i);
+		for (std::size_t j = 0; j < mode.size(); ++j) {
+			back += mode[j] * (amplitudes[j] * per_share);
+		}
+		x[i] -= frame.rotation.apply(back);
 	}
 }
 
@@ -225,6 +277,9 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 	}
 	if (body.settings().matches_shape()) {
 		solve_shape(body, before, input.h, x, scratch);
+	}
+	if (body.settings().is_elastic() && body.shape().modes() != nullptr) {
+		solve_modes(body, before, input.h, x, scratch);
 	}
 	for (std::size_t i = 0; i < x.size(); ++i) {
 		// Not (x - before)/h: at small h that is the rounding of x, magnified, even where nothing was corrected.

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// An elastic solid inside an outline, made of square cells.
+#include "core/creator/lattice_solid.h"
+
+#include "core/geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace softbody {
+
+namespace {
+
+constexpr std::uint32_t NONE = UINT32_MAX;
+
+// A cell that is nearly empty would let a point that lies in it swing freely.
+constexpr double LEAST_FILL = 0.1;
+
+// Cells across the outline's width: a beam of four bilinear cells is 3 % too stiff.
+constexpr double CELLS_ACROSS = 4;
+constexpr double MOST_CELLS = 1200;
+constexpr std::size_t MOST_LATTICE = 40000;
+
+// Of the ground's spring, over a cell's own stiffness.
+constexpr double GROUND = 1e-5;
+
+struct Point {
+	double x;
+	double y;
+};
+
+// Sutherland and Hodgman's clipping by one axis-parallel line. A concave polygon leaves edges along the line that cancel
+// in its area.
+void clip(const std::vector<Point> &from, double Point::*axis, double bound, double sign, std::vector<Point> &to) {
+	to.clear();
+	for (std::size_t i = 0; i < from.size(); ++i) {
+		const Point &a = from[i];
+		const Point &b = from[i + 1 == from.size() ? 0 : i + 1];
+		const double da = sign * (a.*axis - bound);
+		const double db = sign * (b.*axis - bound);
+		if (da >= 0) {
+			to.push_back(a);
+		}
+		if ((da > 0 && db < 0) || (da < 0 && db > 0)) {
+			const double t = da / (da - db);
+			to.push_back({ a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t });
+		}
+	}
+}
+
+double area_of(const std::vector<Point> &polygon) {
+	double twice = 0;
+	for (std::size_t i = 0; i < polygon.size(); ++i) {
+		const Point &a = polygon[i];
+		const Point &b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+		twice += (a.x - polygon[0].x) * (b.y - polygon[0].y) - (b.x - polygon[0].x) * (a.y - polygon[0].y);
+	}
+	return twice / 2;
+}
+
+using CellMatrix = std::array<std::array<double, 8>, 8>;
+
+// Corners of a cell in the order (0,0), (1,0), (1,1), (0,1).
+constexpr std::array<Point, 4> CORNERS = { { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } } };
+
+// Adds weight·(λ div² + 2μ ε:ε) at one place of the unit cell. In two dimensions stiffness does not depend on the cell's size.
+void add_at(CellMatrix &matrix, double x, double y, double shear, double volume) {
+	std::array<double, 4> dx;
+	std::array<double, 4> dy;
+	for (std::size_t c = 0; c < 4; ++c) {
+		const double sx = 2 * CORNERS[c].x - 1;
+		const double sy = 2 * CORNERS[c].y - 1;
+		dx[c] = sx * (CORNERS[c].y == 0 ? 1 - y : y);
+		dy[c] = sy * (CORNERS[c].x == 0 ? 1 - x : x);
+	}
+	for (std::size_t a = 0; a < 4; ++a) {
+		for (std::size_t b = 0; b < 4; ++b) {
+			matrix[2 * a][2 * b] += shear * (2 * dx[a] * dx[b] + dy[a] * dy[b]) + volume * dx[a] * dx[b];
+			matrix[2 * a][2 * b + 1] += shear * dy[a] * dx[b] + volume * dx[a] * dy[b];
+			matrix[2 * a + 1][2 * b] += shear * dx[a] * dy[b] + volume * dy[a] * dx[b];
+			matrix[2 * a + 1][2 * b + 1] += shear * (2 * dy[a] * dy[b] + dx[a] * dx[b]) + volume * dy[a] * dy[b];
+		}
+	}
+}
+
+CellMatrix cell_matrix(double poisson_ratio) {
+	CellMatrix matrix{};
+	const double offset = std::sqrt(1.0 / 12);
+	for (const double x : { 0.5 - offset, 0.5 + offset }) {
+		for (const double y : { 0.5 - offset, 0.5 + offset }) {
+			add_at(matrix, x, y, 0.25, 0);
+		}
+	}
+	add_at(matrix, 0.5, 0.5, 0, 2 * poisson_ratio / (1 - 2 * poisson_ratio)); // λ/μ in plane strain
+	return matrix;
+}
+
+} // namespace
+
+LatticeSolid::LatticeSolid(std::span<const Vec2> hull, std::size_t cells) {
+	Vec2 low = hull[0];
+	Vec2 high = hull[0];
+	for (const Vec2 p : hull) {
+		low = { std::min(low.x, p.x), std::min(low.y, p.y) };
+		high = { std::max(high.x, p.x), std::max(high.y, p.y) };
+	}
+	const double width = double(high.x) - low.x;
+	const double height = double(high.y) - low.y;
+	transposed_ = height > width;
+	const double along = transposed_ ? height : width;
+	const double across = transposed_ ? width : height;
+
+	const double area = signed_area(hull);
+	const double thickness = 2 * area / perimeter(hull);
+	cell_ = std::min(std::sqrt(area / double(cells)), thickness / CELLS_ACROSS);
+	cell_ = std::max({ cell_, std::sqrt(area / MOST_CELLS), std::sqrt(along * across / double(MOST_LATTICE)),
+			along / double(MOST_LATTICE / 8) });
+	columns_ = std::max<std::size_t>(1, std::size_t(std::ceil(along / cell_ - 1e-9)));
+	rows_ = std::max<std::size_t>(1, std::size_t(std::ceil(across / cell_ - 1e-9)));
+	// Symmetric about the middle of the outline's box, as the outline may be.
+	const double margin_along = (double(columns_) * cell_ - along) / 2;
+	const double margin_across = (double(rows_) * cell_ - across) / 2;
+	corner_ = transposed_ ? Vec2{ Real(low.x - margin_across), Real(low.y - margin_along) }
+						  : Vec2{ Real(low.x - margin_along), Real(low.y - margin_across) };
+	measure_fill(hull);
+	number_nodes();
+}
+
+void LatticeSolid::measure_fill(std::span<const Vec2> hull) {
+	// In units of a cell, columns along x. Turned over rather than mirrored where transposed: only the sign of areas changes.
+	std::vector<Point> outline;
+	for (const Vec2 p : hull) {
+		const double x = (double(p.x) - corner_.x) / cell_;
+		const double y = (double(p.y) - corner_.y) / cell_;
+		outline.push_back(transposed_ ? Point{ y, x } : Point{ x, y });
+	}
+	fill_.assign(columns_ * rows_, 0);
+	std::vector<Point> left;
+	std::vector<Point> column;
+	std::vector<Point> below;
+	std::vector<Point> cell;
+	for (std::size_t i = 0; i < columns_; ++i) {
+		clip(outline, &Point::x, double(i), 1, left);
+		clip(left, &Point::x, double(i + 1), -1, column);
+		for (std::size_t j = 0; j < rows_ && !column.empty(); ++j) {
+			clip(column, &Point::y, double(j), 1, below);
+			clip(below, &Point::y, double(j + 1), -1, cell);
+			const double share = std::abs(area_of(cell));
+			fill_[i * rows_ + j] = share > 1e-9 ? std::min(share, 1.0) : 0.0;
+		}
+	}
+}
+
+void LatticeSolid::number_nodes() {
+	nodes_.assign((columns_ + 1) * (rows_ + 1), NONE);
+	std::uint32_t count = 0;
+	for (std::size_t i = 0; i <= columns_; ++i) {
+		for (std::size_t j = 0; j <= rows_; ++j) {
+			for (const auto &[di, dj] : { std::pair{ 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } }) {
+				const bool is_cell = i >= std::size_t(di) && j >= std::size_t(dj) && i - di < columns_ && j - dj < rows_;
+				if (is_cell && fill_[(i - di) * rows_ + (j - dj)] > 0 && nodes_[i * (rows_ + 1) + j] == NONE) {
+					nodes_[i * (rows_ + 1) + j] = count++;
+					places_.push_back({ std::uint32_t(transposed_ ? j : i), std::uint32_t(transposed_ ? i : j) });
+				}
+			}
+		}
+	}
+	masses_.assign(count, 0);
+	band_ = 0;
+	double total = 0;
+	for (std::size_t i = 0; i < columns_; ++i) {
+		for (std::size_t j = 0; j < rows_; ++j) {
+			const double fill = fill_[i * rows_ + j];
+			if (fill > 0) {
+				const std::size_t span = node_at(i + 1, j + 1) - node_at(i, j);
+				band_ = std::max(band_, 2 * span + 1);
+				for (const std::uint32_t node : { node_at(i, j), node_at(i + 1, j), node_at(i + 1, j + 1), node_at(i, j + 1) }) {
+					masses_[node] += fill / 4;
+				}
+				total += fill;
+			}
+		}
+	}
+	for (double &mass : masses_) {
+		mass /= total;
+	}
+}
+
+LatticeSolid::Embedding LatticeSolid::embed(Vec2 point) const {
+	double x = (double(point.x) - corner_.x) / cell_;
+	double y = (double(point.y) - corner_.y) / cell_;
+	if (transposed_) {
+		std::swap(x, y);
+	}
+	// The nearest cell that belongs to the solid: among those around the point, or, far outside, among all.
+	std::size_t best = fill_.size();
+	double least = 0;
+	const auto look_at = [&](std::size_t cell) {
+		const double dx = std::abs(x - (double(cell / rows_) + 0.5));
+		const double dy = std::abs(y - (double(cell % rows_) + 0.5));
+		const double distance = std::max(dx, dy) - 1e-3 * fill_[cell]; // of two that touch the point, the fuller one
+		if (fill_[cell] > 0 && (best == fill_.size() || distance < least)) {
+			least = distance;
+			best = cell;
+		}
+	};
+	const std::ptrdiff_t column = std::ptrdiff_t(std::floor(x));
+	const std::ptrdiff_t row = std::ptrdiff_t(std::floor(y));
+	for (std::ptrdiff_t i = column - 1; i <= column + 1; ++i) {
+		for (std::ptrdiff_t j = row - 1; j <= row + 1; ++j) {
+			if (i >= 0 && j >= 0 && i < std::ptrdiff_t(columns_) && j < std::ptrdiff_t(rows_)) {
+				look_at(std::size_t(i) * rows_ + std::size_t(j));
+			}
+		}
+	}
+	if (best == fill_.size()) {
+		for (std::size_t cell = 0; cell < fill_.size(); ++cell) {
+			look_at(cell);
+		}
+	}
+	const std::size_t i = best / rows_;
+	const std::size_t j = best % rows_;
+	const double u = x - double(i);
+	const double v = y - double(j);
+	return { { node_at(i, j), node_at(i + 1, j), node_at(i + 1, j + 1), node_at(i, j + 1) },
+		{ (1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v } };
+}
+
+// Cholesky's factor of a banded matrix, by rows.
+void LatticeSolid::factor(double poisson_ratio) {
+	const std::size_t count = freedom_count();
+	const std::size_t width = band_ + 1;
+	factor_.assign(count * width, 0);
+	const auto entry = [&](std::size_t row, std::size_t column) -> double & { return factor_[row * width + band_ + column - row]; };
+	const CellMatrix cell = cell_matrix(poisson_ratio);
+	for (std::size_t i = 0; i < columns_; ++i) {
+		for (std::size_t j = 0; j < rows_; ++j) {
+			const double fill = fill_[i * rows_ + j];
+			if (fill <= 0) {
+				continue;
+			}
+			const double weight = std::max(fill, LEAST_FILL);
+			const std::array<std::uint32_t, 4> corners = { node_at(i, j), node_at(i + 1, j), node_at(i + 1, j + 1), node_at(i, j + 1) };
+			for (std::size_t a = 0; a < 8; ++a) {
+				for (std::size_t b = 0; b < 8; ++b) {
+					// A transposed lattice has its axes swapped; an isotropic solid does not notice.
+					const std::size_t row = 2 * corners[a / 2] + (transposed_ ? 1 - a % 2 : a % 2);
+					const std::size_t column = 2 * corners[b / 2] + (transposed_ ? 1 - b % 2 : b % 2);
+					if (column <= row) {
+						entry(row, column) += weight * cell[a][b];
+					}
+				}
+			}
+		}
+	}
+	const double ground = GROUND * double(masses_.size());
+	for (std::size_t k = 0; k < count; ++k) {
+		entry(k, k) += ground * masses_[k / 2];
+	}
+	for (std::size_t row = 0; row < count; ++row) {
+		const std::size_t first = row > band_ ? row - band_ : 0;
+		for (std::size_t column = first; column <= row; ++column) {
+			const std::size_t from = std::max(first, column > band_ ? column - band_ : 0);
+			const double *a = &factor_[row * width + band_ + from - row];
+			const double *b = &factor_[column * width + band_ + from - column];
+			double sum = entry(row, column);
+			for (std::size_t k = 0; k < column - from; ++k) {
+				sum -= a[k] * b[k];
+			}
+			entry(row, column) = column < row ? sum / entry(column, column) : std::sqrt(std::max(sum, 1e-12));
+		}
+	}
+}
+
+void LatticeSolid::solve(std::span<double> loads) const {
+	const std::size_t count = freedom_count();
+	const std::size_t width = band_ + 1;
+	for (std::size_t row = 0; row < count; ++row) {
+		const std::size_t first = row > band_ ? row - band_ : 0;
+		const double *entries = &factor_[row * width + band_ + first - row];
+		double sum = loads[row];
+		for (std::size_t k = first; k < row; ++k) {
+			sum -= entries[k - first] * loads[k];
+		}
+		loads[row] = sum / factor_[row * width + band_];
+	}
+	for (std::size_t row = count; row-- > 0;) {
+		const std::size_t first = row > band_ ? row - band_ : 0;
+		const double *entries = &factor_[row * width + band_ + first - row];
+		loads[row] /= factor_[row * width + band_];
+		for (std::size_t k = first; k < row; ++k) {
+			loads[k] -= entries[k - first] * loads[row];
+		}
+	}
+}
+
+} // namespace softbody

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// An elastic solid inside an outline, made of square cells: linear finite elements without a mesh of triangles.
+#pragma once
+
+#include "core/base/vec2.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+/// Plane-strain solid of unit shear modulus and unit mass that fills an outline. Bilinear square cells; a cell that the
+/// outline cuts counts by the share of it that is inside (finite cell method, Parvizian, Düster and Rank 2007). Shear is
+/// integrated at four points, volume change at one, so that nearly incompressible material does not lock.
+/// Displacements have two entries a node. For use when bodies are created: it allocates.
+class LatticeSolid {
+public:
+	/// A point's place in the lattice: its displacement is the weighted mean of four nodes'.
+	struct Embedding {
+		std::array<std::uint32_t, 4> nodes{};
+		std::array<double, 4> weights{};
+	};
+
+	/// About `cells` cells, more where the outline is thin. Precondition: `hull` passes `check_hull`, with positive area.
+	LatticeSolid(std::span<const Vec2> hull, std::size_t cells);
+
+	std::size_t freedom_count() const { return 2 * masses_.size(); }
+	std::span<const double> node_masses() const { return masses_; } ///< they sum to 1
+	double cell_size() const { return cell_; } ///< [length]
+	Vec2 node_position(std::size_t node) const {
+		return corner_ + Vec2{ Real(cell_ * places_[node][0]), Real(cell_ * places_[node][1]) };
+	}
+	/// Of a point inside, or next to, the outline.
+	Embedding embed(Vec2 point) const;
+
+	/// Factors the stiffness matrix for a Poisson's ratio, 0 <= ν < 0.5. Rigid motion is held by a faint spring to the ground.
+	/// O(nodes · bandwidth²).
+	void factor(double poisson_ratio);
+	/// Replaces loads by the displacements that they cause. Precondition: `factor` was called.
+	void solve(std::span<double> loads) const;
+
+private:
+	std::uint32_t node_at(std::size_t column, std::size_t row) const { return nodes_[column * (rows_ + 1) + row]; }
+	void measure_fill(std::span<const Vec2> hull);
+	void number_nodes();
+
+	Vec2 corner_;
+	double cell_ = 0; ///< edge of a cell [length]
+	bool transposed_ = false; ///< columns along y, so that the band stays narrow
+	std::size_t columns_ = 0;
+	std::size_t rows_ = 0;
+	std::vector<double> fill_; ///< of each cell, column by column [1]
+	std::vector<std::uint32_t> nodes_; ///< number of each lattice node, or NONE
+	std::vector<std::array<std::uint32_t, 2>> places_; ///< of each numbered node: along x, along y
+	std::vector<double> masses_;
+	std::size_t band_ = 0; ///< entries of a row left of the diagonal
+	std::vector<double> factor_; ///< lower triangle by rows, band_ + 1 entries each
+};
+
+} // namespace softbody

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A body's area as a compliant constraint, for any scalar type: included where it is instantiated.
+#pragma once
+
+#include "core/dynamics/pressure_lanes.h"
+#include "core/model/body_lanes.h"
+
+#include <span>
+
+namespace softbody {
+
+/// Ends a substep of `h` [s] by the constraint C = A - s A0 with compliance A0/K and damping β (XPBD, Macklin, Müller and
+/// Chentanez 2016, eq. 18 and 26, from a zero multiplier):
+///   λ = -(C + β dA/dt) K h²/A0 / (1 + (1 + β/h) K h²/A0 sum w |∂A/∂x|²).
+/// Positions move by w λ ∂A/∂x, velocities by the same over h. Momentum and spin stay, as the area does not change under
+/// rigid motion. It is stable for every K. O(hull points).
+template <class T>
+void hold_area(const BodyLanes<T> &body, Real h) {
+	const SoftBodyShape &shape = body.model.shape;
+	const BodySettings &settings = body.model.settings;
+	const std::span<const BasicVec2<T>> hull = std::span<const BasicVec2<T>>(body.positions).first(shape.hull_count());
+	T mobility = T(0);
+	T rate = T(0);
+	for (std::size_t i = 0; i < hull.size(); ++i) {
+		const BasicVec2<T> gradient = area_derivative<T>(hull, i);
+		mobility += length_squared(gradient) * T(body.inverse_masses[i]);
+		rate += dot(gradient, body.velocities[i]);
+	}
+	const T elastic(settings.area_stiffness / shape.rest_area() * h * h);
+	const T viscous(settings.area_stiffness / shape.rest_area() * settings.elastic_damping_time * h);
+	const T excess = hull_area<T>(hull) - T(settings.inflation * shape.rest_area());
+	const T impulse = -(elastic * excess + viscous * rate * T(h)) / (T(1) + (elastic + viscous) * mobility);
+	// Gradients are those before any point has moved: each is the way between two others.
+	const T per_h(1 / h);
+	const BasicVec2<T> first = hull[0];
+	BasicVec2<T> last = hull[hull.size() - 1];
+	for (std::size_t i = 0; i < hull.size(); ++i) {
+		const BasicVec2<T> here = hull[i];
+		const BasicVec2<T> next = i + 1 == hull.size() ? first : hull[i + 1];
+		const BasicVec2<T> shift = perpendicular(last - next) * (impulse * T(Real(0.5) * body.inverse_masses[i]));
+		body.positions[i] += shift;
+		body.velocities[i] += shift * per_h;
+		last = here;
+	}
+}
+
+} // namespace softbody

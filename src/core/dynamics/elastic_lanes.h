@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The forces of a body's elastic modes, for any scalar type: included where they are instantiated.
+#pragma once
+
+#include "core/model/body_frame.h"
+#include "core/model/body_lanes.h"
+
+#include <array>
+#include <span>
+
+namespace softbody {
+
+/// Stiffness of each mode of a material, and of what is in no mode, which is that of the stiffest [force/length].
+struct ModeStiffness {
+	std::array<Real, MAX_ELASTIC_MODES> modes{};
+	Real rest = 0;
+};
+
+inline ModeStiffness mode_stiffness(const ElasticModes &modes, const BodySettings &settings) {
+	const std::array<Real, 3> weights = mode_weights(settings.poisson_ratio);
+	ModeStiffness result;
+	for (std::size_t j = 0; j < modes.count; ++j) {
+		const std::array<Real, 3> &known = modes.stiffness[j];
+		result.modes[j] = settings.shear_modulus * (weights[0] * known[0] + weights[1] * known[1] + weights[2] * known[2]);
+		result.rest = result.modes[j] > result.rest ? result.modes[j] : result.rest;
+	}
+	return result;
+}
+
+/// Adds the forces of the elastic modes (modal analysis in the frame that turns with the body; Terzopoulos and Witkin 1988,
+/// Pentland and Williams 1989). With y the displacement from the rest shape in that frame, less its dilation, s the mass
+/// shares, φ the modes and z = sum s φ·y their amplitudes, the energy is (k_rest sum s |y|² + sum (k_j - k_rest) z_j²) / 2.
+/// Damping counts β times the rate of y as displacement. Forces sum to zero, and so do their torques, but for rounding.
+/// Precondition: the shape has modes. O(points · modes).
+template <class T>
+void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,
+		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {
+	const SoftBodyShape &shape = body.shape;
+	const ElasticModes &modes = *shape.modes();
+	const ModeStiffness stiffness = mode_stiffness(modes, body.settings);
+	const BasicBodyFrame<T> frame = measure_frame<T>(shape, body.rotation_memory, positions, velocities);
+	const T damping(body.settings.elastic_damping_time);
+	const Real per_mass = 1 / shape.total_mass();
+	const auto displacement = [&](std::size_t i) {
+		const BasicVec2<T> arm = positions[i] - frame.centre;
+		const BasicVec2<T> drift = velocities[i] - frame.velocity - perpendicular(arm) * frame.angular_velocity;
+		return frame.rotation.apply_inverse(arm + drift * damping) - in_all_lanes<T>(shape.rest_positions()[i]);
+	};
+	std::array<T, MAX_ELASTIC_MODES> amplitudes;
+	amplitudes.fill(T(0));
+	T dilation = T(0);
+	T along = T(0);
+	for (std::size_t i = 0; i < positions.size(); ++i) {
+		const BasicVec2<T> y = displacement(i);
+		const std::span<const Vec2> mode = modes.shape_of_point(i);
+		for (std::size_t j = 0; j < mode.size(); ++j) {
+			amplitudes[j] += T(mode[j].x) * y.x + T(mode[j].y) * y.y;
+		}
+		if (i < shape.hull_count()) {
+			dilation += dot(in_all_lanes<T>(modes.dilation[i]), y);
+		}
+		along += dot(in_all_lanes<T>(shape.rest_positions()[i] * (shape.masses()[i] * per_mass)), y);
+	}
+	along -= dilation * T(shape.rest_inertia() * per_mass);
+	T along_force = along * T(stiffness.rest);
+	for (std::size_t j = 0; j < modes.count; ++j) {
+		const T overlap(modes.dilation_overlap[j]);
+		amplitudes[j] = (amplitudes[j] - dilation * overlap) * T(stiffness.modes[j] - stiffness.rest);
+		along_force += amplitudes[j] * overlap;
+	}
+	BasicVec2<T> sum;
+	for (std::size_t i = 0; i < positions.size(); ++i) {
+		const BasicVec2<T> y = displacement(i) - in_all_lanes<T>(shape.rest_positions()[i]) * dilation;
+		BasicVec2<T> force = y * T(stiffness.rest * (shape.masses()[i] * per_mass));
+		const std::span<const Vec2> mode = modes.shape_of_point(i);
+		for (std::size_t j = 0; j < mode.size(); ++j) {
+			force += BasicVec2<T>{ T(mode[j].x) * amplitudes[j], T(mode[j].y) * amplitudes[j] };
+		}
+		if (i < shape.hull_count()) {
+			force -= in_all_lanes<T>(modes.dilation[i]) * along_force;
+		}
+		force = frame.rotation.apply(force);
+		forces[i] -= force;
+		sum += force;
+	}
+	// What rounding leaves of the sum would turn with the body and drive it.
+	for (std::size_t i = 0; i < positions.size(); ++i) {
+		forces[i] += sum * T(shape.masses()[i] * per_mass);
+	}
+}
+
+} // namespace softbody

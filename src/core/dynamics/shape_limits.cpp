@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// What keeps a body from being crushed flat, drawn out or turned inside out, whatever presses on it.
+#include "core/dynamics/shape_limits.h"
+
+#include "core/base/constants.h"
+#include "core/dynamics/shape_limits_lanes.h"
+#include "core/model/body_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace softbody {
+
+namespace {
+
+// A linear map of the plane.
+struct Map {
+	double xx = 0;
+	double xy = 0;
+	double yx = 0;
+	double yy = 0;
+
+	Vec2 apply(Vec2 v) const { return { Real(xx * v.x + xy * v.y), Real(yx * v.x + yy * v.y) }; }
+	/// Adds factor · a bᵀ.
+	void add(Vec2 a, Vec2 b, double factor) {
+		xx += factor * a.x * b.x;
+		xy += factor * a.x * b.y;
+		yx += factor * a.y * b.x;
+		yy += factor * a.y * b.y;
+	}
+};
+
+// a · b⁻¹, b symmetric.
+Map over(const Map &a, const Map &b) {
+	const double determinant = b.xx * b.yy - b.xy * b.yx;
+	const Map inverse{ b.yy / determinant, -b.xy / determinant, -b.yx / determinant, b.xx / determinant };
+	return { a.xx * inverse.xx + a.xy * inverse.yx, a.xx * inverse.xy + a.xy * inverse.yy,
+		a.yx * inverse.xx + a.yy * inverse.yx, a.yx * inverse.xy + a.yy * inverse.yy };
+}
+
+// F = sum of s_k u_k v_kᵀ, s_1 >= |s_2|, u and v orthonormal and turned alike, so that s_2 < 0 for a mirrored body.
+struct Stretches {
+	std::array<double, 2> sizes;
+	std::array<Vec2, 2> now; ///< u
+	std::array<Vec2, 2> rest; ///< v
+};
+
+// Of a map as the sum of a turned scaling and a mirrored one: their angles add and subtract.
+Stretches stretches_of(const Map &f) {
+	const double e = (f.xx + f.yy) / 2;
+	const double g = (f.yx - f.xy) / 2;
+	const double h = (f.xx - f.yy) / 2;
+	const double k = (f.yx + f.xy) / 2;
+	const double turned = std::sqrt(e * e + g * g);
+	const double mirrored = std::sqrt(h * h + k * k);
+	// As complex numbers of length 1: u v = (h + i k) / mirrored and u / v = (e + i g) / turned. Square roots alone, no
+	// trigonometry, whose last digit differs between machines.
+	const auto unit = [](double c, double s, double size) { return size > 0 ? std::array{ c / size, s / size } : std::array{ 1.0, 0.0 }; };
+	const auto [pc, ps] = unit(h, k, mirrored);
+	const auto [qc, qs] = unit(e, g, turned);
+	const double c = pc * qc - ps * qs; // u²
+	const double s = pc * qs + ps * qc;
+	const double half_c = std::sqrt(std::max(0.0, (1 + c) / 2));
+	const double half_s = std::copysign(std::sqrt(std::max(0.0, (1 - c) / 2)), s);
+	const Vec2 u{ Real(half_c), Real(half_s) };
+	const Vec2 v{ Real(pc * half_c + ps * half_s), Real(ps * half_c - pc * half_s) };
+	return { { turned + mirrored, turned - mirrored }, { u, perpendicular(u) }, { v, perpendicular(v) } };
+}
+
+// The stretches that a body is brought to: within bounds, and with the least area.
+std::array<double, 2> allowed_stretches(const std::array<double, 2> &found, const BodySettings &settings) {
+	std::array<double, 2> allowed;
+	for (std::size_t k = 0; k < 2; ++k) {
+		allowed[k] = std::clamp(found[k], double(settings.least_stretch), double(settings.most_stretch));
+	}
+	const double area = allowed[0] * allowed[1];
+	if (area < settings.least_area) {
+		// What lacks is given to the thinner side first.
+		allowed[1] = std::min(settings.least_area / std::max(allowed[0], 1e-6), allowed[0]);
+		allowed[0] = std::max(allowed[0], settings.least_area / std::max(allowed[1], 1e-6));
+	}
+	return allowed;
+}
+
+// What the body would be at the bounds, the way there, and how fast it moves away from them.
+struct Excess {
+	Map shift; ///< from the body's affine map to the allowed one
+	Map brake; ///< what takes the rate away at which the map leaves its bounds
+	Map now; ///< the body's own affine map and its rate
+	Map rate;
+};
+
+std::optional<Excess> find_excess(const SoftBodyData &body, const BodyFrame &frame) {
+	const SoftBodyShape &shape = body.shape();
+	Map positions;
+	Map velocities;
+	Map rest;
+	for (std::size_t i = 0; i < shape.point_count(); ++i) {
+		const Vec2 q = shape.rest_positions()[i];
+		const double mass = shape.masses()[i];
+		positions.add(body.positions()[i] - frame.centre, q, mass);
+		velocities.add(body.velocities()[i] - frame.velocity, q, mass);
+		rest.add(q, q, mass);
+	}
+	Excess excess;
+	excess.now = over(positions, rest);
+	excess.rate = over(velocities, rest);
+	const Stretches stretches = stretches_of(excess.now);
+	if (!std::isfinite(stretches.sizes[0])) {
+		return std::nullopt;
+	}
+	const std::array<double, 2> allowed = allowed_stretches(stretches.sizes, body.settings());
+	for (std::size_t k = 0; k < 2; ++k) {
+		const double change = allowed[k] - stretches.sizes[k];
+		const double rate = double(dot(stretches.now[k], excess.rate.apply(stretches.rest[k])));
+		excess.shift.add(stretches.now[k], stretches.rest[k], std::clamp(change, -double(LIMIT_PUSH), double(LIMIT_PUSH)));
+		if (change != 0) {
+			excess.brake.add(stretches.now[k], stretches.rest[k], change > 0 ? std::max(-rate, 0.0) : std::min(-rate, 0.0));
+		}
+	}
+	return excess;
+}
+
+// What has been changed gets back the momentum and spin that it had, and its center.
+void restore_rigid_motion(SoftBodyData &body, const BodyFrame &before) {
+	const BodyFrame after = measure_frame(body);
+	const Real turn = after.inertia > 0 ? before.angular_velocity * before.inertia / after.inertia - after.angular_velocity : Real(0);
+	const Vec2 push = before.velocity - after.velocity;
+	const Vec2 back = before.centre - after.centre;
+	for (std::size_t i = 0; i < body.point_count(); ++i) {
+		body.mutable_velocities()[i] += push + perpendicular(body.positions()[i] - after.centre) * turn;
+		body.mutable_positions()[i] += back;
+	}
+}
+
+} // namespace
+
+template bool may_break_limits<Real>(const BodyModel<Real> &, std::span<const Vec2>);
+template PackMask may_break_limits<RealPack>(const BodyModel<RealPack> &, std::span<const BasicVec2<RealPack>>);
+
+bool keep_whole(SoftBodyData &body, Real h) {
+	const BodySettings &settings = body.settings();
+	if (!settings.has_limits() || !may_break_limits<Real>(model_of(body), body.positions())) {
+		return false;
+	}
+	const BodyFrame frame = measure_frame(body);
+	const std::optional<Excess> excess = find_excess(body, frame);
+	if (!excess) {
+		return false; // no longer finite: it is about to be reset
+	}
+	// Crumpled, so that its area is lost without the whole being small: its points are drawn to where the affine map has them.
+	const Real area = hull_area<Real>(body.hull()) / body.shape().rest_area();
+	const Real smoothing = area < settings.least_area
+			? std::min(1 - area / settings.least_area, Real(1)) * LIMIT_SMOOTHING : Real(0);
+	for (std::size_t i = 0; i < body.point_count(); ++i) {
+		if (body.inverse_masses()[i] == 0) {
+			continue;
+		}
+		const Vec2 q = body.shape().rest_positions()[i];
+		Vec2 &position = body.mutable_positions()[i];
+		Vec2 &velocity = body.mutable_velocities()[i];
+		const Vec2 home = frame.centre + excess->now.apply(q);
+		const Vec2 way = excess->shift.apply(q) + (home - position) * smoothing;
+		position += way;
+		velocity += way * (1 / h);
+	}
+	if (body.is_free()) {
+		restore_rigid_motion(body, frame);
+	}
+	return true;
+}
+
+} // namespace softbody

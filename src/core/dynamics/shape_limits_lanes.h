@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Which bodies are near a limit of their shape, for any scalar type: included where it is instantiated.
+#pragma once
+
+#include "core/dynamics/pressure_lanes.h"
+#include "core/dynamics/shape_limits.h"
+
+#include <algorithm>
+
+namespace softbody {
+
+// The diagonal of an ellipse's bounding box has the same length however it is turned: 2 a sqrt(s1² + s2²), a being its radius
+// at rest and s1, s2 its stretches. At rest it is at most sqrt(8) radii, for any outline. A body with less than the least
+// stretch s2 either shows a stretch s1 of NOTICED_STRETCH, or has less than NOTICED_STRETCH times s2 of its area.
+inline constexpr Real NOTICED_STRETCH = Real(1.6);
+
+template <class T>
+MaskOf<T> may_break_limits(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions) {
+	const SoftBodyShape &shape = body.shape;
+	const BodySettings &settings = body.settings;
+	const std::span<const BasicVec2<T>> hull = positions.first(shape.hull_count());
+	const BasicVec2<T> base = hull[0];
+	BasicVec2<T> low;
+	BasicVec2<T> high;
+	BasicVec2<T> last;
+	T twice_area = T(0);
+	for (std::size_t i = 1; i < hull.size(); ++i) {
+		const BasicVec2<T> here = hull[i] - base;
+		twice_area += cross(last, here);
+		low = { select(here.x < low.x, here.x, low.x), select(here.y < low.y, here.y, low.y) };
+		high = { select(here.x > high.x, here.x, high.x), select(here.y > high.y, here.y, high.y) };
+		last = here;
+	}
+	const Real least_area = std::max(settings.least_area, NOTICED_STRETCH * settings.least_stretch);
+	const Real reach = std::min(NOTICED_STRETCH, settings.most_stretch);
+	const Real diagonal = 4 * shape.radius() * shape.radius() * (1 + reach * reach);
+	const MaskOf<T> is_small = twice_area < T(2 * least_area * shape.rest_area());
+	const MaskOf<T> is_long = length_squared(high - low) > T(diagonal);
+	return !both(!is_small, !is_long);
+}
+
+} // namespace softbody

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// An elastic material, and which terms of the model stand for it.
+#include "core/model/material.h"
+
+#include "core/base/constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softbody {
+
+Status check_material(const Material &material) {
+	if (Status status = check_above("youngs_modulus", material.youngs_modulus, 0, "N/m")) {
+		return status;
+	}
+	if (Status status = check_between("poisson_ratio", material.poisson_ratio, 0, double(MOST_POISSON_RATIO), "")) {
+		return status;
+	}
+	return check_at_least("damping_ratio", material.damping_ratio, 0, "");
+}
+
+double spring_shear_modulus(const SoftBodyShape &shape) {
+	double sum = 0;
+	for (const Spring2D &spring : shape.springs()) {
+		sum += double(spring.stiffness) * spring.rest_length * spring.rest_length;
+	}
+	return sum / (8 * double(shape.rest_area()));
+}
+
+namespace {
+
+// The lowest frequency of a solid of unit shear modulus and unit mass, squared: a disk's, for those without modes.
+constexpr double DISK_FREQUENCY_SQUARED = 17.3;
+
+Status apply_modes(const Material &material, const SoftBodyShape &shape, BodySettings &settings) {
+	if (shape.modes() == nullptr) {
+		return Error{ "elastic_model", "MODES", "needs a shape with elastic modes", "create the shape with the option elastic" };
+	}
+	settings.shear_modulus = material.shear_modulus();
+	settings.area_stiffness = material.bulk_modulus();
+	return {};
+}
+
+// Shape matching of k_s pulls with κ = k_s / mean(m) per mass. Under uniform strain its two moduli are κ J / (4 A), J being the
+// inertia.
+Status apply_springs(const Material &material, ElasticModel model, const SoftBodyShape &shape, BodySettings &settings) {
+	const double unit_shear = spring_shear_modulus(shape);
+	if (!(unit_shear > 0)) {
+		return Error{ "elastic_model", "springs", "needs a shape with springs of stiffness > 0", "add springs or choose MODES" };
+	}
+	double mean_stiffness = 0;
+	for (const Spring2D &spring : shape.springs()) {
+		mean_stiffness += double(spring.stiffness) / double(shape.springs().size());
+	}
+	const double share = model == ElasticModel::SPRINGS ? 0.0 : double(DEFAULT_SHAPE_MATCHING);
+	const double per_stiffness = double(shape.point_count()) / shape.total_mass() * shape.rest_inertia() / (4 * double(shape.rest_area()));
+	const double unit_shape = share * mean_stiffness * per_stiffness;
+	const double scale = material.shear_modulus() / (unit_shear + unit_shape);
+	settings.spring_stiffness_scale = Real(scale);
+	settings.shape_stiffness = Real(scale * share * mean_stiffness);
+	if (model == ElasticModel::SPRINGS_SHAPE_AND_AREA) {
+		settings.area_stiffness = Real(std::max(0.0, material.bulk_modulus() - scale * (2 * unit_shear + unit_shape)));
+	}
+	return {};
+}
+
+} // namespace
+
+Status apply_material(const Material &material, ElasticModel model, const SoftBodyShape &shape, BodySettings &settings) {
+	if (Status status = check_material(material)) {
+		return status;
+	}
+	BodySettings changed = settings;
+	changed.spring_stiffness_scale = 0;
+	changed.spring_damping_scale = 0;
+	changed.shape_stiffness = 0;
+	changed.shape_damping = 0;
+	changed.shear_modulus = 0;
+	changed.area_stiffness = 0;
+	changed.poisson_ratio = material.poisson_ratio;
+	const bool is_modal = model == ElasticModel::MODES;
+	if (Status status = is_modal ? apply_modes(material, shape, changed) : apply_springs(material, model, shape, changed)) {
+		return status;
+	}
+	// Damping in proportion to stiffness: ζ = β ω / 2 for the lowest mode.
+	double lowest = DISK_FREQUENCY_SQUARED;
+	if (shape.modes() != nullptr) {
+		const std::array<Real, 3> weights = mode_weights(material.poisson_ratio);
+		const std::array<Real, 3> &first = shape.modes()->stiffness[0];
+		lowest = weights[0] * first[0] + weights[1] * first[1] + weights[2] * first[2];
+	}
+	const double frequency = std::sqrt(lowest * material.shear_modulus() / shape.total_mass());
+	const double time = 2 * double(material.damping_ratio) / frequency;
+	changed.elastic_damping_time = Real(time);
+	if (!is_modal) {
+		// Springs by their own stiffness; shape matching damps all that is not rigid motion.
+		changed.shape_damping = Real(time * changed.shape_stiffness);
+		double stiffness = 0;
+		double damping = 0;
+		for (const Spring2D &spring : shape.springs()) {
+			stiffness += double(spring.stiffness);
+			damping += double(spring.damping);
+		}
+		changed.spring_damping_scale = damping > 0 ? Real(time * changed.spring_stiffness_scale * stiffness / damping) : Real(0);
+	}
+	if (Status status = check_settings(changed)) {
+		return status;
+	}
+	settings = changed;
+	return {};
+}
+
+} // namespace softbody

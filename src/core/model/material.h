@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// An elastic material, and which terms of the model stand for it.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/model/body_settings.h"
+#include "core/model/soft_body_shape.h"
+
+#include <cstdint>
+
+namespace softbody {
+
+/// What a body is made of: a homogeneous, isotropic solid in plane strain with viscous damping. None of the values contains a
+/// length: they mean the same in meters and in pixels, for any outline and any number of points.
+struct Material {
+	/// Young's modulus E in two dimensions [force/length], > 0: force over thickness and strain. A square pressed from two
+	/// sides by a force F loses about F/E of its side.
+	Real youngs_modulus = 200;
+	/// Poisson's ratio ν [1], 0..MOST_POISSON_RATIO: 0 does not bulge when pressed, 0.45 keeps most of its area, like jelly.
+	Real poisson_ratio = Real(0.45);
+	/// Damping ratio ζ of the lowest mode [1], >= 0: a wobble loses the share exp(-2πζ) of its height in a period.
+	Real damping_ratio = Real(0.1);
+
+	Real shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); } ///< μ [force/length]
+	/// K = λ + μ [force/length]
+	Real bulk_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio) * (1 - 2 * poisson_ratio)); }
+
+	friend bool operator==(const Material &, const Material &) = default;
+};
+
+/// Refuses the first value outside its range, by name.
+Status check_material(const Material &material);
+
+/// Which terms of the model stand for a material, from the cheapest to the dearest.
+enum class ElasticModel : std::uint8_t {
+	SPRINGS, ///< the thesis's springs: ν is 1/3 whatever the material says
+	SPRINGS_AND_SHAPE, ///< springs with shape matching of DEFAULT_SHAPE_MATCHING: ν is about 0.2
+	SPRINGS_SHAPE_AND_AREA, ///< these with the area term, which brings ν to what the material says
+	MODES, ///< elastic modes with the area term: E and ν as the material says, and the solid's lowest frequency
+};
+inline constexpr int ELASTIC_MODEL_COUNT = 4;
+
+/// Sets the coefficients of the model's terms in `settings`, so that under uniform strain, averaged over its directions, the
+/// body resists as the material does as far as the model can: springs and shape matching take up the shear modulus, the area
+/// term the rest of the bulk modulus. The other terms are switched off; pressure is left as it is. Refuses a bad material,
+/// MODES for a shape without modes, and springs for a shape without springs of stiffness > 0. O(springs).
+Status apply_material(const Material &material, ElasticModel model, const SoftBodyShape &shape, BodySettings &settings);
+
+/// Shear modulus of the shape's springs under uniform strain, averaged over its directions: sum k l² / (8 A)
+/// [force/length]. Their bulk modulus is twice that, as in every network of central forces (Cauchy's relation).
+double spring_shear_modulus(const SoftBodyShape &shape);
+
+} // namespace softbody
