@@ -42,10 +42,10 @@ CONVENTIONS = {
     "arm_light": "the arm under a quarter of gravity, where the crease does not matter",
     "column": "floor at y = 0; boxes from the lowest to the highest, centered at x = 0",
     "mesh": "polygon as simulated; frequency of the free polygon; width: x extent over that at rest, pressed to 0.75 "
-            "of its height between frictionless plates; sag: height lost over height, standing on a frictionless floor; "
+            "of its height between frictionless plates; sag: height lost over height, on a frictionless floor; "
             "topples: stands on a tip and is held upright; rolls_over: pressed below 0.88, L rolls onto its corner",
-    "law_difference": "the same scenes with U(J) = -mu ln J + lambda/2 (ln J)^2 instead; *_percent: RMS over R between "
-                      "the two laws",
+    "law_difference": "the same scenes with U(J) = -mu ln J + lambda/2 (ln J)^2 instead; outline_percent: RMS over R "
+                      "between the two laws",
     "outline": "200 material points, evenly along the rest perimeter; rest_outline: the same points at rest",
     "mesh_error_percent": "finest mesh against the next coarser one: RMS of outline points over R = 50 px, in percent; "
                           "values named *_percent are differences of that value in percent of it",
@@ -134,8 +134,8 @@ def make_mesh():
                 row["mesh_error_percent"] = {name: percent(row[name], fine[name]) for name in errors}
                 errors = {name: max(errors[name], row["mesh_error_percent"][name]) for name in errors}
             rows.append(row)
-            print("  %-8s %4d  %.5f Hz  width %.5f  sag %.5f" % (kind, count, row["frequency"], row["width"],
-                                                                 row["sag"]), flush=True)
+            numbers = (row["frequency"], row["width"], row["sag"])
+            print("  %-8s %4d  %.5f Hz  width %.5f  sag %.5f" % ((kind, count) + numbers), flush=True)
     return rows, errors
 
 
@@ -189,7 +189,8 @@ MAKERS = {
     "column": lambda: {"column": make_column()},
     "drop": lambda: {"drop": make_drop()},
 }
-SCENE_ORDER = ("rest", "press_0.9", "press_0.75", "press_0.5", "press_0.3", "hang", "wobble", "drop", "arm", "arm_light", "column")
+SCENE_ORDER = ("rest", "press_0.9", "press_0.75", "press_0.5", "press_0.3", "hang", "wobble", "drop", "arm",
+               "arm_light", "column")
 
 
 def main():

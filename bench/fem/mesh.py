@@ -34,7 +34,8 @@ class Mesh:
         first, middle, last = (self.nodes[self.border[:, k]] for k in range(3))
         total = 0.0
         for s in (0.5 - np.sqrt(1 / 12), 0.5 + np.sqrt(1 / 12)):
-            total = total + 0.5 * np.linalg.norm((4 * s - 3) * first + (4 - 8 * s) * middle + (4 * s - 1) * last, axis=1)
+            tangent = (4 * s - 3) * first + (4 - 8 * s) * middle + (4 * s - 1) * last
+            total = total + 0.5 * np.linalg.norm(tangent, axis=1)
         return total
 
     def outline(self, positions, count=200):
