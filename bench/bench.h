@@ -26,5 +26,7 @@ nlohmann::json scaling(const Options &options);
 nlohmann::json contact_accuracy(const Options &options);
 nlohmann::json stress(const Options &options);
 nlohmann::json soak(const Options &options);
+nlohmann::json model(const Options &options);
+nlohmann::json heap(const Options &options);
 
 } // namespace bench

@@ -16,6 +16,8 @@ import tables_b
 import tables_c
 import tables_editor
 import tables_engine
+import tables_heap
+import tables_model
 import tables_peers
 import tables_stress
 import work_precision
@@ -57,6 +59,8 @@ BENCHES = {
     "pile": Bench(("float",), per_precision(tables_c.summarize_pile), tables_c.print_pile, timed=True),
     "scaling": Bench(("float",), per_precision(tables_c.summarize_scaling), tables_c.print_scaling, timed=True),
     "contact-accuracy": Bench(("float",), per_precision(tables_c.summarize_contacts), tables_c.print_contacts, timed=True),
+    "model": Bench(("float",), per_precision(tables_model.summarize), tables_model.print_table, timed=True),
+    "heap": Bench(("float",), per_precision(tables_heap.summarize), tables_heap.print_table, timed=True),
     "peers": Bench(
         ("float",), tables_peers.summarize, tables_peers.print_table, timed=True, program="softbody_peers"
     ),
@@ -75,7 +79,7 @@ def measure(name, precision, quick):
     output.unlink(missing_ok=True)
     priority = machine.priority_command() if BENCHES[name].timed else []
     command = [*priority, BUILD / f"{BENCHES[name].program}_{precision}", name, output] + (["--quick"] if quick else [])
-    subprocess.run(command, check=True, stdout=sys.stderr)
+    subprocess.run(command, check=True, stdout=sys.stderr, cwd=ROOT)  # some read files of the repository
     return json.loads(output.read_text(encoding="utf-8"))
 
 
@@ -106,7 +110,7 @@ def main():
     parser = argparse.ArgumentParser(prog="scripts/bench.sh", description=__doc__.split(".")[0] + ".")
     parser.add_argument("name", metavar="NAME", choices=BENCHES, help=", ".join(BENCHES))
     parser.add_argument("--json", action="store_true", help="with the result as one JSON object in the last line")
-    parser.add_argument("--quick", action="store_true", help="fewer cases, within 40 s")
+    parser.add_argument("--quick", action="store_true", help="fewer cases, within 60 s")
     arguments = parser.parse_args()
     name, quick, bench = arguments.name, arguments.quick, BENCHES[arguments.name]
 

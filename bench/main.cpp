@@ -21,6 +21,8 @@ const std::map<std::string, bench::Bench> BENCHES = {
 	{ "contact-accuracy", bench::contact_accuracy },
 	{ "stress", bench::stress },
 	{ "soak", bench::soak },
+	{ "model", bench::model },
+	{ "heap", bench::heap },
 };
 
 int usage(const char *program) {

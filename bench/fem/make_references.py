@@ -3,7 +3,7 @@
 
     OMP_NUM_THREADS=1 python bench/fem/make_references.py [--only NAME ...]
 
-NAME is one of rest, press, hang, wobble, drop, arm, column, mesh, law; the rest of the file is kept.
+NAME is one of rest, press, hang, wobble, arm, column, drop, unseen, mesh, law; the rest of the file is kept.
 """
 
 import argparse
@@ -24,6 +24,7 @@ HANG_LEVELS = ((64, 0.4), (96, 0.2), (128, 0.1))  # border vertices, edge length
 ARM_LEVELS = (8.0, 5.0, 3.3)
 ARM_LIGHT_LEVELS = ((8.0, 2.0), (5.0, 1.0), (4.0, 0.5))
 COLUMN_LEVELS = (10.0, 6.25, 4.0)
+UNSEEN_LEVELS = ((64, 5.0), (96, 3.4), (128, 2.5))  # border vertices, edge length inside
 MESH_SPACING = 5.0
 MESH_CHECK_SPACING = 3.5
 MESH_CHECK_COUNTS = (8, 16)
@@ -41,6 +42,7 @@ CONVENTIONS = {
            "which no mesh resolves: see crease_uncertainty_percent",
     "arm_light": "the arm under a quarter of gravity, where the crease does not matter",
     "column": "floor at y = 0; boxes from the lowest to the highest, centered at x = 0",
+    "unseen": "an egg on its side, plates at y = -+ pressed_to * rest_height / 2, free along x; used to tune nothing",
     "mesh": "polygon as simulated; frequency of the free polygon; width: x extent over that at rest, pressed to 0.75 "
             "of its height between frictionless plates; sag: height lost over height, on a frictionless floor; "
             "topples: stands on a tip and is held upright; rolls_over: pressed below 0.88, L rolls onto its corner",
@@ -188,9 +190,10 @@ MAKERS = {
     "arm": make_arm,
     "column": lambda: {"column": make_column()},
     "drop": lambda: {"drop": make_drop()},
+    "unseen": lambda: {"unseen": judge([scenes.egg(n, spacing) for n, spacing in UNSEEN_LEVELS])},
 }
 SCENE_ORDER = ("rest", "press_0.9", "press_0.75", "press_0.5", "press_0.3", "hang", "wobble", "drop", "arm",
-               "arm_light", "column")
+               "arm_light", "column", "unseen")
 
 
 def main():

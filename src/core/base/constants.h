@@ -129,6 +129,14 @@ inline constexpr Real CREDIBLE_REACH = 1000;
 /// crushed bodies jump up. Smaller: they are out of bounds for longer.
 inline constexpr Real LIMIT_PUSH = Real(0.05);
 
+/// From which multiple of its least area on a body is smoothed [1]. Larger: bodies under load keep fewer dents. Smaller: single
+/// points fold in before the area is lost.
+inline constexpr Real LIMIT_ONSET = Real(1.5);
+
+/// How fast a body that is out of bounds is brought back at most [radii/s]. Larger: crushed bodies burst. Smaller: a limit
+/// bears less load.
+inline constexpr Real LIMIT_SPEED = 4;
+
 /// Which share of its way to where the body's affine map has it a point of a crumpled body goes in a substep at most [1].
 inline constexpr Real LIMIT_SMOOTHING = Real(0.25);
 

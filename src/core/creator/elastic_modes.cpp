@@ -21,12 +21,15 @@ constexpr std::size_t REFERENCE_RATIO = 2;
 
 // The start of the search: polynomials up to this degree, which smooth modes differ little from.
 constexpr int START_DEGREE = 4;
-constexpr int ITERATIONS = 6;
-constexpr int FREQUENCY_ITERATIONS = 8;
+constexpr int ITERATIONS = 4;
+constexpr int LATER_ITERATIONS = 2;
+constexpr std::size_t KEPT_MODES = MAX_ELASTIC_MODES + 4;
+constexpr std::size_t FREQUENCY_BLOCK = 6;
+constexpr int FREQUENCY_ITERATIONS = 5;
 
 // Hull share of the mass [1]: first guess and bounds. A disk has about 0.6.
 constexpr double FIRST_HULL_SHARE = 0.6;
-constexpr double LEAST_HULL_SHARE = 0.3;
+constexpr double LEAST_HULL_SHARE = 0.12;
 constexpr double MOST_HULL_SHARE = 0.95;
 constexpr int MASS_ITERATIONS = 3;
 
@@ -120,6 +123,40 @@ void diagonalize(std::vector<Vector> &matrix, std::vector<Vector> &vectors, Vect
 	vectors = std::move(sorted);
 }
 
+// Gram and Schmidt, twice, which is enough. What depends on those before it is left out.
+std::vector<Vector> orthonormal_by(std::vector<Vector> vectors, const Vector &weights) {
+	std::vector<Vector> result;
+	for (Vector &vector : vectors) {
+		const double first = weighted_dot(vector, vector, weights);
+		for (int pass = 0; pass < 2; ++pass) {
+			for (const Vector &earlier : result) {
+				add(vector, earlier, -weighted_dot(vector, earlier, weights));
+			}
+		}
+		const double rest = weighted_dot(vector, vector, weights);
+		if (rest > 1e-10 * first) {
+			scale(vector, 1 / std::sqrt(rest));
+			result.push_back(std::move(vector));
+		}
+	}
+	return result;
+}
+
+// The combinations (columns) of an orthonormal block that are its best eigenvectors of an operator, which made the images, and
+// their eigenvalues, descending.
+std::vector<Vector> ritz_combinations(const std::vector<Vector> &block, const std::vector<Vector> &images, const Vector &weights,
+		Vector &values) {
+	std::vector<Vector> matrix(block.size(), Vector(block.size()));
+	for (std::size_t a = 0; a < block.size(); ++a) {
+		for (std::size_t b = 0; b <= a; ++b) {
+			matrix[a][b] = matrix[b][a] = (weighted_dot(block[a], images[b], weights) + weighted_dot(block[b], images[a], weights)) / 2;
+		}
+	}
+	std::vector<Vector> combinations;
+	diagonalize(matrix, combinations, values);
+	return combinations;
+}
+
 // The solid as its points see it: loads on them in, displacements of them out.
 class Reduction {
 public:
@@ -128,7 +165,7 @@ public:
 	/// Shares of the mass that the hull has, and with it all that depends on masses.
 	void set_hull_share(double share);
 	void find_modes();
-	/// Of the solid itself, times its mass, over its shear modulus. Starts from the first mode.
+	/// Of the solid itself, times its mass, over its shear modulus. Starts from the modes.
 	double lowest_frequency_squared();
 	/// Of the points in their modes, likewise.
 	double reduced_frequency_squared() const { return 1 / compliances_[0]; }
@@ -136,16 +173,16 @@ public:
 	ElasticReduction result();
 
 private:
-	std::vector<Vector> orthonormal(std::vector<Vector> vectors) const;
+	std::vector<Vector> orthonormal(std::vector<Vector> vectors) const { return orthonormal_by(std::move(vectors), masses_); }
 	void make_rigid_basis();
 	void remove_rigid(Vector &displacement) const;
 	void smooth_shares();
 	void assign_regions();
 	Vector to_nodes(const Vector &loads) const;
 	Vector from_nodes(const Vector &nodes) const;
-	Vector solve(const Vector &loads, Vector *lattice = nullptr) const;
+	std::vector<Vector> solve(const std::vector<Vector> &loads) const;
 	void solve_dilation();
-	Vector apply_compliance(const Vector &displacement) const;
+	std::vector<Vector> apply_compliance(std::vector<Vector> displacements) const;
 
 	/// The nodes that an inner point stands for, with their center and inertia.
 	struct Region {
@@ -272,25 +309,6 @@ void Reduction::make_rigid_basis() {
 	rigid_ = orthonormal(std::move(rigid_));
 }
 
-// Gram and Schmidt, twice, which is enough. What depends on those before it is left out.
-std::vector<Vector> Reduction::orthonormal(std::vector<Vector> vectors) const {
-	std::vector<Vector> result;
-	for (Vector &vector : vectors) {
-		const double first = weighted_dot(vector, vector, masses_);
-		for (int pass = 0; pass < 2; ++pass) {
-			for (const Vector &earlier : result) {
-				add(vector, earlier, -weighted_dot(vector, earlier, masses_));
-			}
-		}
-		const double rest = weighted_dot(vector, vector, masses_);
-		if (rest > 1e-10 * first) {
-			scale(vector, 1 / std::sqrt(rest));
-			result.push_back(std::move(vector));
-		}
-	}
-	return result;
-}
-
 void Reduction::remove_rigid(Vector &displacement) const {
 	for (const Vector &motion : rigid_) {
 		add(displacement, motion, -weighted_dot(displacement, motion, masses_));
@@ -383,19 +401,30 @@ Vector Reduction::from_nodes(const Vector &nodes) const {
 }
 
 // Displacements of the points by balanced loads on them, without rigid motion.
-Vector Reduction::solve(const Vector &loads, Vector *lattice) const {
-	Vector nodes = to_nodes(loads);
-	solid_.solve(nodes);
-	Vector result = from_nodes(nodes);
-	remove_rigid(result);
-	if (lattice != nullptr) {
-		*lattice = std::move(nodes);
+std::vector<Vector> Reduction::solve(const std::vector<Vector> &loads) const {
+	const std::size_t count = loads.size();
+	Vector all(solid_.freedom_count() * count);
+	for (std::size_t c = 0; c < count; ++c) {
+		const Vector nodes = to_nodes(loads[c]);
+		for (std::size_t k = 0; k < nodes.size(); ++k) {
+			all[k * count + c] = nodes[k];
+		}
 	}
-	return result;
+	solid_.solve(all, count);
+	std::vector<Vector> results;
+	Vector nodes(solid_.freedom_count());
+	for (std::size_t c = 0; c < count; ++c) {
+		for (std::size_t k = 0; k < nodes.size(); ++k) {
+			nodes[k] = all[k * count + c];
+		}
+		results.push_back(from_nodes(nodes));
+		remove_rigid(results.back());
+	}
+	return results;
 }
 
 void Reduction::solve_dilation() {
-	dilation_ = solve(area_gradient_);
+	dilation_ = solve({ area_gradient_ })[0];
 	const Vector ones(masses_.size(), 1);
 	const double work = weighted_dot(area_gradient_, dilation_, ones);
 	if (work > 0) {
@@ -403,20 +432,23 @@ void Reduction::solve_dilation() {
 	}
 }
 
-// What a force in proportion to mass and displacement does to the solid while its area is held. With this the solid is split
+// What forces in proportion to mass and displacement do to the solid while its area is held. With this the solid is split
 // exactly: a uniform pressure causes a uniform dilation, which costs no energy together with anything that keeps the area.
-Vector Reduction::apply_compliance(const Vector &displacement) const {
-	Vector loads(displacement.size());
-	for (std::size_t k = 0; k < loads.size(); ++k) {
-		loads[k] = masses_[k] * displacement[k];
+std::vector<Vector> Reduction::apply_compliance(std::vector<Vector> displacements) const {
+	for (Vector &loads : displacements) {
+		for (std::size_t k = 0; k < loads.size(); ++k) {
+			loads[k] *= masses_[k];
+		}
 	}
-	Vector result = solve(loads);
-	double area = 0;
-	for (std::size_t k = 0; k < result.size(); ++k) {
-		area += area_gradient_[k] * result[k];
+	std::vector<Vector> results = solve(displacements);
+	for (Vector &result : results) {
+		double area = 0;
+		for (std::size_t k = 0; k < result.size(); ++k) {
+			area += area_gradient_[k] * result[k];
+		}
+		add(result, dilation_, -area);
 	}
-	add(result, dilation_, -area);
-	return result;
+	return results;
 }
 
 void Reduction::find_modes() {
@@ -447,24 +479,17 @@ void Reduction::find_modes() {
 	for (Vector &vector : block) {
 		remove_rigid(vector);
 	}
-	for (int iteration = 0; iteration < ITERATIONS; ++iteration) {
+	// The first time from afar; later the masses have changed a little.
+	const int iterations = modes_.empty() ? ITERATIONS : LATER_ITERATIONS;
+	for (int iteration = 0; iteration < iterations; ++iteration) {
 		block = orthonormal(std::move(block));
-		std::vector<Vector> images;
-		for (const Vector &vector : block) {
-			images.push_back(apply_compliance(vector));
-		}
+		const std::vector<Vector> images = apply_compliance(block);
 		// Rayleigh and Ritz: the best combinations of the block.
-		std::vector<Vector> matrix(block.size(), Vector(block.size()));
-		for (std::size_t a = 0; a < block.size(); ++a) {
-			for (std::size_t b = 0; b <= a; ++b) {
-				matrix[a][b] = matrix[b][a] = (weighted_dot(block[a], images[b], masses_) + weighted_dot(block[b], images[a], masses_)) / 2;
-			}
-		}
-		std::vector<Vector> combinations;
-		diagonalize(matrix, combinations, compliances_);
-		const bool is_last = iteration + 1 == ITERATIONS;
-		std::vector<Vector> next(block.size(), Vector(masses_.size(), 0));
-		for (std::size_t a = 0; a < block.size(); ++a) {
+		std::vector<Vector> combinations = ritz_combinations(block, images, masses_, compliances_);
+		const bool is_last = iteration + 1 == iterations;
+		const std::size_t kept = std::min(block.size(), is_last ? KEPT_MODES : block.size());
+		std::vector<Vector> next(kept, Vector(masses_.size(), 0));
+		for (std::size_t a = 0; a < kept; ++a) {
 			for (std::size_t b = 0; b < block.size(); ++b) {
 				add(next[a], is_last ? block[b] : images[b], combinations[b][a]);
 			}
@@ -474,20 +499,15 @@ void Reduction::find_modes() {
 	modes_ = std::move(block);
 }
 
+// Inverse iteration of several displacements of the lattice at once, from the first modes on: which of them is the lowest may
+// be another for the solid than for its points.
 double Reduction::lowest_frequency_squared() {
 	const std::span<const double> node_masses = solid_.node_masses();
 	Vector weights;
 	for (const double mass : node_masses) {
 		weights.insert(weights.end(), 2, mass);
 	}
-	Vector loads(masses_.size());
-	for (std::size_t k = 0; k < loads.size(); ++k) {
-		loads[k] = masses_[k] * modes_[0][k];
-	}
-	Vector state;
-	solve(loads, &state);
-	// Rigid motion of the lattice, orthonormal by its masses, found by how its points move: translations, then a turn.
-	std::vector<Vector> rigid(3, Vector(state.size(), 0));
+	std::vector<Vector> rigid(3, Vector(weights.size(), 0));
 	for (std::size_t node = 0; node < node_masses.size(); ++node) {
 		const Vec2 arm = solid_.node_position(node) - center_;
 		rigid[0][2 * node] = 1;
@@ -495,25 +515,43 @@ double Reduction::lowest_frequency_squared() {
 		rigid[2][2 * node] = -arm.y;
 		rigid[2][2 * node + 1] = arm.x;
 	}
-	for (std::size_t a = 0; a < 3; ++a) {
-		for (std::size_t b = 0; b < a; ++b) {
-			add(rigid[a], rigid[b], -weighted_dot(rigid[a], rigid[b], weights));
+	rigid = orthonormal_by(std::move(rigid), weights);
+	std::vector<Vector> block;
+	for (std::size_t j = 0; j < std::min(FREQUENCY_BLOCK, modes_.size()); ++j) {
+		Vector loads = modes_[j];
+		for (std::size_t k = 0; k < loads.size(); ++k) {
+			loads[k] *= masses_[k];
 		}
-		scale(rigid[a], 1 / std::sqrt(weighted_dot(rigid[a], rigid[a], weights)));
+		block.push_back(to_nodes(loads));
 	}
+	const std::size_t count = block.size();
+	Vector all(weights.size() * count);
 	double frequency_squared = 0;
-	for (int iteration = 0; iteration < FREQUENCY_ITERATIONS; ++iteration) {
-		for (const Vector &motion : rigid) {
-			add(state, motion, -weighted_dot(state, motion, weights));
+	for (int iteration = 0; iteration <= FREQUENCY_ITERATIONS; ++iteration) {
+		for (std::size_t c = 0; c < count; ++c) {
+			for (std::size_t k = 0; k < weights.size(); ++k) {
+				all[k * count + c] = iteration == 0 ? block[c][k] : weights[k] * block[c][k];
+			}
 		}
-		scale(state, 1 / std::sqrt(weighted_dot(state, state, weights)));
-		Vector next = state;
-		for (std::size_t k = 0; k < next.size(); ++k) {
-			next[k] *= weights[k];
+		solid_.solve(all, count);
+		std::vector<Vector> images(count, Vector(weights.size()));
+		for (std::size_t c = 0; c < count; ++c) {
+			for (std::size_t k = 0; k < weights.size(); ++k) {
+				images[c][k] = all[k * count + c];
+			}
+			for (const Vector &motion : rigid) {
+				add(images[c], motion, -weighted_dot(images[c], motion, weights));
+			}
 		}
-		solid_.solve(next);
-		frequency_squared = 1 / weighted_dot(state, next, weights);
-		state = std::move(next);
+		if (iteration > 0) {
+			Vector compliances;
+			ritz_combinations(block, images, weights, compliances);
+			frequency_squared = 1 / compliances[0];
+		}
+		block = orthonormal_by(std::move(images), weights);
+		if (block.size() < count) {
+			break; // as far as rounding lets it
+		}
 	}
 	return frequency_squared;
 }
@@ -547,8 +585,10 @@ ElasticReduction Reduction::result() {
 	for (std::size_t ratio = 0; ratio < MODE_POISSON_RATIOS.size(); ++ratio) {
 		solid_.factor(MODE_POISSON_RATIOS[ratio]);
 		solve_dilation();
+		const std::vector<Vector> kept(modes_.begin(), modes_.begin() + std::ptrdiff_t(count));
+		const std::vector<Vector> images = apply_compliance(kept);
 		for (std::size_t j = 0; j < count; ++j) {
-			modes->stiffness[j][ratio] = Real(1 / weighted_dot(modes_[j], apply_compliance(modes_[j]), masses_));
+			modes->stiffness[j][ratio] = Real(1 / weighted_dot(kept[j], images[j], masses_));
 		}
 	}
 	const double twice_area = 2 * double(signed_area(std::span(points_).first(hull_count_)));
@@ -571,6 +611,7 @@ ElasticReduction Reduction::result() {
 
 ElasticReduction reduce_solid(std::span<const Vec2> points, std::size_t hull_count) {
 	Reduction reduction(points, hull_count);
+	double wanted = 0;
 	double share = reduction.has_inner_points() ? FIRST_HULL_SHARE : 1.0;
 	for (int iteration = 0; iteration < MASS_ITERATIONS; ++iteration) {
 		reduction.set_hull_share(share);
@@ -579,7 +620,10 @@ ElasticReduction reduce_solid(std::span<const Vec2> points, std::size_t hull_cou
 			break;
 		}
 		// Less mass on the hull swings faster, in proportion as far as modes keep their shapes.
-		share *= reduction.reduced_frequency_squared() / reduction.lowest_frequency_squared();
+		if (iteration == 0) {
+			wanted = reduction.lowest_frequency_squared();
+		}
+		share *= reduction.reduced_frequency_squared() / wanted;
 		share = std::clamp(share, LEAST_HULL_SHARE, MOST_HULL_SHARE);
 	}
 	return reduction.result();

@@ -14,13 +14,20 @@ namespace {
 
 constexpr std::uint32_t NONE = UINT32_MAX;
 
-// A cell that is nearly empty would let a point that lies in it swing freely.
-constexpr double LEAST_FILL = 0.1;
+// Keeps the stiffness matrix regular. More would add a skin to outlines that run along the lattice.
+constexpr double LEAST_FILL = 0.01;
+
+// Share from which on a cell may hold points, and by how many cells a point is taken farther off for what lacks.
+constexpr double WELL_FILLED = 0.4;
+constexpr double EMPTINESS = 2.5;
 
 // Cells across the outline's width: a beam of four bilinear cells is 3 % too stiff.
 constexpr double CELLS_ACROSS = 4;
 constexpr double MOST_CELLS = 1200;
 constexpr std::size_t MOST_LATTICE = 40000;
+
+// Sine of the angle by which a corner has to turn inwards to get a node of the lattice.
+constexpr double INWARD_CORNER = 0.5;
 
 // Of the ground's spring, over a cell's own stiffness.
 constexpr double GROUND = 1e-5;
@@ -98,6 +105,29 @@ CellMatrix cell_matrix(double poisson_ratio) {
 
 } // namespace
 
+namespace {
+
+// The hull point at which the outline turns inwards most, if by more than INWARD_CORNER.
+std::optional<std::size_t> sharpest_inward_corner(std::span<const Vec2> hull) {
+	std::optional<std::size_t> sharpest;
+	double least = -INWARD_CORNER;
+	for (std::size_t i = 0; i < hull.size(); ++i) {
+		const Vec2 in = hull[i] - hull[i == 0 ? hull.size() - 1 : i - 1];
+		const Vec2 out = hull[i + 1 == hull.size() ? 0 : i + 1] - hull[i];
+		const double size = double(length(in)) * double(length(out));
+		// Beyond a right angle its sine falls again, and its cosine does not.
+		const double sine = size > 0 ? double(cross(in, out)) / size : 0.0;
+		const double turn = sine < 0 && dot(in, out) < 0 ? sine - 2 * (1 + sine) : sine;
+		if (turn < least) {
+			least = turn;
+			sharpest = i;
+		}
+	}
+	return sharpest;
+}
+
+} // namespace
+
 LatticeSolid::LatticeSolid(std::span<const Vec2> hull, std::size_t cells) {
 	Vec2 low = hull[0];
 	Vec2 high = hull[0];
@@ -116,15 +146,27 @@ LatticeSolid::LatticeSolid(std::span<const Vec2> hull, std::size_t cells) {
 	cell_ = std::min(std::sqrt(area / double(cells)), thickness / CELLS_ACROSS);
 	cell_ = std::max({ cell_, std::sqrt(area / MOST_CELLS), std::sqrt(along * across / double(MOST_LATTICE)),
 			along / double(MOST_LATTICE / 8) });
-	columns_ = std::max<std::size_t>(1, std::size_t(std::ceil(along / cell_ - 1e-9)));
-	rows_ = std::max<std::size_t>(1, std::size_t(std::ceil(across / cell_ - 1e-9)));
+	columns_ = cells_between(0, along);
+	rows_ = cells_between(0, across);
 	// Symmetric about the middle of the outline's box, as the outline may be.
 	const double margin_along = (double(columns_) * cell_ - along) / 2;
 	const double margin_across = (double(rows_) * cell_ - across) / 2;
-	corner_ = transposed_ ? Vec2{ Real(low.x - margin_across), Real(low.y - margin_along) }
-						  : Vec2{ Real(low.x - margin_along), Real(low.y - margin_across) };
+	double left = transposed_ ? low.x - margin_across : low.x - margin_along;
+	double top = transposed_ ? low.y - margin_along : low.y - margin_across;
+	// A cell over a corner that points inwards would bridge it. The sharpest such corner gets a node.
+	if (const std::optional<std::size_t> corner = sharpest_inward_corner(hull)) {
+		left = hull[*corner].x - std::ceil((double(hull[*corner].x) - low.x) / cell_ - 1e-6) * cell_;
+		top = hull[*corner].y - std::ceil((double(hull[*corner].y) - low.y) / cell_ - 1e-6) * cell_;
+		columns_ = cells_between(transposed_ ? top : left, transposed_ ? high.y : high.x);
+		rows_ = cells_between(transposed_ ? left : top, transposed_ ? high.x : high.y);
+	}
+	corner_ = { Real(left), Real(top) };
 	measure_fill(hull);
 	number_nodes();
+}
+
+std::size_t LatticeSolid::cells_between(double from, double to) const {
+	return std::max<std::size_t>(1, std::size_t(std::ceil((to - from) / cell_ - 1e-6)));
 }
 
 void LatticeSolid::measure_fill(std::span<const Vec2> hull) {
@@ -199,7 +241,8 @@ LatticeSolid::Embedding LatticeSolid::embed(Vec2 point) const {
 	const auto look_at = [&](std::size_t cell) {
 		const double dx = std::abs(x - (double(cell / rows_) + 0.5));
 		const double dy = std::abs(y - (double(cell % rows_) + 0.5));
-		const double distance = std::max(dx, dy) - 1e-3 * fill_[cell]; // of two that touch the point, the fuller one
+		// A point in a corner of the outline that a nearly empty cell holds goes with the fuller one beside it.
+		const double distance = std::max(dx, dy) + std::max(0.0, WELL_FILLED - fill_[cell]) * EMPTINESS - 1e-3 * fill_[cell];
 		if (fill_[cell] > 0 && (best == fill_.size() || distance < least)) {
 			least = distance;
 			best = cell;
@@ -227,7 +270,7 @@ LatticeSolid::Embedding LatticeSolid::embed(Vec2 point) const {
 		{ (1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v } };
 }
 
-// Cholesky's factor of a banded matrix, by rows.
+// Cholesky's factor of a banded matrix.
 void LatticeSolid::factor(double poisson_ratio) {
 	const std::size_t count = freedom_count();
 	const std::size_t width = band_ + 1;
@@ -258,39 +301,60 @@ void LatticeSolid::factor(double poisson_ratio) {
 	for (std::size_t k = 0; k < count; ++k) {
 		entry(k, k) += ground * masses_[k / 2];
 	}
-	for (std::size_t row = 0; row < count; ++row) {
-		const std::size_t first = row > band_ ? row - band_ : 0;
-		for (std::size_t column = first; column <= row; ++column) {
-			const std::size_t from = std::max(first, column > band_ ? column - band_ : 0);
-			const double *a = &factor_[row * width + band_ + from - row];
-			const double *b = &factor_[column * width + band_ + from - column];
-			double sum = entry(row, column);
-			for (std::size_t k = 0; k < column - from; ++k) {
-				sum -= a[k] * b[k];
+	// Column by column, what follows at once: compilers can do several entries of a row together.
+	std::vector<double> column(width);
+	for (std::size_t k = 0; k < count; ++k) {
+		const double pivot = std::sqrt(std::max(entry(k, k), 1e-12));
+		entry(k, k) = pivot;
+		const std::size_t end = std::min(count, k + width);
+		for (std::size_t row = k + 1; row < end; ++row) {
+			entry(row, k) /= pivot;
+			column[row - k] = entry(row, k);
+		}
+		for (std::size_t row = k + 1; row < end; ++row) {
+			const double factor = column[row - k];
+			double *target = &entry(row, k + 1);
+			for (std::size_t j = 1; j <= row - k; ++j) {
+				target[j - 1] -= factor * column[j];
 			}
-			entry(row, column) = column < row ? sum / entry(column, column) : std::sqrt(std::max(sum, 1e-12));
 		}
 	}
 }
 
-void LatticeSolid::solve(std::span<double> loads) const {
+void LatticeSolid::solve(std::span<double> loads, std::size_t loads_count) const {
 	const std::size_t count = freedom_count();
 	const std::size_t width = band_ + 1;
+	const auto row_of = [&](std::size_t row) { return &loads[row * loads_count]; };
 	for (std::size_t row = 0; row < count; ++row) {
 		const std::size_t first = row > band_ ? row - band_ : 0;
 		const double *entries = &factor_[row * width + band_ + first - row];
-		double sum = loads[row];
+		double *target = row_of(row);
 		for (std::size_t k = first; k < row; ++k) {
-			sum -= entries[k - first] * loads[k];
+			const double factor = entries[k - first];
+			const double *source = row_of(k);
+			for (std::size_t c = 0; c < loads_count; ++c) {
+				target[c] -= factor * source[c];
+			}
 		}
-		loads[row] = sum / factor_[row * width + band_];
+		const double inverse = 1 / factor_[row * width + band_];
+		for (std::size_t c = 0; c < loads_count; ++c) {
+			target[c] *= inverse;
+		}
 	}
 	for (std::size_t row = count; row-- > 0;) {
 		const std::size_t first = row > band_ ? row - band_ : 0;
 		const double *entries = &factor_[row * width + band_ + first - row];
-		loads[row] /= factor_[row * width + band_];
+		double *source = row_of(row);
+		const double inverse = 1 / factor_[row * width + band_];
+		for (std::size_t c = 0; c < loads_count; ++c) {
+			source[c] *= inverse;
+		}
 		for (std::size_t k = first; k < row; ++k) {
-			loads[k] -= entries[k - first] * loads[row];
+			const double factor = entries[k - first];
+			double *target = row_of(k);
+			for (std::size_t c = 0; c < loads_count; ++c) {
+				target[c] -= factor * source[c];
+			}
 		}
 	}
 }

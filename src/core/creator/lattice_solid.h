@@ -40,10 +40,12 @@ public:
 	/// O(nodes · bandwidth²).
 	void factor(double poisson_ratio);
 	/// Replaces loads by the displacements that they cause. Precondition: `factor` was called.
-	void solve(std::span<double> loads) const;
+	/// Several at once: entry k of load c at [k * loads_count + c].
+	void solve(std::span<double> loads, std::size_t loads_count = 1) const;
 
 private:
 	std::uint32_t node_at(std::size_t column, std::size_t row) const { return nodes_[column * (rows_ + 1) + row]; }
+	std::size_t cells_between(double from, double to) const;
 	void measure_fill(std::span<const Vec2> hull);
 	void number_nodes();
 

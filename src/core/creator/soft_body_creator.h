@@ -19,9 +19,6 @@ struct StructureOptions {
 	Real mass = 1; ///< of the whole body [mass], > 0; every point gets an equal share
 	Real stiffness = 100; ///< k of every spring [force/length], >= 0
 	Real damping = 1; ///< c of every spring [force·s/length], >= 0
-	/// Whether the body can deform as an elastic solid (BodySettings::shear_modulus). Its mass is then divided as
-	/// `reduce_solid` says, instead of into equal shares.
-	bool elastic = false;
 	bool centre_point = true; ///< add a point at the hull's mean; the automatic springs join it to every hull point
 	std::vector<Vec2> inner_points = {}; ///< further points, meant to lie inside the outline [length]
 	std::vector<SpringEnds> springs = {}; ///< all springs of the body; empty: the automatic ones
@@ -30,6 +27,9 @@ struct StructureOptions {
 	std::vector<Real> spring_stiffness_scales = {}; ///< [1], >= 0
 	std::vector<Real> spring_damping_scales = {}; ///< [1], >= 0
 	std::vector<Real> spring_length_scales = {}; ///< [1], > 0
+	/// Whether the body can deform as an elastic solid (BodySettings::shear_modulus). Its mass is then divided as
+	/// `reduce_solid` says, instead of into equal shares.
+	bool elastic = false;
 
 	friend bool operator==(const StructureOptions &, const StructureOptions &) = default;
 };

@@ -9,7 +9,11 @@
 
 namespace softbody {
 
-/// Ends a substep of `h` [s] by the constraint C = A - s A0 with compliance A0/K and damping β (XPBD, Macklin, Müller and
+/// Below this share of its target the area term hardens no further [1]: at nothing it would grow without bound.
+inline constexpr Real LEAST_HARDENED_AREA = Real(0.25);
+
+/// Ends a substep of `h` [s] by the constraint C = s A0 (J - 1/J) / 2, J = A / (s A0), with compliance A0/K and damping β. For
+/// small strains C is A - s A0; like a neo-Hookean solid it hardens as the area goes to nothing (XPBD, Macklin, Müller and
 /// Chentanez 2016, eq. 18 and 26, from a zero multiplier):
 ///   λ = -(C + β dA/dt) K h²/A0 / (1 + (1 + β/h) K h²/A0 sum w |∂A/∂x|²).
 /// Positions move by w λ ∂A/∂x, velocities by the same over h. Momentum and spin stay, as the area does not change under
@@ -26,10 +30,16 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 		mobility += length_squared(gradient) * T(body.inverse_masses[i]);
 		rate += dot(gradient, body.velocities[i]);
 	}
-	const T elastic(settings.area_stiffness / shape.rest_area() * h * h);
-	const T viscous(settings.area_stiffness / shape.rest_area() * settings.elastic_damping_time * h);
-	const T excess = hull_area<T>(hull) - T(settings.inflation * shape.rest_area());
-	const T impulse = -(elastic * excess + viscous * rate * T(h)) / (T(1) + (elastic + viscous) * mobility);
+	const T target(settings.inflation * shape.rest_area());
+	const T fill = hull_area<T>(hull) / target;
+	const T least(LEAST_HARDENED_AREA);
+	const T held = select(fill > least, fill, least);
+	// C = target (J - 1/J) / 2, and its slope by the area; below the least share along the tangent.
+	const T slope = (T(1) + T(1) / (held * held)) * T(Real(0.5));
+	const T excess = ((held - T(1) / held) * T(Real(0.5)) + (fill - held) * slope) * target;
+	const T elastic = slope * T(settings.area_stiffness / shape.rest_area() * h * h);
+	const T viscous = slope * slope * T(settings.area_stiffness / shape.rest_area() * settings.elastic_damping_time * h);
+	const T impulse = -(elastic * excess + viscous * rate * T(h)) / (T(1) + (elastic * slope + viscous) * mobility);
 	// Gradients are those before any point has moved: each is the way between two others.
 	const T per_h(1 / h);
 	const BasicVec2<T> first = hull[0];

@@ -10,7 +10,11 @@
 
 namespace softbody {
 
-/// Stiffness of each mode of a material, and of what is in no mode, which is that of the stiffest [force/length].
+/// Stiffness of what is in no mode over that of the stiffest mode [1]. The modes left out grow ever stiffer. Larger: more
+/// substeps. Smaller: a single point is pressed in more easily than the solid would let it.
+inline constexpr Real REST_STIFFNESS = 4;
+
+/// Stiffness of each mode of a material, and of what is in no mode [force/length].
 struct ModeStiffness {
 	std::array<Real, MAX_ELASTIC_MODES> modes{};
 	Real rest = 0;
@@ -24,6 +28,7 @@ inline ModeStiffness mode_stiffness(const ElasticModes &modes, const BodySetting
 		result.modes[j] = settings.shear_modulus * (weights[0] * known[0] + weights[1] * known[1] + weights[2] * known[2]);
 		result.rest = result.modes[j] > result.rest ? result.modes[j] : result.rest;
 	}
+	result.rest *= REST_STIFFNESS;
 	return result;
 }
 

@@ -152,8 +152,9 @@ bool keep_whole(SoftBodyData &body, Real h) {
 	}
 	// Crumpled, so that its area is lost without the whole being small: its points are drawn to where the affine map has them.
 	const Real area = hull_area<Real>(body.hull()) / body.shape().rest_area();
-	const Real smoothing = area < settings.least_area
-			? std::min(1 - area / settings.least_area, Real(1)) * LIMIT_SMOOTHING : Real(0);
+	const Real onset = settings.least_area * LIMIT_ONSET;
+	const Real smoothing = area < onset ? std::min((onset - area) / (onset - settings.least_area), Real(1)) * LIMIT_SMOOTHING : Real(0);
+	const Real fastest = LIMIT_SPEED * body.shape().radius();
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
 		if (body.inverse_masses()[i] == 0) {
 			continue;
@@ -162,9 +163,17 @@ bool keep_whole(SoftBodyData &body, Real h) {
 		Vec2 &position = body.mutable_positions()[i];
 		Vec2 &velocity = body.mutable_velocities()[i];
 		const Vec2 home = frame.centre + excess->now.apply(q);
-		const Vec2 way = excess->shift.apply(q) + (home - position) * smoothing;
-		position += way;
-		velocity += way * (1 / h);
+		const Vec2 shift = excess->shift.apply(q);
+		const Vec2 way = (home - position) * smoothing;
+		position += shift + way;
+		velocity += shift * (1 / h); // as a constraint would
+		// What is crumpled comes back at a walk, or it would burst.
+		const Real size = length(way);
+		if (size > 0) {
+			const Vec2 direction = way * (1 / size);
+			const Real along = dot(velocity, direction);
+			velocity += direction * (std::max(along, std::min(along + size / h, fastest)) - along);
+		}
 	}
 	if (body.is_free()) {
 		restore_rigid_motion(body, frame);

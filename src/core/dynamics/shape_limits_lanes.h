@@ -2,6 +2,7 @@
 // Which bodies are near a limit of their shape, for any scalar type: included where it is instantiated.
 #pragma once
 
+#include "core/base/constants.h"
 #include "core/dynamics/pressure_lanes.h"
 #include "core/dynamics/shape_limits.h"
 
@@ -31,7 +32,7 @@ MaskOf<T> may_break_limits(const BodyModel<T> &body, std::span<const BasicVec2<T
 		high = { select(here.x > high.x, here.x, high.x), select(here.y > high.y, here.y, high.y) };
 		last = here;
 	}
-	const Real least_area = std::max(settings.least_area, NOTICED_STRETCH * settings.least_stretch);
+	const Real least_area = std::max(settings.least_area * LIMIT_ONSET, NOTICED_STRETCH * settings.least_stretch);
 	const Real reach = std::min(NOTICED_STRETCH, settings.most_stretch);
 	const Real diagonal = 4 * shape.radius() * shape.radius() * (1 + reach * reach);
 	const MaskOf<T> is_small = twice_area < T(2 * least_area * shape.rest_area());

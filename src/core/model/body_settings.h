@@ -34,7 +34,7 @@ struct BodySettings {
 	/// Damping of elastic modes and area as the time β by which strain rate counts as strain [s], >= 0 (Kelvin and Voigt).
 	Real elastic_damping_time = 0;
 	/// The area is kept above this share of the rest area [1], 0..1; 0 switches it off. See `keep_whole`.
-	Real least_area = Real(0.35);
+	Real least_area = Real(0.5);
 	/// The body as a whole is kept from being pressed to less, or drawn to more, than these shares of its rest size in any
 	/// direction [1]: 0..1 and >= 1; 0 and infinity switch them off. See `keep_whole`.
 	Real least_stretch = Real(0.2);

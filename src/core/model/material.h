@@ -15,11 +15,11 @@ namespace softbody {
 struct Material {
 	/// Young's modulus E in two dimensions [force/length], > 0: force over thickness and strain. A square pressed from two
 	/// sides by a force F loses about F/E of its side.
-	Real youngs_modulus = 200;
+	Real youngs_modulus = 300;
 	/// Poisson's ratio ν [1], 0..MOST_POISSON_RATIO: 0 does not bulge when pressed, 0.45 keeps most of its area, like jelly.
 	Real poisson_ratio = Real(0.45);
 	/// Damping ratio ζ of the lowest mode [1], >= 0: a wobble loses the share exp(-2πζ) of its height in a period.
-	Real damping_ratio = Real(0.1);
+	Real damping_ratio = Real(0.15);
 
 	Real shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); } ///< μ [force/length]
 	/// K = λ + μ [force/length]

@@ -67,7 +67,9 @@ void DebugDrawing::draw(const SoftBodyData &body, std::span<const Vec2> points, 
 	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);
 	server()->canvas_item_clear(item_);
 	draw_hull(body, points);
-	draw_springs(body, points, pixel);
+	if (body.settings().has_springs()) { // Elastic modes have none.
+		draw_springs(body, points, pixel);
+	}
 	const Vector2 centre = mean_of(points, body.shape().masses());
 	const Vector2 arm_x = Vector2(CENTRE_SIZE * pixel, 0);
 	const Vector2 arm_y = Vector2(0, CENTRE_SIZE * pixel);

@@ -71,7 +71,11 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	if (!accept("shape", design ? softbody::Status() : softbody::Status(design.error()))) {
 		return;
 	}
-	auto fresh = softbody::SoftBodyData::create(design.value().shape, make_settings(design.value().mass), softbody::to_core_pose(transform));
+	const auto settings = make_settings(design.value());
+	if (!accept("settings", settings ? softbody::Status() : softbody::Status(settings.error()))) {
+		return;
+	}
+	auto fresh = softbody::SoftBodyData::create(design.value().shape, settings.value(), softbody::to_core_pose(transform));
 	if (!accept("transform", fresh ? softbody::Status() : softbody::Status(fresh.error()))) {
 		return;
 	}
@@ -139,6 +143,7 @@ void SoftBody2D::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_ENTER_TREE: {
 			unfit_.tell(*this);
+			tell_network_once();
 			enter_space();
 		} break;
 		case NOTIFICATION_EXIT_TREE: {

@@ -33,6 +33,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace softbody {
@@ -62,6 +63,17 @@ public:
 		INTEGRATOR_VELOCITY_VERLET,
 		INTEGRATOR_XPBD,
 	};
+
+	/// What makes the body elastic. Those after NETWORK are softbody::ElasticModel, in its order.
+	enum ElasticModel {
+		ELASTIC_MODEL_AUTOMATIC,
+		ELASTIC_MODEL_NETWORK,
+		ELASTIC_MODEL_SPRINGS,
+		ELASTIC_MODEL_SPRINGS_AND_SHAPE,
+		ELASTIC_MODEL_SPRINGS_SHAPE_AND_AREA,
+		ELASTIC_MODEL_MODES,
+	};
+	static constexpr int ELASTIC_MODEL_COUNT = ELASTIC_MODEL_MODES + 1;
 
 	/// As RigidBody2D.DampMode.
 	enum DampMode {
@@ -93,6 +105,19 @@ public:
 	double get_material_value() const {
 		return own_material_.*VALUE;
 	}
+	void set_preset(SoftBodyMaterial2D::Preset p_preset);
+	SoftBodyMaterial2D::Preset get_preset() const { return SoftBodyMaterial2D::Preset(softbody::preset_of(own_material_)); }
+	void clear_network_values();
+	bool has_network_values() const { return own_material_.has_network_values; }
+	void set_elastic_model(ElasticModel p_model);
+	ElasticModel get_elastic_model() const { return elastic_model_; }
+	ElasticModel get_elastic_model_in_use() const;
+	void set_least_area(double p_share);
+	double get_least_area() const { return least_area_; }
+	void set_least_stretch(double p_share);
+	double get_least_stretch() const { return least_stretch_; }
+	void set_most_stretch(double p_share);
+	double get_most_stretch() const { return most_stretch_; }
 	void set_soft_body_material(const Ref<SoftBodyMaterial2D> &p_material);
 	Ref<SoftBodyMaterial2D> get_soft_body_material() const { return material_; }
 	void set_gravity_scale(double p_gravity_scale);
@@ -352,6 +377,9 @@ private:
 	static void bind_motion();
 	static void bind_points();
 	static void bind_material();
+	static void bind_network();
+	static void bind_springs();
+	static void bind_limits();
 	static void bind_damping();
 	static void bind_collision();
 	static void bind_proxy();
@@ -362,11 +390,25 @@ private:
 
 	static constexpr int DEFAULT_MAX_CONTACTS = 16;
 
-	/// Points and springs at one scale of the node.
+	/// A model of the elasticity and why: "chosen", "own_springs", "painted_springs", "network_values", "material", or "unfit"
+	/// where the network takes the place of a model that the body cannot have.
+	struct ModelChoice {
+		ElasticModel model = ELASTIC_MODEL_MODES;
+		const char *reason = "material";
+	};
+
+	static const char *const REASON_NETWORK_VALUES;
+
+	/// Points and springs at one scale of the node. Its springs have stiffness and damping 1 times what is painted on them; how
+	/// stiff they are is a setting.
 	struct Design {
 		std::shared_ptr<const softbody::SoftBodyShape> shape;
 		Transform2D scale;
+		double area = 0; ///< inside the hull at that scale [px²]
 		double mass = 0; ///< [kg]
+		ModelChoice wanted; ///< model by the node's properties
+		ModelChoice used;
+		softbody::Status model_problem; ///< why `used` is not `wanted`
 		bool is_reversed = false; ///< see `hull_reversed_`
 		PackedStringArray problems; ///< parts of the structure that do not fit the others and were left out
 	};
@@ -386,16 +428,22 @@ private:
 	Callable own_callable(const char *p_method) { return Callable(this, p_method); }
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
 	bool accept_shape(const StringName &p_property);
-	bool change(const StringName &p_property, double &r_member, double p_value, const softbody::Status &p_range,
-			bool p_is_structural);
+	bool change(const StringName &p_property, double &r_member, double p_value, const softbody::Status &p_range);
+	bool accept_values(const StringName &p_property);
+	bool is_current(const Design &p_design) const;
 	void set_own_material_value(const softbody::MaterialField &p_field, double p_value);
+	bool take_over_own_values(const StringName &p_property, const softbody::MaterialValues &p_values);
 	void take_over_material();
 	const softbody::MaterialValues &material_values() const;
+	ModelChoice choose_model() const;
 	double mass_of_area(double p_area) const;
 	double mass_in_use() const;
-	softbody::BodySettings make_settings(double p_mass) const;
-	/// The structure at the scale of `p_transform`, or what is wrong with it.
-	softbody::Result<Design> make_design(const Transform2D &p_transform) const;
+	softbody::Status apply_elasticity(const Design &p_design, softbody::BodySettings &r_settings) const;
+	softbody::Result<softbody::BodySettings> make_settings(const Design &p_design) const;
+	/// The structure at the scale of `p_transform`, or what is wrong with it. A draft has no elastic modes, which take some
+	/// milliseconds: it serves to judge properties while a scene sets them one after the other.
+	softbody::Result<Design> make_design(const Transform2D &p_transform, bool p_is_draft = false) const;
+	softbody::Status check_elasticity(const Design &p_design) const;
 	/// That of the body, or the one it would have; null if there can be none.
 	const Design *design() const;
 	Transform2D design_transform() const;
@@ -404,7 +452,11 @@ private:
 	void set_scale_of_spring(const StringName &p_property, PackedFloat32Array &r_scales, int p_index, double p_scale,
 			bool p_may_be_zero);
 	const softbody::Spring2D *find_spring(int p_index) const;
+	std::pair<double, double> spring_scales() const;
 	void tell_structure_problems();
+	void tell_network_once() const;
+	static bool decided_by_network_values(const Design &p_design);
+	void append_stability_warnings(const Design &p_design, PackedStringArray &r_warnings) const;
 	const ContactRecord *find_contact(int p_index) const;
 	void on_collider_exiting(uint64_t p_collider);
 	void forget_contacts();
@@ -472,6 +524,10 @@ private:
 	bool center_point_ = true;
 	softbody::MaterialValues own_material_;
 	Ref<SoftBodyMaterial2D> material_;
+	ElasticModel elastic_model_ = ELASTIC_MODEL_AUTOMATIC;
+	double least_area_ = 0.5;
+	double least_stretch_ = 0.2;
+	double most_stretch_ = 3;
 	bool density_decides_ = false; ///< whose density makes the mass
 	double gravity_scale_ = 1;
 	Vector2 first_linear_velocity_; ///< of a body that is still to be made
@@ -540,6 +596,7 @@ private:
 } // namespace godot
 
 VARIANT_ENUM_CAST(SoftBody2D::Integrator);
+VARIANT_ENUM_CAST(SoftBody2D::ElasticModel);
 VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);
 VARIANT_ENUM_CAST(SoftBody2D::DampMode);
 VARIANT_ENUM_CAST(SoftBody2D::FailureMode);

@@ -42,8 +42,10 @@ PackedVector2Array SoftBody2D::make_capsule_hull(double p_radius, double p_heigh
 void SoftBody2D::_bind_methods() {
 	bind_hull();
 	bind_mass();
-	bind_structure();
 	bind_material();
+	bind_network();
+	bind_limits();
+	bind_structure();
 	bind_motion();
 	bind_damping();
 	bind_sleep();

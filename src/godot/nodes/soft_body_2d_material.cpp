@@ -4,18 +4,100 @@
 
 #include "godot/convert.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
+
+#include <utility>
 
 namespace godot {
 
+namespace {
+
+const char *const REASON_CHOSEN = "chosen";
+const char *const REASON_OWN_SPRINGS = "own_springs";
+const char *const REASON_PAINTED_SPRINGS = "painted_springs";
+const char *const REASON_MATERIAL = "material";
+
+} // namespace
+
+const char *const SoftBody2D::REASON_NETWORK_VALUES = "network_values";
+
+// A scene and a script mean what they set; what is edited in the inspector counts while it differs from the default, so that
+// it can be taken back.
 void SoftBody2D::set_own_material_value(const softbody::MaterialField &p_field, double p_value) {
-	if (change(p_field.name, own_material_.*p_field.value, p_value, softbody::check_material_value(p_field, p_value), p_field.is_structural) && material_.is_null()) {
-		if (p_field.is_structural) {
-			apply_shape();
-		} else {
-			apply_settings();
-		}
+	const StringName property = p_field.name;
+	if (!accept(property, softbody::check_material_value(p_field, p_value))) {
+		return;
 	}
+	softbody::MaterialValues changed = own_material_;
+	changed.*p_field.value = p_value;
+	softbody::note_set(changed, p_field, !Engine::get_singleton()->is_editor_hint() || !is_inside_tree());
+	take_over_own_values(property, changed);
+}
+
+bool SoftBody2D::take_over_own_values(const StringName &p_property, const softbody::MaterialValues &p_values) {
+	const softbody::MaterialValues old = std::exchange(own_material_, p_values);
+	if (material_.is_valid()) {
+		return true;
+	}
+	if (!accept_values(p_property)) {
+		own_material_ = old;
+		return false;
+	}
+	apply_shape();
+	return true;
+}
+
+void SoftBody2D::set_preset(SoftBodyMaterial2D::Preset p_preset) {
+	if (accept("preset", softbody::check_between("preset", p_preset, 0, softbody::MATERIAL_PRESET_COUNT - 1, ""))) {
+		softbody::MaterialValues changed = own_material_;
+		softbody::apply_preset(softbody::MaterialPreset(p_preset), changed);
+		take_over_own_values("preset", changed);
+	}
+}
+
+void SoftBody2D::clear_network_values() {
+	softbody::MaterialValues changed = own_material_;
+	softbody::clear_network_values(changed);
+	take_over_own_values("elastic_model", changed);
+}
+
+void SoftBody2D::set_elastic_model(ElasticModel p_model) {
+	if (!accept("elastic_model", softbody::check_between("elastic_model", p_model, 0, ELASTIC_MODEL_COUNT - 1, ""))) {
+		return;
+	}
+	const ElasticModel old = std::exchange(elastic_model_, p_model);
+	if (!accept_values("elastic_model")) {
+		elastic_model_ = old;
+		return;
+	}
+	apply_shape();
+}
+
+// By the properties alone, so that the order in which they were set does not count.
+SoftBody2D::ModelChoice SoftBody2D::choose_model() const {
+	if (elastic_model_ != ELASTIC_MODEL_AUTOMATIC) {
+		return { elastic_model_, REASON_CHOSEN };
+	}
+	if (!springs_.is_empty()) {
+		return { ELASTIC_MODEL_NETWORK, REASON_OWN_SPRINGS };
+	}
+	if (!spring_stiffness_scales_.is_empty() || !spring_damping_scales_.is_empty() || !spring_length_scales_.is_empty()) {
+		return { ELASTIC_MODEL_NETWORK, REASON_PAINTED_SPRINGS };
+	}
+	if (material_values().has_network_values) {
+		return { ELASTIC_MODEL_NETWORK, REASON_NETWORK_VALUES };
+	}
+	return { ELASTIC_MODEL_MODES, REASON_MATERIAL };
+}
+
+SoftBody2D::ElasticModel SoftBody2D::get_elastic_model_in_use() const {
+	const ModelChoice choice = choose_model();
+	if (!design_ && (choice.model == ELASTIC_MODEL_NETWORK || choice.model == ELASTIC_MODEL_MODES)) {
+		return choice.model; // without the time that modes take; every outline has some
+	}
+	const Design *found = design();
+	return found != nullptr ? found->used.model : choice.model;
 }
 
 void SoftBody2D::set_soft_body_material(const Ref<SoftBodyMaterial2D> &p_material) {
@@ -36,7 +118,7 @@ void SoftBody2D::set_soft_body_material(const Ref<SoftBodyMaterial2D> &p_materia
 
 // Values that no body can have, like a density that overflows, are the material's fault: the body stays as it is.
 void SoftBody2D::take_over_material() {
-	if (accept("soft_body_material", softbody::check_settings(make_settings(mass_in_use()))) && accept_shape("soft_body_material")) {
+	if (accept_values("soft_body_material")) {
 		apply_shape();
 	}
 	// Only when it matters: the inspector forgets a slider that is being dragged.
@@ -65,6 +147,7 @@ double SoftBody2D::mass_in_use() const {
 
 // What a material overrides is shown, not edited; it is saved, so that nothing is lost when the material goes.
 void SoftBody2D::_validate_property(PropertyInfo &p_property) const {
+	softbody::keep_defaults_unstored(own_material_, p_property);
 	if (material_.is_null()) {
 		return;
 	}
@@ -73,7 +156,7 @@ void SoftBody2D::_validate_property(PropertyInfo &p_property) const {
 			p_property.usage |= PROPERTY_USAGE_READ_ONLY;
 		}
 	}
-	if (p_property.name == StringName("mass") && density_decides_) {
+	if (p_property.name == StringName("preset") || (p_property.name == StringName("mass") && density_decides_)) {
 		p_property.usage |= PROPERTY_USAGE_READ_ONLY;
 	}
 }
@@ -83,8 +166,26 @@ void SoftBody2D::bind_material() {
 	ClassDB::bind_method(D_METHOD("set_soft_body_material", "material"), &SoftBody2D::set_soft_body_material);
 	ClassDB::bind_method(D_METHOD("get_soft_body_material"), &SoftBody2D::get_soft_body_material);
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "soft_body_material", PROPERTY_HINT_RESOURCE_TYPE, "SoftBodyMaterial2D"), "set_soft_body_material", "get_soft_body_material");
-	softbody::bind_material_values<SoftBody2D>(false);
+	softbody::bind_material_values<SoftBody2D>();
 	ClassDB::bind_method(D_METHOD("_take_over_material"), &SoftBody2D::take_over_material);
+}
+
+void SoftBody2D::bind_network() {
+	ClassDB::bind_method(D_METHOD("set_elastic_model", "elastic_model"), &SoftBody2D::set_elastic_model);
+	ClassDB::bind_method(D_METHOD("get_elastic_model"), &SoftBody2D::get_elastic_model);
+	ClassDB::bind_method(D_METHOD("get_elastic_model_in_use"), &SoftBody2D::get_elastic_model_in_use);
+
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "elastic_model", PROPERTY_HINT_ENUM, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes"), "set_elastic_model", "get_elastic_model");
+	ADD_GROUP("Network", "");
+	softbody::bind_network_values<SoftBody2D>();
+	bind_springs();
+
+	BIND_ENUM_CONSTANT(ELASTIC_MODEL_AUTOMATIC);
+	BIND_ENUM_CONSTANT(ELASTIC_MODEL_NETWORK);
+	BIND_ENUM_CONSTANT(ELASTIC_MODEL_SPRINGS);
+	BIND_ENUM_CONSTANT(ELASTIC_MODEL_SPRINGS_AND_SHAPE);
+	BIND_ENUM_CONSTANT(ELASTIC_MODEL_SPRINGS_SHAPE_AND_AREA);
+	BIND_ENUM_CONSTANT(ELASTIC_MODEL_MODES);
 }
 
 } // namespace godot

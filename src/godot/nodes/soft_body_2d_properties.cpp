@@ -3,6 +3,7 @@
 #include "godot/nodes/soft_body_2d.h"
 
 #include "core/base/constants.h"
+#include "core/model/material.h"
 #include "godot/convert.h"
 #include "godot/server/soft_body_server_2d.h"
 #include "godot/server/soft_body_space_2d.h"
@@ -11,6 +12,7 @@
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 using softbody::to_godot;
@@ -32,14 +34,12 @@ bool SoftBody2D::accept(const StringName &p_property, const softbody::Status &p_
 
 // Takes a number over if its own range and the body as a whole allow it: in the core's precision a huge or
 // tiny value can be refused that looks fine here.
-bool SoftBody2D::change(const StringName &p_property, double &r_member, double p_value, const softbody::Status &p_range,
-		bool p_is_structural) {
+bool SoftBody2D::change(const StringName &p_property, double &r_member, double p_value, const softbody::Status &p_range) {
 	if (!accept(p_property, p_range)) {
 		return false;
 	}
-	const double old = r_member;
-	r_member = p_value;
-	if (!accept(p_property, softbody::check_settings(make_settings(mass_in_use()))) || (p_is_structural && !accept_shape(p_property))) {
+	const double old = std::exchange(r_member, p_value);
+	if (!accept_values(p_property)) {
 		r_member = old;
 		return false;
 	}
@@ -48,22 +48,65 @@ bool SoftBody2D::change(const StringName &p_property, double &r_member, double p
 
 // Whether a body can be built from the present values; if not, `p_property` is to blame.
 bool SoftBody2D::accept_shape(const StringName &p_property) {
-	auto design = make_design(design_transform());
+	const bool is_draft = body() == nullptr;
+	auto design = make_design(design_transform(), is_draft);
 	if (!accept(p_property, design ? softbody::Status() : softbody::Status(design.error()))) {
 		return false;
 	}
-	design_ = std::move(design.value());
+	if (is_draft) {
+		design_.reset(); // what is asked for it makes it
+	} else {
+		design_ = std::move(design.value());
+	}
+	return true;
+}
+
+// Whether the values that are not the structure's make no other shape of it.
+bool SoftBody2D::is_current(const Design &p_design) const {
+	return !p_design.model_problem && p_design.wanted.model == choose_model().model && p_design.mass == mass_of_area(p_design.area);
+}
+
+// Whether the body can have the present values; if not, `p_property` is to blame. Springs and points are made anew only when
+// other masses or another model of elasticity need them to be.
+bool SoftBody2D::accept_values(const StringName &p_property) {
+	const bool keeps_shape = design_ && is_current(*design_);
+	if (body() == nullptr && !keeps_shape) {
+		design_.reset();
+		const auto draft = make_design(design_transform(), true);
+		const auto settings = draft ? make_settings(draft.value()) : softbody::Result<softbody::BodySettings>(draft.error());
+		return accept(p_property, settings ? softbody::Status() : softbody::Status(settings.error()));
+	}
+	const std::optional<Design> kept = design_;
+	if (!keeps_shape) {
+		auto made = make_design(design_transform());
+		// A model that does not fit is this property's fault, unless it did not fit before.
+		const bool is_worse = made && made.value().model_problem && !(kept && kept->model_problem);
+		const softbody::Status problem = !made ? softbody::Status(made.error()) : is_worse ? made.value().model_problem : softbody::Status();
+		if (!accept(p_property, problem)) {
+			return false;
+		}
+		design_ = std::move(made.value());
+	} else {
+		const ModelChoice choice = choose_model(); // the same model, perhaps for another reason
+		design_->wanted = choice;
+		design_->used = choice;
+	}
+	const auto settings = make_settings(*design_);
+	if (!accept(p_property, settings ? softbody::Status() : softbody::Status(settings.error()))) {
+		design_ = kept;
+		return false;
+	}
 	return true;
 }
 
 void SoftBody2D::set_mass(double p_mass) {
-	if (change("mass", mass_, p_mass, softbody::check_above("mass", p_mass, 0, "kg"), true)) {
+	if (change("mass", mass_, p_mass, softbody::check_above("mass", p_mass, 0, "kg"))) {
 		apply_shape();
 	}
 }
 
 void SoftBody2D::set_gravity_scale(double p_gravity_scale) {
-	if (change("gravity_scale", gravity_scale_, p_gravity_scale, softbody::check_finite("gravity_scale", p_gravity_scale, ""), false)) {
+	if (change("gravity_scale", gravity_scale_, p_gravity_scale, softbody::check_finite("gravity_scale", p_gravity_scale, ""))) {
 		apply_settings();
 	}
 }
@@ -100,15 +143,48 @@ void SoftBody2D::set_self_collision(bool p_self_collision) {
 
 // From properties to the core.
 
-softbody::BodySettings SoftBody2D::make_settings(double p_mass) const {
+// Refuses as a whole what is fine one by one: rates of springs that leave the range of numbers.
+softbody::Status SoftBody2D::apply_elasticity(const Design &p_design, softbody::BodySettings &r_settings) const {
+	const softbody::MaterialValues &material = material_values();
+	const softbody::SoftBodyShape &shape = *p_design.shape;
+	if (p_design.used.model == ELASTIC_MODEL_NETWORK) {
+		const double point_mass = p_design.mass / get_point_count();
+		const double shape_stiffness = material.shape_matching * material.stiffness;
+		r_settings.spring_stiffness_scale = softbody::Real(material.stiffness);
+		r_settings.spring_damping_scale = softbody::Real(material.damping);
+		r_settings.shape_stiffness = softbody::Real(shape_stiffness);
+		// The shape-matching oscillator of one point has the frequency sqrt(k_s/m): c = 2 ζ sqrt(k_s m).
+		r_settings.shape_damping = softbody::Real(2 * material.shape_damping * std::sqrt(shape_stiffness * point_mass));
+	} else if (p_design.used.model == ELASTIC_MODEL_MODES && shape.modes() == nullptr) { // of a draft
+		return softbody::check_material(softbody::to_material(material));
+	} else {
+		const auto model = softbody::ElasticModel(p_design.used.model - ELASTIC_MODEL_SPRINGS);
+		if (softbody::Status status = softbody::apply_material(softbody::to_material(material), model, shape, r_settings)) {
+			return status;
+		}
+	}
+	const auto check_rate = [](const char *p_name, softbody::Real p_scale, softbody::Real p_rate, const char *p_remedy) {
+		const bool fits = std::isfinite(p_scale * p_rate);
+		return fits ? softbody::Status() : softbody::Error{ p_name, "too large for the masses", "must stay within the range of numbers", p_remedy };
+	};
+	if (softbody::Status status = check_rate("stiffness", r_settings.spring_stiffness_scale, shape.spring_frequency_squared(), "give less stiffness or more mass")) {
+		return status;
+	}
+	return check_rate("damping", r_settings.spring_damping_scale, shape.spring_damping_rate(), "give less damping or more mass");
+}
+
+softbody::Status SoftBody2D::check_elasticity(const Design &p_design) const {
+	softbody::BodySettings settings;
+	return apply_elasticity(p_design, settings);
+}
+
+softbody::Result<softbody::BodySettings> SoftBody2D::make_settings(const Design &p_design) const {
 	softbody::BodySettings settings;
 	const softbody::MaterialValues &material = material_values();
-	const double point_mass = p_mass / get_point_count();
-	const double shape_stiffness = material.shape_matching * material.stiffness;
-	settings.shape_stiffness = softbody::Real(shape_stiffness);
-	// The shape-matching oscillator of one point has the frequency sqrt(k_s/m): c = 2 ζ sqrt(k_s m).
-	settings.shape_damping = softbody::Real(2 * material.shape_damping * std::sqrt(shape_stiffness * point_mass));
 	settings.pressure_stiffness = softbody::Real(material.pressure);
+	settings.least_area = softbody::Real(least_area_);
+	settings.least_stretch = softbody::Real(least_stretch_);
+	settings.most_stretch = softbody::Real(most_stretch_);
 	settings.inflation = softbody::Real(material.inflation);
 	settings.friction = softbody::Real(material.friction);
 	settings.restitution = softbody::Real(material.bounce);
@@ -126,6 +202,12 @@ softbody::BodySettings SoftBody2D::make_settings(double p_mass) const {
 		settings.linear_damp = found->settings().linear_damp;
 		settings.angular_damp = found->settings().angular_damp;
 	}
+	if (softbody::Status status = apply_elasticity(p_design, settings)) {
+		return *status;
+	}
+	if (softbody::Status status = softbody::check_settings(settings)) {
+		return *status;
+	}
 	return settings;
 }
 
@@ -141,8 +223,10 @@ const softbody::SoftBodyData *SoftBody2D::body() const {
 }
 
 void SoftBody2D::apply_settings() {
-	if (softbody::SoftBodyData *found = body()) {
-		accept("settings", found->set_settings(make_settings(mass_in_use())));
+	softbody::SoftBodyData *found = body();
+	if (found != nullptr && design() != nullptr) {
+		const auto settings = make_settings(*design_);
+		accept("settings", settings ? found->set_settings(settings.value()) : softbody::Status(settings.error()));
 	}
 	update_configuration_warnings();
 }
@@ -150,10 +234,42 @@ void SoftBody2D::apply_settings() {
 // Hands the accepted design on. It has the body's scale, and as many points.
 void SoftBody2D::apply_shape() {
 	softbody::SoftBodyData *found = body();
-	if (found != nullptr && design() != nullptr) {
+	if (found != nullptr && design() != nullptr && found->shared_shape() != design_->shape) {
 		accept("shape", found->set_shape(design_->shape));
 	}
-	apply_settings(); // the damping of shape matching depends on stiffness and mass
+	apply_settings(); // which depend on the shape: a material on its modes, the damping of shape matching on its mass
+}
+
+void SoftBody2D::set_least_area(double p_share) {
+	if (change("least_area", least_area_, p_share, softbody::check_between("least_area", p_share, 0, 1, ""))) {
+		apply_settings();
+	}
+}
+
+void SoftBody2D::set_least_stretch(double p_share) {
+	if (change("least_stretch", least_stretch_, p_share, softbody::check_between("least_stretch", p_share, 0, 1, ""))) {
+		apply_settings();
+	}
+}
+
+void SoftBody2D::set_most_stretch(double p_share) {
+	if (change("most_stretch", most_stretch_, p_share, softbody::check_at_least("most_stretch", p_share, 1, ""))) {
+		apply_settings();
+	}
+}
+
+void SoftBody2D::bind_limits() {
+	ClassDB::bind_method(D_METHOD("set_least_area", "least_area"), &SoftBody2D::set_least_area);
+	ClassDB::bind_method(D_METHOD("get_least_area"), &SoftBody2D::get_least_area);
+	ClassDB::bind_method(D_METHOD("set_least_stretch", "least_stretch"), &SoftBody2D::set_least_stretch);
+	ClassDB::bind_method(D_METHOD("get_least_stretch"), &SoftBody2D::get_least_stretch);
+	ClassDB::bind_method(D_METHOD("set_most_stretch", "most_stretch"), &SoftBody2D::set_most_stretch);
+	ClassDB::bind_method(D_METHOD("get_most_stretch"), &SoftBody2D::get_most_stretch);
+
+	ADD_GROUP("Limits", "");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "least_area", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_least_area", "get_least_area");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "least_stretch", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_least_stretch", "get_least_stretch");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "most_stretch", PROPERTY_HINT_RANGE, "1,10,0.01,or_greater"), "set_most_stretch", "get_most_stretch");
 }
 
 void SoftBody2D::bind_mass() {

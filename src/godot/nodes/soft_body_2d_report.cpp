@@ -12,8 +12,10 @@
 #include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/print_string.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -104,7 +106,11 @@ softbody::Result<softbody::SoftBodyData> SoftBody2D::make_copy() const {
 		return made.error();
 	}
 	const Design &copied = made.value();
-	auto body = softbody::SoftBodyData::create(copied.shape, make_settings(copied.mass), softbody::to_core_pose(transform));
+	const auto settings = make_settings(copied);
+	if (!settings) {
+		return settings.error();
+	}
+	auto body = softbody::SoftBodyData::create(copied.shape, settings.value(), softbody::to_core_pose(transform));
 	if (body) {
 		for (const int32_t point : pinned_points_) {
 			if (point < get_point_count()) {
@@ -117,30 +123,36 @@ softbody::Result<softbody::SoftBodyData> SoftBody2D::make_copy() const {
 
 Dictionary SoftBody2D::get_substep_plan() const {
 	Dictionary result;
-	if (const Design *found = design()) {
-		write_plan(softbody::plan_substeps(*found->shape, make_settings(found->mass), tick_length(), collision_mask_ != 0), result);
+	const Design *found = design();
+	const auto settings = found != nullptr ? make_settings(*found) : softbody::Result<softbody::BodySettings>(softbody::Error{});
+	if (settings) {
+		write_plan(softbody::plan_substeps(*found->shape, settings.value(), tick_length(), collision_mask_ != 0), result);
+		result["elastic_model"] = int(found->used.model);
+		result["elastic_reason"] = found->used.reason;
 	}
 	return result;
 }
 
 Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
-	Dictionary result;
+	Dictionary result = get_substep_plan();
 	const Design *found = design();
-	ERR_FAIL_COND_V_MSG(!(p_time_limit_msec > 0), result, describe() + ": time_limit_msec must be above 0.");
-	if (found == nullptr) {
+	ERR_FAIL_COND_V_MSG(!(p_time_limit_msec > 0), Dictionary(), describe() + ": time_limit_msec must be above 0.");
+	if (result.is_empty()) {
 		return result;
 	}
-	const softbody::BodySettings settings = make_settings(found->mass);
 	const softbody::StabilityReport report =
-			softbody::report_stability(*found->shape, settings, project_gravity(), tick_length(), collision_mask_ != 0);
-	write_plan(report.plan, result);
+			softbody::report_stability(*found->shape, make_settings(*found).value(), project_gravity(), tick_length(), collision_mask_ != 0);
+	const softbody::MaterialValues &material = material_values();
+	const bool is_network = found->used.model == ELASTIC_MODEL_NETWORK;
 	result["automatic_substeps"] = report.automatic.substeps;
 	result["automatic_integrator"] = int(report.automatic.integrator);
 	result["automatic_safe"] = report.automatic.safe;
 	result["stiffness"] = report.stiffness;
 	result["strength"] = report.strength;
 	result["damping"] = report.damping;
-	result["least_damping"] = report.least_damping;
+	result["least_damping"] = is_network ? report.least_damping : softbody::Real(0);
+	result["youngs_modulus"] = is_network ? 0.0 : material.youngs_modulus;
+	result["poisson_ratio"] = is_network ? 0.0 : material.poisson_ratio;
 
 	const auto copy = make_copy();
 	if (!copy) {
@@ -162,11 +174,59 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 		const int steps = int(MIN(double(MOST_TRIAL_STEPS), 5 * p_time_limit_msec / step_msec));
 		factor = double(softbody::find_firm_factor(copy.value(), project_gravity(), softbody::PIXELS_PER_METRE, tick_length(), steps));
 	}
-	const double own = material_values().stiffness;
 	// Where a trial would take too long, what the rule says of the usual structure.
-	const double by_rule = report.stiffness > 0 ? own * double(report.firm_stiffness / report.stiffness) : double(report.firm_stiffness);
-	result["firm_stiffness"] = factor > 0 && own > 0 ? factor * own : by_rule;
+	const double own = is_network ? material.stiffness : material.youngs_modulus;
+	const double by_rule = report.strength > 0 ? own * double(softbody::FIRM_STRENGTH / report.strength) : double(report.firm_stiffness);
+	const double firm = factor > 0 && own > 0 ? factor * own : by_rule;
+	result["firm_stiffness"] = is_network ? firm : 0.0;
+	result["firm_youngs_modulus"] = is_network ? 0.0 : firm;
 	return result;
+}
+
+void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringArray &r_warnings) const {
+	const softbody::MaterialValues &material = material_values();
+	const bool is_network = p_design.used.model == ELASTIC_MODEL_NETWORK;
+	// A network of its own is no fault. It is one that a material was given and has no effect.
+	const softbody::MaterialValues defaults;
+	if (decided_by_network_values(p_design) && !(softbody::to_material(material) == softbody::to_material(defaults))) {
+		r_warnings.push_back("youngs_modulus, poisson_ratio and damping_ratio have no effect, as raw values of the spring network are set as well (stiffness, damping, shape_matching, shape_damping or pressure): these are kept and used. To use the material, set elastic_model to Modes; to keep the network without this warning, set it to Network.");
+	}
+	const auto settings = make_settings(p_design);
+	if (!settings) {
+		return;
+	}
+	const softbody::StabilityReport report = softbody::report_stability(*p_design.shape, settings.value(), project_gravity(), tick_length(), collision_mask_ != 0);
+	if (report.is_too_soft()) {
+		// What is painted on single springs stays: the node's own value has to make up for it.
+		const double own = is_network ? material.stiffness : material.youngs_modulus;
+		const double firm = report.strength > 0 ? own * double(softbody::FIRM_STRENGTH / report.strength) : double(report.firm_stiffness);
+		const String name = is_network ? "Stiffness " : "Young's modulus ";
+		const String end = is_network ? " N/m is too low for the body's weight: it will fold. Use at least " : " N/m is too low for the body's weight: it will be pressed flat. Use at least ";
+		r_warnings.push_back(name + String::num(own) + end + String::num(std::ceil(firm)) + " N/m, or less mass or gravity_scale.");
+	}
+	if (is_network && report.rings()) {
+		const double share = report.damping > 0 ? material.damping / double(report.damping) : 1.0;
+		r_warnings.push_back(vformat(String::utf8("Damping %s N·s/m is too low to calm strong deformations. Use at least %s N·s/m."), material.damping, String::num(share * double(report.least_damping), 3)));
+	}
+	if (!report.plan.safe) {
+		const String remedy = is_network ? "the stiffness or the damping" : "youngs_modulus or damping_ratio";
+		r_warnings.push_back("With these values a step is not stable in " + String::num_int64(report.plan.substeps) + " substeps. Lower " + remedy + ", raise the mass, use fewer hull points, or set substeps to 0 (automatic).");
+	}
+}
+
+// Whether the network is in use for its raw values alone, as in scenes of versions without a material.
+bool SoftBody2D::decided_by_network_values(const Design &p_design) {
+	return p_design.used.reason == REASON_NETWORK_VALUES;
+}
+
+// Once, as it concerns every body of an older project.
+void SoftBody2D::tell_network_once() const {
+#ifdef DEBUG_ENABLED
+	static std::atomic<bool> told = false;
+	if (choose_model().reason == REASON_NETWORK_VALUES && !told.exchange(true)) {
+		print_line("Note: " + describe() + ", perhaps among others, has raw values of a spring network (stiffness, damping, shape_matching, shape_damping or pressure), set by a scene or a script. They are kept and used instead of youngs_modulus, poisson_ratio and damping_ratio. Set elastic_model to Network to say that this is meant, or to Modes to use the material.");
+	}
+#endif
 }
 
 PackedStringArray SoftBody2D::get_warnings() const {
@@ -188,21 +248,7 @@ PackedStringArray SoftBody2D::get_warnings() const {
 		}
 	}
 	if (found != nullptr) {
-		const softbody::StabilityReport report = softbody::report_stability(*found->shape, make_settings(found->mass), project_gravity(), tick_length(), collision_mask_ != 0);
-		const double stiffness = material_values().stiffness;
-		const double damping = material_values().damping;
-		// What is painted on single springs stays: the node's own value has to make up for it.
-		const double stiffness_share = report.stiffness > 0 ? stiffness / double(report.stiffness) : 1.0;
-		const double damping_share = report.damping > 0 ? damping / double(report.damping) : 1.0;
-		if (report.is_too_soft()) {
-			warnings.push_back("Stiffness " + String::num(stiffness) + " N/m is too low for the body's weight: it will fold. Use at least " + String::num(std::ceil(stiffness_share * double(report.firm_stiffness))) + " N/m, or less mass or gravity_scale.");
-		}
-		if (report.rings()) {
-			warnings.push_back(vformat(String::utf8("Damping %s N·s/m is too low to calm strong deformations. Use at least %s N·s/m."), damping, String::num(damping_share * double(report.least_damping), 3)));
-		}
-		if (!report.plan.safe) {
-			warnings.push_back("With these values a step is not stable in " + String::num_int64(report.plan.substeps) + " substeps. Lower the stiffness or the damping, raise the mass, use fewer hull points, or set substeps to 0 (automatic).");
-		}
+		append_stability_warnings(*found, warnings);
 	}
 	append_pin_warnings(warnings);
 	append_drawing_warnings(warnings);

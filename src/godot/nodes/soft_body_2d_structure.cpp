@@ -151,19 +151,23 @@ bool SoftBody2D::change_structure(const StringName &p_property, Value &r_member,
 
 // From properties to the core.
 
-softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &p_transform) const {
+softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &p_transform, bool p_is_draft) const {
 	const Transform2D scale = softbody::scale_and_skew(p_transform);
 	const std::vector<softbody::Vec2> hull = to_core(scale.xform(hull_));
 	const double area = softbody::signed_area(hull);
 	Design made;
 	made.scale = scale;
-	made.mass = mass_of_area(std::abs(area));
+	made.area = std::abs(area);
+	made.mass = mass_of_area(made.area);
 	made.is_reversed = area < 0;
+	made.wanted = choose_model();
+	made.used = made.wanted;
 
 	softbody::StructureOptions options;
 	options.mass = softbody::Real(made.mass);
-	options.stiffness = softbody::Real(material_values().stiffness);
-	options.damping = softbody::Real(material_values().damping);
+	options.stiffness = 1;
+	options.damping = 1;
+	options.elastic = !p_is_draft && made.used.model == ELASTIC_MODEL_MODES;
 	options.centre_point = center_point_;
 	options.inner_points = to_core(scale.xform(inner_points_));
 	for (int64_t i = 0; i + 1 < springs_.size(); i += 2) {
@@ -174,14 +178,28 @@ softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &
 	options.spring_length_scales = to_reals(spring_length_scales_);
 	for (;;) {
 		auto shape = softbody::find_or_create_shape(hull, options);
-		if (shape) {
-			made.shape = shape.value();
-			return made;
+		if (!shape && leave_out(options, shape.error().name)) {
+			made.problems.push_back(to_godot(shape.error().message()));
+			continue;
 		}
-		if (!leave_out(options, shape.error().name)) {
+		if (!shape && !options.elastic) {
 			return shape.error();
 		}
-		made.problems.push_back(to_godot(shape.error().message()));
+		softbody::Status problem = shape ? softbody::Status() : softbody::Status(shape.error());
+		if (shape) {
+			made.shape = shape.value();
+			problem = p_is_draft ? problem : check_elasticity(made);
+		}
+		if (!problem) {
+			return made;
+		}
+		made.model_problem = problem;
+		made.problems.push_back(to_godot(problem->message()));
+		made.used = { ELASTIC_MODEL_NETWORK, "unfit" };
+		if (!options.elastic) {
+			return made;
+		}
+		options.elastic = false;
 	}
 }
 
@@ -252,14 +270,24 @@ PackedInt32Array SoftBody2D::get_all_springs() const {
 	return all;
 }
 
+// By which the stiffness and the damping of the shape's springs are multiplied. 0 where springs take no part.
+std::pair<double, double> SoftBody2D::spring_scales() const {
+	const Design *found = design();
+	const auto settings = found != nullptr ? make_settings(*found) : softbody::Result<softbody::BodySettings>(softbody::Error{});
+	if (!settings) {
+		return { 0, 0 };
+	}
+	return { double(settings.value().spring_stiffness_scale), double(settings.value().spring_damping_scale) };
+}
+
 double SoftBody2D::get_spring_stiffness(int p_index) const {
 	const softbody::Spring2D *spring = find_spring(p_index);
-	return spring != nullptr ? double(spring->stiffness) : 0.0;
+	return spring != nullptr ? double(spring->stiffness) * spring_scales().first : 0.0;
 }
 
 double SoftBody2D::get_spring_damping(int p_index) const {
 	const softbody::Spring2D *spring = find_spring(p_index);
-	return spring != nullptr ? double(spring->damping) : 0.0;
+	return spring != nullptr ? double(spring->damping) * spring_scales().second : 0.0;
 }
 
 double SoftBody2D::get_spring_rest_length(int p_index) const {
@@ -323,6 +351,14 @@ void SoftBody2D::bind_structure() {
 	ClassDB::bind_method(D_METHOD("has_center_point"), &SoftBody2D::has_center_point);
 	ClassDB::bind_method(D_METHOD("set_inner_points", "points"), &SoftBody2D::set_inner_points);
 	ClassDB::bind_method(D_METHOD("get_inner_points"), &SoftBody2D::get_inner_points);
+
+	ADD_GROUP("Structure", "");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "center_point"), "set_center_point", "has_center_point");
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "inner_points", PROPERTY_HINT_NONE, "suffix:px"), "set_inner_points", "get_inner_points");
+}
+
+// The springs' own values, after the raw values that they share: the group is bind_network's.
+void SoftBody2D::bind_springs() {
 	ClassDB::bind_method(D_METHOD("set_springs", "springs"), &SoftBody2D::set_springs);
 	ClassDB::bind_method(D_METHOD("get_springs"), &SoftBody2D::get_springs);
 	ClassDB::bind_method(D_METHOD("set_spring_stiffness_scales", "scales"), &SoftBody2D::set_spring_stiffness_scales);
@@ -343,9 +379,6 @@ void SoftBody2D::bind_structure() {
 	ClassDB::bind_method(D_METHOD("set_spring_damping_scale", "index", "scale"), &SoftBody2D::set_spring_damping_scale);
 	ClassDB::bind_method(D_METHOD("set_spring_length_scale", "index", "scale"), &SoftBody2D::set_spring_length_scale);
 
-	ADD_GROUP("Structure", "");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "center_point"), "set_center_point", "has_center_point");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "inner_points", PROPERTY_HINT_NONE, "suffix:px"), "set_inner_points", "get_inner_points");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_INT32_ARRAY, "springs"), "set_springs", "get_springs");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "spring_stiffness_scales"), "set_spring_stiffness_scales", "get_spring_stiffness_scales");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "spring_damping_scales"), "set_spring_damping_scales", "get_spring_damping_scales");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/model/material.h"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/string.hpp>
@@ -13,6 +14,9 @@ namespace softbody {
 
 /// In the units of the inspector. The class reference of SoftBodyMaterial2D says what each does.
 struct MaterialValues {
+	double youngs_modulus = 300; ///< [N/m]
+	double poisson_ratio = 0.45; ///< [1]
+	double damping_ratio = 0.15; ///< [1]
 	double stiffness = 100; ///< [N/m]
 	double damping = 0.12; ///< [N·s/m]
 	double shape_matching = 0.4; ///< share of the stiffness [1]
@@ -23,28 +27,64 @@ struct MaterialValues {
 	double bounce = 0; ///< [1]
 	double rolling_resistance = 0.03; ///< [1]
 	double density = 0; ///< [kg/m²]; 0 leaves the mass to the node. Only resources have one.
+	/// Whether one of the raw values of the spring network was set: stiffness, damping, shape matching, its damping, pressure.
+	bool has_network_values = false;
+
+	friend bool operator==(const MaterialValues &, const MaterialValues &) = default;
 };
+
+/// Materials with a name. A preset sets Young's modulus, Poisson's ratio, damping ratio, friction, bounce and rolling
+/// resistance.
+enum class MaterialPreset {
+	CUSTOM, ///< none of the others; sets nothing
+	JELLY, ///< the default values
+	RUBBER,
+	WATER_BALLOON,
+	MARSHMALLOW,
+	FOAM,
+};
+inline constexpr int MATERIAL_PRESET_COUNT = 6;
+inline constexpr const char *MATERIAL_PRESET_NAMES = "Custom,Jelly,Rubber,Water Balloon,Marshmallow,Foam";
 
 /// One of them: its name, range, and how the inspector shows it.
 struct MaterialField {
 	const char *name;
 	double MaterialValues::*value;
-	double maximum; ///< the minimum is 0
+	double maximum; ///< the minimum is 0, which Young's modulus excludes
 	const char *unit;
 	const char *hint; ///< of PROPERTY_HINT_RANGE
-	bool is_structural; ///< belongs to the springs and masses: changing it makes another shape
+	bool is_of_network = false; ///< a raw value of the spring network
 };
 
 /// In the inspector's order; `density` is the last.
 std::span<const MaterialField> material_fields();
 const MaterialField &material_field(double MaterialValues::*value);
 
+/// After `field` was set: whether the raw values of the network count as set. One that `sticks` counts whatever its value, as
+/// a script or a scene has set it; else they count while one of them differs from its default, so that undo takes that back.
+void note_set(MaterialValues &values, const MaterialField &field, bool sticks);
+/// Gives the raw values their defaults: none counts as set any more.
+void clear_network_values(MaterialValues &values);
+/// What `apply_material` takes.
+Material to_material(const MaterialValues &values);
+
+void apply_preset(MaterialPreset preset, MaterialValues &values);
+/// The preset with these values, or CUSTOM. O(presets).
+MaterialPreset preset_of(const MaterialValues &values);
+
 /// Refuses what is out of range, also what is finite here and not in the core's precision.
 Status check_material_value(const MaterialField &field, double value);
 
+/// For `_validate_property`: raw values that do not count as set are not stored. `duplicate` copies stored properties by
+/// setting each, whatever its value, and a copy would have a network that its original has not.
+void keep_defaults_unstored(const MaterialValues &values, godot::PropertyInfo &r_property);
+
 /// Binds setter, getter and property of each field to `Class::set_material_value<…>` and `Class::get_material_value<…>`.
 template <class Class>
-void bind_material_values(bool p_with_density);
+void bind_material_values();
+/// The same for the raw values of the spring network.
+template <class Class>
+void bind_network_values();
 
 namespace material_binding {
 
@@ -64,20 +104,32 @@ void bind() {
 } // namespace material_binding
 
 template <class Class>
-void bind_material_values(bool p_with_density) {
+void bind_material_values() {
+	using Values = MaterialValues;
+	godot::ClassDB::bind_method(godot::D_METHOD("set_preset", "preset"), &Class::set_preset);
+	godot::ClassDB::bind_method(godot::D_METHOD("get_preset"), &Class::get_preset);
+	godot::ClassDB::add_property(Class::get_class_static(),
+			godot::PropertyInfo(godot::Variant::INT, "preset", godot::PROPERTY_HINT_ENUM, MATERIAL_PRESET_NAMES, godot::PROPERTY_USAGE_EDITOR),
+			"set_preset", "get_preset");
+	material_binding::bind<Class, &Values::youngs_modulus>();
+	material_binding::bind<Class, &Values::poisson_ratio>();
+	material_binding::bind<Class, &Values::damping_ratio>();
+	material_binding::bind<Class, &Values::friction>();
+	material_binding::bind<Class, &Values::bounce>();
+	material_binding::bind<Class, &Values::rolling_resistance>();
+	material_binding::bind<Class, &Values::inflation>();
+}
+
+template <class Class>
+void bind_network_values() {
 	using Values = MaterialValues;
 	material_binding::bind<Class, &Values::stiffness>();
 	material_binding::bind<Class, &Values::damping>();
 	material_binding::bind<Class, &Values::shape_matching>();
 	material_binding::bind<Class, &Values::shape_damping>();
 	material_binding::bind<Class, &Values::pressure>();
-	material_binding::bind<Class, &Values::inflation>();
-	material_binding::bind<Class, &Values::friction>();
-	material_binding::bind<Class, &Values::bounce>();
-	material_binding::bind<Class, &Values::rolling_resistance>();
-	if (p_with_density) {
-		material_binding::bind<Class, &Values::density>();
-	}
+	godot::ClassDB::bind_method(godot::D_METHOD("clear_network_values"), &Class::clear_network_values);
+	godot::ClassDB::bind_method(godot::D_METHOD("has_network_values"), &Class::has_network_values);
 }
 
 } // namespace softbody

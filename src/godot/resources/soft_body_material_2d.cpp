@@ -4,6 +4,8 @@
 
 #include "godot/convert.h"
 
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 namespace godot {
@@ -17,14 +19,53 @@ void SoftBodyMaterial2D::set_value(const softbody::MaterialField &p_field, doubl
 	if (const softbody::Status status = softbody::check_material_value(p_field, p_value)) {
 		ERR_FAIL_MSG(describe() + ": " + p_field.name + " refused: " + softbody::to_godot(status->message()) + ". The old value stays.");
 	}
-	if (values_.*p_field.value != p_value) {
-		values_.*p_field.value = p_value;
+	softbody::MaterialValues changed = values_;
+	changed.*p_field.value = p_value;
+	softbody::note_set(changed, p_field, !Engine::get_singleton()->is_editor_hint());
+	take_over(changed);
+}
+
+void SoftBodyMaterial2D::take_over(const softbody::MaterialValues &p_values) {
+	if (values_ != p_values) {
+		values_ = p_values;
 		emit_changed();
 	}
 }
 
+Ref<SoftBodyMaterial2D> SoftBodyMaterial2D::make_preset(Preset p_preset) {
+	Ref<SoftBodyMaterial2D> material;
+	material.instantiate();
+	material->set_preset(p_preset);
+	return material;
+}
+
+void SoftBodyMaterial2D::set_preset(Preset p_preset) {
+	ERR_FAIL_INDEX_MSG(int(p_preset), softbody::MATERIAL_PRESET_COUNT, describe() + ": preset refused: " + itos(p_preset) + " must be at least 0 and below " + itos(softbody::MATERIAL_PRESET_COUNT) + "; use a constant PRESET_*.");
+	softbody::MaterialValues changed = values_;
+	softbody::apply_preset(softbody::MaterialPreset(p_preset), changed);
+	take_over(changed);
+}
+
+void SoftBodyMaterial2D::clear_network_values() {
+	softbody::MaterialValues changed = values_;
+	softbody::clear_network_values(changed);
+	take_over(changed);
+}
+
 void SoftBodyMaterial2D::_bind_methods() {
-	softbody::bind_material_values<SoftBodyMaterial2D>(true);
+	ADD_GROUP("Material", "");
+	softbody::bind_material_values<SoftBodyMaterial2D>();
+	softbody::material_binding::bind<SoftBodyMaterial2D, &softbody::MaterialValues::density>();
+	ADD_GROUP("Network", "");
+	softbody::bind_network_values<SoftBodyMaterial2D>();
+	ClassDB::bind_static_method("SoftBodyMaterial2D", D_METHOD("make_preset", "preset"), &SoftBodyMaterial2D::make_preset);
+
+	BIND_ENUM_CONSTANT(PRESET_CUSTOM);
+	BIND_ENUM_CONSTANT(PRESET_JELLY);
+	BIND_ENUM_CONSTANT(PRESET_RUBBER);
+	BIND_ENUM_CONSTANT(PRESET_WATER_BALLOON);
+	BIND_ENUM_CONSTANT(PRESET_MARSHMALLOW);
+	BIND_ENUM_CONSTANT(PRESET_FOAM);
 }
 
 } // namespace godot

@@ -15,6 +15,16 @@ class SoftBodyMaterial2D : public Resource {
 	GDCLASS(SoftBodyMaterial2D, Resource)
 
 public:
+	/// Same values as softbody::MaterialPreset.
+	enum Preset {
+		PRESET_CUSTOM,
+		PRESET_JELLY,
+		PRESET_RUBBER,
+		PRESET_WATER_BALLOON,
+		PRESET_MARSHMALLOW,
+		PRESET_FOAM,
+	};
+
 	const softbody::MaterialValues &values() const { return values_; }
 
 	template <double softbody::MaterialValues::*VALUE>
@@ -25,17 +35,24 @@ public:
 	double get_material_value() const {
 		return values_.*VALUE;
 	}
+	static Ref<SoftBodyMaterial2D> make_preset(Preset p_preset);
+	void set_preset(Preset p_preset);
+	Preset get_preset() const { return Preset(softbody::preset_of(values_)); }
+	void clear_network_values();
+	bool has_network_values() const { return values_.has_network_values; }
 
 protected:
 	static void _bind_methods();
 	bool _set(const StringName &p_name, const Variant &p_value) {
 		return unfit_.set(*this, get_class_static(), p_name, p_value);
 	}
+	void _validate_property(PropertyInfo &p_property) const { softbody::keep_defaults_unstored(values_, p_property); }
 	bool _get(const StringName &p_name, Variant &r_value) const { return unfit_.get(p_name, r_value); }
 	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:
 	void set_value(const softbody::MaterialField &p_field, double p_value);
+	void take_over(const softbody::MaterialValues &p_values);
 	/// "SoftBodyMaterial2D 'res://jelly.tres'": how messages name this resource.
 	String describe() const;
 
@@ -44,3 +61,5 @@ private:
 };
 
 } // namespace godot
+
+VARIANT_ENUM_CAST(SoftBodyMaterial2D::Preset);

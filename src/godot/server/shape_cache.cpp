@@ -17,11 +17,13 @@ struct Known {
 	std::vector<Vec2> hull;
 	StructureOptions options;
 	std::weak_ptr<const SoftBodyShape> shape;
+	std::shared_ptr<const SoftBodyShape> unit = nullptr; ///< of an elastic shape: the one of mass 1 that it was made from
 };
 
 struct Cache {
 	std::mutex mutex;
 	std::unordered_multimap<std::uint64_t, Known> known;
+	std::int64_t built = 0; ///< shapes in all
 	std::size_t next_sweep = 64; ///< entries at which those that nobody holds any more are dropped
 };
 
@@ -62,6 +64,7 @@ std::uint64_t hash_of(const std::vector<Vec2> &hull, const StructureOptions &opt
 	hash.add(double(options.mass));
 	hash.add(double(options.stiffness));
 	hash.add(double(options.damping));
+	hash.add(double(options.elastic));
 	hash.add(double(options.centre_point));
 	hash.add(options.inner_points);
 	hash.add(options.springs);
@@ -71,32 +74,66 @@ std::uint64_t hash_of(const std::vector<Vec2> &hull, const StructureOptions &opt
 	return hash.value();
 }
 
-} // namespace
-
-Result<std::shared_ptr<const SoftBodyShape>> find_or_create_shape(std::span<const Vec2> hull, const StructureOptions &options) {
-	std::vector<Vec2> key(hull.begin(), hull.end());
-	const std::uint64_t hash = hash_of(key, options);
-	Cache &all = cache();
-	const std::lock_guard lock(all.mutex);
+std::shared_ptr<const SoftBodyShape> find_shape(const Cache &all, std::uint64_t hash, const std::vector<Vec2> &hull,
+		const StructureOptions &options) {
 	const auto [begin, end] = all.known.equal_range(hash);
 	for (auto entry = begin; entry != end; ++entry) {
 		const Known &known = entry->second;
-		if (known.hull == key && known.options == options) {
+		if (known.hull == hull && known.options == options) {
 			if (std::shared_ptr<const SoftBodyShape> shape = known.shape.lock()) {
 				return shape;
 			}
 		}
 	}
-	auto shape = SoftBodyCreator::create_polygon(hull, options);
+	return nullptr;
+}
+
+// The modes of an outline take some milliseconds and do not depend on its mass: a shape of another mass is always made from
+// that of mass 1, so that its bits do not depend on what was there before.
+Result<std::shared_ptr<const SoftBodyShape>> find_or_create(Cache &all, const std::vector<Vec2> &hull, const StructureOptions &options) {
+	const std::uint64_t hash = hash_of(hull, options);
+	if (std::shared_ptr<const SoftBodyShape> shape = find_shape(all, hash, hull, options)) {
+		return shape;
+	}
+	Known made{ hull, options, {} };
+	Result<std::shared_ptr<const SoftBodyShape>> shape = Error{};
+	if (options.elastic && options.mass != 1) {
+		StructureOptions of_unit = options;
+		of_unit.mass = 1;
+		const auto unit = find_or_create(all, hull, of_unit);
+		if (!unit) {
+			return unit;
+		}
+		made.unit = unit.value();
+		shape = unit.value()->with_total_mass(options.mass);
+	} else {
+		++all.built;
+		shape = SoftBodyCreator::create_polygon(hull, options);
+	}
 	if (!shape) {
 		return shape;
 	}
-	all.known.insert({ hash, { std::move(key), options, shape.value() } });
+	made.shape = shape.value();
+	all.known.insert({ hash, std::move(made) });
 	if (all.known.size() >= all.next_sweep) {
 		std::erase_if(all.known, [](const auto &entry) { return entry.second.shape.expired(); });
 		all.next_sweep = std::max<std::size_t>(64, 2 * all.known.size());
 	}
 	return shape;
+}
+
+} // namespace
+
+Result<std::shared_ptr<const SoftBodyShape>> find_or_create_shape(std::span<const Vec2> hull, const StructureOptions &options) {
+	Cache &all = cache();
+	const std::lock_guard lock(all.mutex);
+	return find_or_create(all, std::vector<Vec2>(hull.begin(), hull.end()), options);
+}
+
+std::int64_t built_shape_count() {
+	Cache &all = cache();
+	const std::lock_guard lock(all.mutex);
+	return all.built;
 }
 
 } // namespace softbody

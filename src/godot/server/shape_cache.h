@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/creator/soft_body_creator.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -14,5 +15,7 @@ namespace softbody {
 /// steps bodies of one shape side by side, and a thousand nodes that share a material need one shape when it changes. May
 /// be called from any thread. O(hull + springs) where the shape is known.
 Result<std::shared_ptr<const SoftBodyShape>> find_or_create_shape(std::span<const Vec2> hull, const StructureOptions &options);
+/// How many shapes were built, not found, since the extension was loaded. One with elastic modes takes some milliseconds.
+std::int64_t built_shape_count();
 
 } // namespace softbody

@@ -4,6 +4,7 @@
 
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_joint_2d.h"
+#include "godot/server/shape_cache.h"
 
 #include <godot_cpp/classes/os.hpp>
 #include <godot_cpp/classes/performance.hpp>
@@ -220,6 +221,10 @@ int64_t SoftBodyServer2D::get_contact_count() const {
 	return count;
 }
 
+int64_t SoftBodyServer2D::get_built_shape_count() const {
+	return softbody::built_shape_count();
+}
+
 int SoftBodyServer2D::get_thread_count() const {
 	return threads_.get_thread_count();
 }
@@ -267,6 +272,7 @@ void SoftBodyServer2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_body_count"), &SoftBodyServer2D::get_body_count);
 	ClassDB::bind_method(D_METHOD("get_awake_body_count"), &SoftBodyServer2D::get_awake_body_count);
 	ClassDB::bind_method(D_METHOD("get_contact_count"), &SoftBodyServer2D::get_contact_count);
+	ClassDB::bind_method(D_METHOD("get_built_shape_count"), &SoftBodyServer2D::get_built_shape_count);
 	ClassDB::bind_method(D_METHOD("get_thread_count"), &SoftBodyServer2D::get_thread_count);
 	ClassDB::bind_method(D_METHOD("get_step_profile"), &SoftBodyServer2D::get_step_profile);
 	ClassDB::bind_method(D_METHOD("get_tick_count"), &SoftBodyServer2D::get_tick_count);

@@ -47,6 +47,7 @@ public:
 	int64_t get_body_count() const;
 	int64_t get_awake_body_count() const;
 	int64_t get_contact_count() const;
+	int64_t get_built_shape_count() const;
 	int get_thread_count() const;
 	int64_t get_tick_count() const;
 	double get_last_step_usec() const;

@@ -9,6 +9,7 @@
 #include "core/geometry/polygon.h"
 #include "core/geometry/polygon_overlap.h"
 #include "core/model/body_frame.h"
+#include "core/model/material.h"
 #include "scenes/deformations.h"
 #include "scenes/jelly.h"
 #include "scenes/stress/stress.h"
@@ -47,8 +48,17 @@ inline SoftBodyData stress_body(const std::vector<Vec2> &hull, Vec2 place, const
 		Real angle = 0) {
 	const std::size_t points = hull.size() + stuff.centre_point;
 	const Real damping = damping_for_ratio(stuff.damping_ratio, stuff.stiffness, stuff.mass, points);
-	const auto shape = SoftBodyCreator::create_polygon(hull, { stuff.mass, stuff.stiffness, damping, stuff.centre_point }).value();
-	return SoftBodyData::create(shape, stress_settings(setup, stuff, points), { place, Rotation::from_angle(angle) }).value();
+	StructureOptions options{ stuff.mass, stuff.stiffness, damping, stuff.centre_point };
+	options.elastic = setup.elastic;
+	const auto shape = SoftBodyCreator::create_polygon(hull, options).value();
+	BodySettings settings = stress_settings(setup, stuff, points);
+	if (setup.elastic) {
+		// A wheel of springs of 100 N/m is about as firm as the default material.
+		Material material;
+		material.youngs_modulus *= stuff.stiffness / 100;
+		apply_material(material, ElasticModel::MODES, *shape, settings);
+	}
+	return SoftBodyData::create(shape, settings, { place, Rotation::from_angle(angle) }).value();
 }
 
 inline SoftBodyData stress_ball(Vec2 place, const StressSetup &setup, const Stuff &stuff = {}, Real radius = JELLY_RADIUS,

@@ -13,7 +13,7 @@ StressScene ruined_in_flight(const StressSetup &setup, int kind) {
 	StressScene scene(std::string("start/") + NAMES[std::size_t(kind)], weightless_world());
 	for (int i = 0; i < 6; ++i) {
 		SoftBodyData body = stress_ball({ Real(400 * i), 0 }, setup);
-		Random random(std::uint64_t(100 * kind + i));
+		Random random(1000 * setup.seed + std::uint64_t(100 * kind + i));
 		deform(body, Deformation(kind), random);
 		scene.world.add_soft_body(std::move(body));
 	}
@@ -31,7 +31,7 @@ StressScene ruined_on_the_floor(const StressSetup &setup, int kind) {
 	scene.world.add_border(floor_at(0));
 	for (int i = 0; i < 6; ++i) {
 		SoftBodyData body = stress_ball({ Real(400 * i), -52 }, setup);
-		Random random(std::uint64_t(100 * kind + i));
+		Random random(1000 * setup.seed + std::uint64_t(100 * kind + i));
 		deform(body, Deformation(kind), random);
 		scene.world.add_soft_body(std::move(body));
 	}
@@ -48,7 +48,7 @@ StressScene ruined_on_the_floor(const StressSetup &setup, int kind) {
 StressScene random_heap(const StressSetup &setup) {
 	StressScene scene("start/random", pixel_world());
 	add_box_borders(scene.world, { 400, 300 });
-	Random random(7);
+	Random random(1000 * setup.seed + 7);
 	for (int i = 0; i < 12; ++i) {
 		const int count = random.integer(6, 20);
 		std::vector<Vec2> hull;

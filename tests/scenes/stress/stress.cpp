@@ -76,7 +76,7 @@ void StressVerdict::holds(const char *what, bool holds) {
 }
 
 const std::vector<StressFamily> &stress_families() {
-	static const std::vector<StressFamily> families = { ratio_scenes, start_scenes, impact_scenes, load_scenes,
+	static const std::vector<StressFamily> families = { ratio_scenes, start_scenes, tangle_scenes, impact_scenes, load_scenes,
 		extreme_scenes, time_scenes, theory_scenes };
 	return families;
 }

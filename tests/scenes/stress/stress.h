@@ -5,6 +5,7 @@
 #include "core/dynamics/simulator.h"
 #include "core/model/world_data.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ struct StressSetup {
 	Integrator integrator = Integrator::AUTOMATIC; ///< of every body
 	int rate = 60; ///< ticks a second
 	bool quick = false; ///< fewer bodies where a scene has hundreds
+	std::uint64_t seed = 0; ///< of all that a scene leaves to chance; 0 is the usual one
+	bool elastic = false; ///< bodies of the default material instead of springs, where a scene does not ask for springs
 };
 
 /// What is said about a scene when it is over.
@@ -79,6 +82,7 @@ using StressFamily = std::vector<StressScene> (*)(const StressSetup &setup);
 /// The families, each in a file of its own.
 std::vector<StressScene> ratio_scenes(const StressSetup &setup); ///< mass and stiffness; heavy on light
 std::vector<StressScene> start_scenes(const StressSetup &setup); ///< flattened, inverted, crumpled, random
+std::vector<StressScene> tangle_scenes(const StressSetup &setup); ///< spawned on each other, pressed together, inside out
 std::vector<StressScene> impact_scenes(const StressSetup &setup); ///< corners, seams, projectiles
 std::vector<StressScene> load_scenes(const StressSetup &setup); ///< stack, squeeze, funnel, gravity
 std::vector<StressScene> extreme_scenes(const StressSetup &setup); ///< spin, sizes, places, pins
