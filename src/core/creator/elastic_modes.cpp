@@ -38,6 +38,9 @@ constexpr double LEAST_MASS = 0.3;
 
 constexpr double SMOOTHED_CELLS = 1.5;
 
+// Into which an edge is divided at most where loads are spread along it.
+constexpr double MOST_PIECES = 16;
+
 using Vector = std::vector<double>; // two entries a point
 
 double weighted_dot(const Vector &a, const Vector &b, const Vector &weights) {
@@ -177,6 +180,7 @@ private:
 	void make_rigid_basis();
 	void remove_rigid(Vector &displacement) const;
 	void smooth_shares();
+	void assign_edges();
 	void assign_regions();
 	Vector to_nodes(const Vector &loads) const;
 	Vector from_nodes(const Vector &nodes) const;
@@ -196,7 +200,8 @@ private:
 	std::vector<Vec2> points_;
 	std::size_t hull_count_;
 	LatticeSolid solid_;
-	std::vector<LatticeSolid::Embedding> embeddings_; ///< of the hull's points
+	/// Of each hull point: the nodes along its two edges, by the weights with which they share its load.
+	std::vector<std::vector<std::pair<std::uint32_t, double>>> edges_;
 	std::vector<Region> regions_; ///< of each inner point
 	Vector hull_shares_; ///< of each hull point, summing to 1
 	Vector masses_; ///< each twice, for both coordinates
@@ -243,9 +248,7 @@ Reduction::Reduction(std::span<const Vec2> points, std::size_t hull_count) :
 		sum += share;
 	}
 	scale(hull_shares_, 1 / sum);
-	for (const Vec2 p : hull) {
-		embeddings_.push_back(solid_.embed(p));
-	}
+	assign_edges();
 	assign_regions();
 	solid_.factor(MODE_POISSON_RATIOS[REFERENCE_RATIO]);
 }
@@ -315,6 +318,33 @@ void Reduction::remove_rigid(Vector &displacement) const {
 	}
 }
 
+// A load on a hull point is a load on its two edges, as what it rests on touches edges, not points: the displacement of the
+// outline is the piecewise linear one that fits the solid's best, seen through a basis that is dual to the hat functions
+// (Wohlmuth 2000): over an edge with s from 0 at the point to 1 at its neighbor the weight is 2 - 3 s. Every uniform strain
+// and rotation comes through exactly.
+void Reduction::assign_edges() {
+	const double offset = std::sqrt(1.0 / 12);
+	edges_.assign(hull_count_, {});
+	for (std::size_t i = 0; i < hull_count_; ++i) {
+		const Vec2 here = points_[i];
+		const std::array<Vec2, 2> neighbors = { points_[i == 0 ? hull_count_ - 1 : i - 1], points_[i + 1 == hull_count_ ? 0 : i + 1] };
+		const double both = double(length(neighbors[0] - here)) + double(length(neighbors[1] - here));
+		for (const Vec2 neighbor : neighbors) {
+			const double share = 2 * double(length(neighbor - here)) / both;
+			const auto pieces = std::size_t(std::clamp(std::ceil(double(length(neighbor - here)) / solid_.cell_size()), 1.0, MOST_PIECES));
+			for (std::size_t piece = 0; piece < pieces; ++piece) {
+				for (const double at : { 0.5 - offset, 0.5 + offset }) { // Gauss: exact for the products of two lines
+					const double s = (double(piece) + at) / double(pieces);
+					const LatticeSolid::Embedding place = solid_.embed(here + (neighbor - here) * Real(s));
+					for (std::size_t c = 0; c < 4; ++c) {
+						edges_[i].push_back({ place.nodes[c], place.weights[c] * share * (2 - 3 * s) / (2 * double(pieces)) });
+					}
+				}
+			}
+		}
+	}
+}
+
 // An inner point stands for the part of the solid that is nearer to it than to the others: it moves as the mean rigid motion
 // of that part, and its load is spread over it. A load on a single place would let it swing inside the body.
 void Reduction::assign_regions() {
@@ -353,9 +383,9 @@ void Reduction::assign_regions() {
 Vector Reduction::to_nodes(const Vector &loads) const {
 	Vector nodes(solid_.freedom_count(), 0);
 	for (std::size_t i = 0; i < hull_count_; ++i) {
-		for (std::size_t c = 0; c < 4; ++c) {
-			nodes[2 * embeddings_[i].nodes[c]] += embeddings_[i].weights[c] * loads[2 * i];
-			nodes[2 * embeddings_[i].nodes[c] + 1] += embeddings_[i].weights[c] * loads[2 * i + 1];
+		for (const auto &[node, weight] : edges_[i]) {
+			nodes[2 * node] += weight * loads[2 * i];
+			nodes[2 * node + 1] += weight * loads[2 * i + 1];
 		}
 	}
 	for (std::size_t k = 0; k < regions_.size(); ++k) {
@@ -376,9 +406,9 @@ Vector Reduction::to_nodes(const Vector &loads) const {
 Vector Reduction::from_nodes(const Vector &nodes) const {
 	Vector result(2 * points_.size(), 0);
 	for (std::size_t i = 0; i < hull_count_; ++i) {
-		for (std::size_t c = 0; c < 4; ++c) {
-			result[2 * i] += embeddings_[i].weights[c] * nodes[2 * embeddings_[i].nodes[c]];
-			result[2 * i + 1] += embeddings_[i].weights[c] * nodes[2 * embeddings_[i].nodes[c] + 1];
+		for (const auto &[node, weight] : edges_[i]) {
+			result[2 * i] += weight * nodes[2 * node];
+			result[2 * i + 1] += weight * nodes[2 * node + 1];
 		}
 	}
 	for (std::size_t k = 0; k < regions_.size(); ++k) {

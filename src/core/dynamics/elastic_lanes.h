@@ -12,7 +12,7 @@ namespace softbody {
 
 /// Stiffness of what is in no mode over that of the stiffest mode [1]. The modes left out grow ever stiffer. Larger: more
 /// substeps. Smaller: a single point is pressed in more easily than the solid would let it.
-inline constexpr Real REST_STIFFNESS = 4;
+inline constexpr Real REST_STIFFNESS = 2;
 
 /// Stiffness of each mode of a material, and of what is in no mode [force/length].
 struct ModeStiffness {

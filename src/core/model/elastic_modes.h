@@ -12,7 +12,7 @@
 namespace softbody {
 
 /// Most modes that a body keeps [1]. More: finer dents, and in proportion more time a substep.
-inline constexpr std::size_t MAX_ELASTIC_MODES = 12;
+inline constexpr std::size_t MAX_ELASTIC_MODES = 16;
 
 /// Poisson's ratios at which mode stiffnesses are known; between and beyond them they are interpolated by a parabola.
 inline constexpr std::array<double, 3> MODE_POISSON_RATIOS = { 0, 0.3, 0.45 };

@@ -188,7 +188,7 @@ softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &
 		softbody::Status problem = shape ? softbody::Status() : softbody::Status(shape.error());
 		if (shape) {
 			made.shape = shape.value();
-			problem = p_is_draft ? problem : check_elasticity(made);
+			problem = check_elasticity(made);
 		}
 		if (!problem) {
 			return made;
