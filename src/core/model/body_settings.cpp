@@ -6,6 +6,12 @@
 
 namespace softbody {
 
+void set_default_limits(BodySettings &settings) {
+	settings.least_area = DEFAULT_LEAST_AREA;
+	settings.least_stretch = DEFAULT_LEAST_STRETCH;
+	settings.most_stretch = DEFAULT_MOST_STRETCH;
+}
+
 Status check_settings(const BodySettings &settings) {
 	if (Status status = check_at_least("spring_stiffness_scale", settings.spring_stiffness_scale, 0, "")) {
 		return status;
@@ -31,8 +37,10 @@ Status check_settings(const BodySettings &settings) {
 	if (Status status = check_between("least_stretch", settings.least_stretch, 0, 1, "")) {
 		return status;
 	}
-	if (Status status = check_at_least("most_stretch", settings.most_stretch, 1, "")) {
-		return status;
+	if (settings.most_stretch != std::numeric_limits<Real>::infinity()) {
+		if (Status status = check_at_least("most_stretch", settings.most_stretch, 1, "")) {
+			return status;
+		}
 	}
 	if (Status status = check_at_least("shape_stiffness", settings.shape_stiffness, 0, "N/m")) {
 		return status;

@@ -7,6 +7,7 @@
 #include "core/model/integrator.h"
 
 #include <cstdint>
+#include <limits>
 
 namespace softbody {
 
@@ -33,12 +34,13 @@ struct BodySettings {
 	Real area_stiffness = 0;
 	/// Damping of elastic modes and area as the time β by which strain rate counts as strain [s], >= 0 (Kelvin and Voigt).
 	Real elastic_damping_time = 0;
-	/// The area is kept above this share of the rest area [1], 0..1; 0 switches it off. See `keep_whole`.
-	Real least_area = Real(0.5);
+	/// The area is kept above this share of the rest area [1], 0..1; 0, the default, switches it off. See `keep_whole`;
+	/// `set_default_limits` sets what suits nearly every body.
+	Real least_area = 0;
 	/// The body as a whole is kept from being pressed to less, or drawn to more, than these shares of its rest size in any
-	/// direction [1]: 0..1 and >= 1; 0 and infinity switch them off. See `keep_whole`.
-	Real least_stretch = Real(0.2);
-	Real most_stretch = Real(3);
+	/// direction [1]: 0..1 and >= 1; 0 and infinity, the defaults, switch them off. See `keep_whole`.
+	Real least_stretch = 0;
+	Real most_stretch = std::numeric_limits<Real>::infinity();
 	/// Shape-matching stiffness k_s [force/length], >= 0. Each point of mass m is pulled towards its
 	/// place in the best-fitting rigid copy of the rest shape with m k_s / mean(m). 0 switches the
 	/// term off; then a folded body stays folded. About 0.4 of the springs' stiffness always recovers.
@@ -95,12 +97,15 @@ struct BodySettings {
 	/// Whether the elastic modes of the shape take part.
 	bool is_elastic() const { return shear_modulus > 0; }
 	/// Whether anything resists being crushed.
-	bool has_limits() const { return least_area > 0 || least_stretch > 0; }
+	bool has_limits() const { return least_area > 0 || least_stretch > 0 || most_stretch < std::numeric_limits<Real>::max(); }
 	/// Whether its motion as a whole is damped.
 	bool has_damp() const { return linear_damp > 0 || angular_damp > 0; }
 
 	friend bool operator==(const BodySettings &, const BodySettings &) = default;
 };
+
+/// Switches the limits of area and stretch on: DEFAULT_LEAST_AREA and its neighbors. What every body gets in a game.
+void set_default_limits(BodySettings &settings);
 
 /// Refuses the first value outside its range, by name.
 Status check_settings(const BodySettings &settings);

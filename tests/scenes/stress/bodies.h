@@ -41,6 +41,7 @@ inline BodySettings stress_settings(const StressSetup &setup, const Stuff &stuff
 	settings.shape_stiffness = stuff.matching * stuff.stiffness;
 	settings.shape_damping = 2 * Real(0.25) * std::sqrt(settings.shape_stiffness * stuff.mass / Real(point_count));
 	settings.rolling_resistance = Real(0.03);
+	set_default_limits(settings); // as in a game
 	return settings;
 }
 

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// The area as a compliant constraint: what it resists, what it keeps, and for which stiffness.
+#include "core/dynamics/area_lanes.h"
+
+#include "core/creator/soft_body_creator.h"
+#include "core/dynamics/energy.h"
+#include "core/dynamics/simulator.h"
+#include "core/geometry/polygon.h"
+#include "support/random.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+// A ring of points that nothing but its area holds.
+SoftBodyData ring(Real bulk_modulus, Real damping_time = 0) {
+	StructureOptions options;
+	options.stiffness = 0;
+	options.damping = 0;
+	options.centre_point = false;
+	BodySettings settings;
+	settings.spring_stiffness_scale = 0;
+	settings.spring_damping_scale = 0;
+	settings.area_stiffness = bulk_modulus;
+	settings.elastic_damping_time = damping_time;
+	settings.can_sleep = false;
+	return SoftBodyData::create(SoftBodyCreator::create_circle(50, 16, options).value(), settings).value();
+}
+
+void blow_up(SoftBodyData &body, Real factor) {
+	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+		REQUIRE(!body.set_point(i, body.positions()[i] * factor, body.velocities()[i]));
+	}
+}
+
+double fill(const SoftBodyData &body) {
+	return double(signed_area(body.hull())) / double(body.shape().rest_area());
+}
+
+} // namespace
+
+TEST_CASE("the area swings with the frequency of its bulk modulus") {
+	// Points of mass m / n at radius R breathe together: A = A0 s², energy K A0 (2 s - 2)² / 2 for small strains, so
+	// ω² = 4 K A0 / (m R²).
+	constexpr Real BULK = 1000;
+	SoftBodyData body = ring(BULK);
+	blow_up(body, Real(1.005));
+	const double frequency = std::sqrt(4.0 * BULK * double(body.shape().rest_area()) / (1 * 50.0 * 50.0));
+	const double quarter = std::numbers::pi / 2 / frequency;
+	constexpr int STEPS = 2000; // an implicit method needs small steps to swing
+	for (int k = 0; k < STEPS; ++k) {
+		for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+			REQUIRE(!body.set_point(i, body.positions()[i] + body.velocities()[i] * Real(quarter / STEPS), body.velocities()[i]));
+		}
+		hold_area<Real>(lanes_of(body), Real(quarter / STEPS));
+	}
+	// At its rest area after a quarter of a period; 10 % in K would leave 8 % of the swing.
+	CHECK(std::abs(fill(body) - 1) < 0.01 * 0.03);
+}
+
+TEST_CASE("holding the area keeps momentum and spin") {
+	SoftBodyData body = ring(700, Real(0.01));
+	Random random(3);
+	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+		REQUIRE(!body.set_point(i, body.positions()[i] + random.vector(10), random.vector(300)));
+	}
+	const Momentum before = measure_momentum(body);
+	for (int k = 0; k < 10; ++k) {
+		hold_area<Real>(lanes_of(body), Real(0.004));
+	}
+	const Momentum after = measure_momentum(body);
+	CHECK(after.linear_x == doctest::Approx(before.linear_x).epsilon(1e-4));
+	CHECK(after.linear_y == doctest::Approx(before.linear_y).epsilon(1e-4));
+	CHECK(after.angular == doctest::Approx(before.angular).epsilon(5e-3)); // to first order in the way
+}
+
+TEST_CASE("no bulk modulus makes a body explode") {
+	for (const Real bulk : { Real(1e2), Real(1e4), Real(1e6), Real(1e8) }) {
+		WorldData world;
+		world.add_soft_body(ring(bulk));
+		blow_up(world.soft_bodies()[0], Real(1.2));
+		Simulator simulator(world);
+		double most = 0;
+		for (int k = 0; k < 600; ++k) {
+			CHECK(simulator.simulate(Real(1) / 60).reset_bodies.empty());
+			most = std::max(most, std::abs(fill(world.soft_bodies()[0]) - 1));
+		}
+		CAPTURE(bulk);
+		CHECK(most < 0.5);
+		CHECK(std::abs(fill(world.soft_bodies()[0]) - 1) < 0.05);
+	}
+}
+
+TEST_CASE("the area term aims at the inflation") {
+	SoftBodyData data = ring(1000, Real(0.02));
+	BodySettings settings = data.settings();
+	settings.inflation = Real(1.5);
+	REQUIRE(!data.set_settings(settings));
+	WorldData world;
+	world.add_soft_body(std::move(data));
+	Simulator simulator(world);
+	for (int k = 0; k < 300; ++k) {
+		simulator.simulate(Real(1) / 60);
+	}
+	CHECK(fill(world.soft_bodies()[0]) == doctest::Approx(1.5).epsilon(0.01));
+}
+
+TEST_CASE("the area hardens as it goes to nothing, and pushes outward when turned inside out") {
+	const auto push_at = [](Real factor) { // speed at which a point is driven outward in a substep
+		SoftBodyData body = ring(100);
+		blow_up(body, factor);
+		hold_area<Real>(lanes_of(body), Real(0.001));
+		return double(length(body.velocities()[0]));
+	};
+	// Against a pressure linear in the area: at a quarter of it C' C is (1 + 16)/2 · (4 - 1/4)/2 instead of 1 · 3/4.
+	CHECK(push_at(Real(0.5)) / (100 * 0.75 * 0.5 * 0.001 * 16) > 0);
+	CHECK(push_at(Real(0.5)) > 4 * push_at(Real(0.8)));
+	SoftBodyData mirrored = ring(100);
+	for (std::uint32_t i = 0; i < mirrored.point_count(); ++i) {
+		const Vec2 p = mirrored.positions()[i];
+		REQUIRE(!mirrored.set_point(i, { p.x, -p.y }, {}));
+	}
+	hold_area<Real>(lanes_of(mirrored), Real(0.001));
+	CHECK(dot(mirrored.velocities()[0], mirrored.positions()[0]) < 0); // through itself, as its area is negative
+	CHECK(fill(mirrored) > -1);
+}

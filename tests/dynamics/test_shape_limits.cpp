@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// What keeps bodies from being crushed: what it changes, what it leaves alone, and what it bears.
+#include "core/dynamics/shape_limits.h"
+
+#include "core/base/constants.h"
+#include "core/dynamics/energy.h"
+#include "core/dynamics/simulator.h"
+#include "core/geometry/polygon.h"
+#include "core/model/material.h"
+#include "scenes/jelly.h"
+#include "support/random.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+// A network of springs as the node makes it.
+BodySettings limited_settings() {
+	BodySettings settings = jelly_settings();
+	set_default_limits(settings);
+	return settings;
+}
+
+SoftBodyData limited_circle(Vec2 center) {
+	return jelly_circle(center, limited_settings());
+}
+
+void stretch(SoftBodyData &body, Real along, Real across, Real angle) {
+	const Rotation turn = Rotation::from_angle(angle);
+	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+		const Vec2 q = turn.apply_inverse(body.positions()[i]);
+		REQUIRE(!body.set_point(i, turn.apply({ q.x * along, q.y * across }), body.velocities()[i]));
+	}
+}
+
+double fill(const SoftBodyData &body) {
+	return double(signed_area(body.hull())) / double(body.shape().rest_area());
+}
+
+// Thinnest extent over all directions, of a disk at rest 1.
+double least_width(const SoftBodyData &body) {
+	double least = 9;
+	for (int k = 0; k < 90; ++k) {
+		const Vec2 direction = Rotation::from_angle(Real(k) * Real(3.14159265 / 90)).apply({ 1, 0 });
+		double low = 1e9;
+		double high = -1e9;
+		for (const Vec2 p : body.hull()) {
+			low = std::min(low, double(dot(p, direction)));
+			high = std::max(high, double(dot(p, direction)));
+		}
+		least = std::min(least, (high - low) / (2 * double(JELLY_RADIUS)));
+	}
+	return least;
+}
+
+void keep_for(SoftBodyData &body, int substeps) {
+	for (int k = 0; k < substeps; ++k) {
+		keep_whole(body, Real(1) / 240);
+	}
+}
+
+} // namespace
+
+TEST_CASE("a body within its limits is left alone to the bit") {
+	SoftBodyData body = limited_circle({ 30, 40 });
+	stretch(body, Real(1.3), Real(0.75), Real(0.4));
+	const BodyState before = body.save_state();
+	CHECK_FALSE(keep_whole(body, Real(1) / 240));
+	CHECK(body.save_state() == before);
+}
+
+TEST_CASE("a flattened body comes back within its limits, in any direction") {
+	for (const Real angle : { Real(0), Real(0.7), Real(2.5) }) {
+		SoftBodyData body = limited_circle({ 0, 0 });
+		stretch(body, Real(1.2), Real(0.02), angle);
+		CHECK(keep_whole(body, Real(1) / 240));
+		keep_for(body, 40);
+		CAPTURE(angle);
+		CHECK(least_width(body) > 0.98 * double(body.settings().least_stretch));
+		CHECK(fill(body) > 0.45);
+	}
+}
+
+TEST_CASE("a body drawn out comes back within its limits") {
+	SoftBodyData body = limited_circle({ 0, 0 });
+	stretch(body, 6, 1, Real(0.3));
+	keep_for(body, 120);
+	double longest = 0;
+	for (const Vec2 p : body.hull()) {
+		for (const Vec2 q : body.hull()) {
+			longest = std::max(longest, double(length(p - q)));
+		}
+	}
+	CHECK(longest < 1.02 * double(body.settings().most_stretch) * 2 * double(JELLY_RADIUS));
+	CHECK(longest > 2 * 2 * double(JELLY_RADIUS)); // no further than it must
+}
+
+TEST_CASE("limits keep momentum, spin and the center of a free body") {
+	SoftBodyData body = limited_circle({ 100, -50 });
+	Random random(5);
+	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+		const Vec2 q = body.positions()[i] - Vec2{ 100, -50 };
+		REQUIRE(!body.set_point(i, Vec2{ 100, -50 } + Vec2{ q.x, q.y * Real(0.1) } + random.vector(3), Vec2{ 200, 30 } + perpendicular(q) * 3 + random.vector(20)));
+	}
+	const BodyFrame frame = measure_frame(body);
+	const Momentum before = measure_momentum(body, frame.centre);
+	REQUIRE(keep_whole(body, Real(1) / 240));
+	const Momentum after = measure_momentum(body, frame.centre);
+	CHECK(after.linear_x == doctest::Approx(before.linear_x).epsilon(1e-4));
+	CHECK(after.linear_y == doctest::Approx(before.linear_y).epsilon(1e-4));
+	CHECK(after.angular == doctest::Approx(before.angular).epsilon(1e-3));
+	CHECK(double(length(measure_frame(body).centre - frame.centre)) < 1e-3);
+}
+
+TEST_CASE("limits that are switched off do nothing") {
+	SoftBodyData body = jelly_circle({ 0, 0 }); // as the core leaves them
+	stretch(body, 1, Real(0.01), 0);
+	CHECK_FALSE(keep_whole(body, Real(1) / 240));
+}
+
+TEST_CASE("a body that is no longer finite is left to be reset") {
+	SoftBodyData body = limited_circle({ 0, 0 });
+	stretch(body, 1, Real(0.01), 0);
+	body.mutable_positions()[3].x = std::numeric_limits<Real>::quiet_NaN();
+	keep_whole(body, Real(1) / 240);
+	CHECK(std::isfinite(body.positions()[5].x));
+}
+
+TEST_CASE("a heap of springs far too soft for it stays a heap") {
+	// Ten high, at a tenth of the stiffness that would hold it: it folded flat, all of it, and stayed so.
+	WorldData world = pixel_world();
+	REQUIRE(!world.add_border(floor_at(0)));
+	REQUIRE(!world.add_border({ { { 0, 0 }, { 1, 0 } }, {} }));
+	REQUIRE(!world.add_border({ { { 420, 0 }, { -1, 0 } }, {} }));
+	for (int i = 0; i < 40; ++i) {
+		world.add_soft_body(jelly_circle({ Real(i % 4) * 105 + 52, -Real(i / 4) * 105 - 53 }, limited_settings()));
+	}
+	Simulator simulator(world);
+	for (int tick = 0; tick < 480; ++tick) {
+		simulator.simulate(FRAME);
+	}
+	double highest = 0;
+	for (const SoftBodyData &body : world.soft_bodies()) {
+		CHECK(fill(body) > 0.35);
+		for (const Vec2 p : body.hull()) {
+			highest = std::max(highest, -double(p.y));
+		}
+	}
+	CHECK(highest > 400); // of 1050 as laid out
+}
+
+TEST_CASE("a heap of default bodies twenty high carries itself") {
+	StructureOptions options;
+	options.stiffness = 1;
+	options.elastic = true;
+	const auto shape = SoftBodyCreator::create_circle(50, 16, options).value();
+	BodySettings settings;
+	set_default_limits(settings);
+	REQUIRE(!apply_material({}, ElasticModel::MODES, *shape, settings));
+	WorldData world = pixel_world();
+	REQUIRE(!world.add_border(floor_at(0)));
+	REQUIRE(!world.add_border({ { { 0, 0 }, { 1, 0 } }, {} }));
+	REQUIRE(!world.add_border({ { { 410, 0 }, { -1, 0 } }, {} }));
+	for (int i = 0; i < 80; ++i) {
+		const Pose place{ { (Real(i % 4) + Real(0.5)) * Real(102.5), -Real(i / 4) * 105 - 53 }, {} };
+		world.add_soft_body(SoftBodyData::create(shape, settings, place).value());
+	}
+	Simulator simulator(world);
+	for (int tick = 0; tick < 600; ++tick) {
+		simulator.simulate(FRAME);
+	}
+	for (const SoftBodyData &body : world.soft_bodies()) {
+		CHECK(fill(body) > 0.5);
+	}
+}
