@@ -155,7 +155,7 @@ def _():
 
 @claim("the error of the disc's frequency falls with the fourth power of the element size")
 def _():
-    exact = disc_frequencies(2, 200.0, 0.45, 50.0, 1.0 / (np.pi * 2500.0))[0]
+    exact = disc_frequencies(2, scenes.YOUNG, 0.45, 50.0, 1.0 / (np.pi * 2500.0))[0]
     errors = [scenes.make_disc(n).frequencies(2).mean() / exact - 1 for n in (24, 48, 96)]
     orders = np.log2(np.array(errors[:-1]) / np.array(errors[1:]))
     # Two orders per power of the shape functions; meshes are not similar to each other, hence the room.
@@ -196,7 +196,7 @@ def _():
     solid = scenes.make_disc(256)
     share = 0.99
     _, x, floor = next(scenes.squeeze(solid, (share,), 0.0025, scenes._axis_nodes(solid.mesh)))
-    force, plane = floor.total_force(x), 200.0 / (1 - 0.45**2)
+    force, plane = floor.total_force(x), scenes.YOUNG / (1 - 0.45**2)
     # Greatest pressure p0 = 2 F / (pi b) at the middle, from the penalty's own penetration.
     b = np.sqrt(4 * force * 50.0 / (np.pi * plane))
     peak = PENALTY * floor.penetration(x).max()

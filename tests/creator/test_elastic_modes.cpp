@@ -72,7 +72,7 @@ TEST_CASE("the lowest frequency of an L and of a box is that of finite elements,
 	for (const std::vector<int> &pieces : { std::vector{ 2, 1, 1, 1, 1, 2 }, std::vector{ 4, 2, 3, 3, 2, 4 }, std::vector{ 16, 7, 10, 10, 7, 16 } }) {
 		const std::vector<Vec2> hull = divided(L_CORNERS, pieces);
 		CAPTURE(hull.size());
-		CHECK(lowest(reduced(hull)) == doctest::Approx(1.4518).epsilon(0.05));
+		CHECK(lowest(reduced(hull)) == doctest::Approx(1.4518).epsilon(0.03));
 	}
 	for (const int pieces : { 2, 4, 16 }) {
 		CAPTURE(pieces);
