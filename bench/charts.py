@@ -15,6 +15,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+import charts_model
 import machine
 import work_precision
 
@@ -409,12 +410,22 @@ def chart_contacts(section):
     save(figure, "contacts")
 
 
+# --- Models
+
+
+def chart_model(section):
+    figure = charts_model.figure_of(section)
+    source_note(figure, section)
+    save(figure, "model")
+
+
 CHARTS_OF = {
     "work-precision": (chart_work_precision, chart_rounding),
     "stability": (chart_stability,),
     "energy": (chart_energy,),
     "recovery": (chart_recovery,),
     "contact-accuracy": (chart_contacts,),
+    "model": (chart_model,),
 }
 
 

@@ -23,6 +23,7 @@ constexpr double OLD_STIFFNESS = 100; // N/m
 constexpr double OLD_DAMPING = 0.12; // N s/m
 constexpr double OLD_SHAPE_MATCHING = 0.4; // of the springs' stiffness
 constexpr double OLD_SHAPE_DAMPING_RATIO = 0.25;
+constexpr double LITTLE_DAMPING = 0.02; // a material's ratio up to which the old network has none at all
 
 const ModelChoice CHOICES[] = {
 	{ "springs", ElasticModel::SPRINGS },
@@ -69,8 +70,9 @@ const ModelChoice &default_model() {
 }
 
 ElasticBody elastic_body(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material) {
-	ElasticBody body = choice.is_old_network ? old_network(hull, mass, material.damping_ratio > 0)
+	ElasticBody body = choice.is_old_network ? old_network(hull, mass, double(material.damping_ratio) > LITTLE_DAMPING)
 											 : of_material(choice.model, hull, mass, material);
+	set_default_limits(body.settings);
 	body.settings.friction = 0;
 	body.settings.can_sleep = false;
 	return body;

@@ -27,11 +27,11 @@ const ModelChoice &default_model();
 
 struct ElasticBody {
 	Shape shape;
-	softbody::BodySettings settings; ///< friction 0, never asleep, integrator and substeps automatic
+	softbody::BodySettings settings; ///< limits as in a game, friction 0, never asleep, automatic plan
 };
 
 /// A body of that outline [px]. The old network has k = 100 N/m, c = 0.12 N s/m and shape matching whatever the material says;
-/// of the material it takes only whether there is any damping.
+/// of the material it takes only whether there is damping to speak of.
 ElasticBody elastic_body(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material);
 
 /// Evenly on a circle; with `on_edge` an edge is lowest, else a corner. For counts that are multiples of four.

@@ -58,16 +58,19 @@ def summarize(result):
 
 def print_table(summary):
     print(f"Heaps of nodes at their defaults between walls, one thread; a seed moves each by up to {summary['jitter_px']:g} px")
-    print(f"  {'scene':<13} {'bodies':>6} {'high':>4} {'firmness':<8} {'seed':>4} {'folded':>6} {'ruined':>6} {'least area':>10}"
+    print(f"  {'scene':<13} {'bodies':>6} {'high':>4} {'firmness':<8} {'seed':>4} {'folded':>6} {'crossed':>7} {'ruined':>6}"
+          f" {'least area':>10}"
           f" {'ever':>6} {'mean':>5} {'asleep':>8} {'ms a step':>9} {'worst':>7} {'px high':>7} {'resets':>6}")
     for row in summary["rows"]:
         asleep = row["asleep_after_s"]
-        asleep = "not in " + f"{row['simulated_s']:.0f}" if asleep is None else f"{asleep:.1f} s"
+        asleep = f"not in {row['simulated_s']:.0f}" if asleep is None else f"{asleep:.1f} s"
         print(f"  {row['scene']:<13} {row['bodies']:>6} {row['rows_high']:>4} {row['firmness']:<8} {row['seed'] or '–':>4}"
-              f" {row['folded']:>6} {row['ruined']:>6} {row['least_area']:>10.2f} {row['least_area_ever']:>6.2f}"
+              f" {row['folded']:>6} {row['crossed']:>7} {row['ruined']:>6} {row['least_area']:>10.2f}"
+              f" {row['least_area_ever']:>6.2f}"
               f" {row['mean_area']:>5.2f} {asleep:>9} {row['mean_step_ms']:>8.3f} {row['worst_step_ms']:>7.2f}"
               f" {row['height_px']:>7.0f} {row['resets']:>6}")
-    print(f"  folded: below {summary['crushed']:g} of its area, or across itself; ruined: below 0.6; ms a step: until all sleep;"
+    print(f"  folded: crossed, or below {summary['crushed']:g} of its area; crossed: its outline meets itself; ruined: below 0.6;"
+          " ms a step: until all sleep;"
           f" firm: {summary['firm_times']:g} times the default's modulus; soft: the old network, 100 N/m")
     for r in summary["over_firm"]:
         print(f"  {r['bodies']} bodies {r['rows_high']} high: a step of {r['firmness']} ones takes"

@@ -14,17 +14,19 @@
 #   contact-accuracy friction, restitution and momentum against theory; penetration against time
 #   stress          scenes made to break bodies, under every method at 30 to 240 ticks a second
 #   soak            ten simulated hours: drift at rest, memory, bodies lost; with --quick, a third of an hour
+#   model           outlines under every elastic model against finite elements, and what they cost; independence of the mesh
+#   heap            heaps of nodes at their default values: folded bodies, sleep, time
 #   peers           a pile in other engines, Box2D and Chipmunk, against ours
 #   engine          nodes in an exported game: how many hold 60 ticks per second, and where their time goes
 #   editor          the editor addon's handlers: dragging, painting, drawing, tracing a picture
 #   --json   with the result as one JSON object in the last line
-#   --quick  fewer cases, within 40 s; its result goes to build/bench/quick_results and leaves the full one alone
+#   --quick  fewer cases, within 60 s; its result goes to build/bench/quick_results and leaves the full one alone
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/bench.sh"
 
-names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy stress soak peers engine editor)
+names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy stress soak model heap peers engine editor)
 name=
 for argument in "$@"; do
 	case $argument in

@@ -62,6 +62,7 @@ func _enter_tree() -> void:
 	inspector = StabilityInspector.new()
 	inspector.canvas = canvas
 	add_inspector_plugin(inspector)
+	add_undo_redo_inspector_hook_callback(_add_undo_of_preset)
 	get_undo_redo().version_changed.connect(_on_version_changed)
 	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
 	toolbar.show_mode(_mode)
@@ -75,6 +76,7 @@ func _exit_tree() -> void:
 	springs_mode.cancel()
 	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
 	get_undo_redo().version_changed.disconnect(_on_version_changed)
+	remove_undo_redo_inspector_hook_callback(_add_undo_of_preset)
 	remove_inspector_plugin(inspector)
 	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, pins_panel)
 	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, springs_panel)
@@ -220,6 +222,14 @@ func _on_shape_chosen(shape: StringName) -> void:
 func _on_preset_chosen(preset: int) -> void:
 	_current_cancel()
 	shapes.set_preset(preset)
+
+
+# A preset sets several values, which the inspector would not put back.
+func _add_undo_of_preset(undo_redo: Object, object: Object, property: String, _value: Variant) -> void:
+	if property == "preset" and (object is SoftBody2D or object is SoftBodyMaterial2D):
+		for value: StringName in [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"friction", &"bounce",
+				&"rolling_resistance"]:
+			(undo_redo as EditorUndoRedoManager).add_undo_property(object, value, object.get(value))
 
 
 func _show_help() -> void:

@@ -6,6 +6,13 @@ extends "res://tests/support/suite.gd"
 const PROPERTIES := {
 	"hull": [TYPE_PACKED_VECTOR2_ARRAY, "suffix:px"],
 	"mass": [TYPE_FLOAT, "suffix:kg"],
+	"youngs_modulus": [TYPE_FLOAT, "exp,suffix:N/m"],
+	"poisson_ratio": [TYPE_FLOAT, "0,0.49"],
+	"damping_ratio": [TYPE_FLOAT, ""],
+	"elastic_model": [TYPE_INT, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes"],
+	"least_area": [TYPE_FLOAT, "0,1"],
+	"least_stretch": [TYPE_FLOAT, "0,1"],
+	"most_stretch": [TYPE_FLOAT, "1,"],
 	"stiffness": [TYPE_FLOAT, "suffix:N/m"],
 	"damping": [TYPE_FLOAT, "suffix:N·s/m"],
 	"center_point": [TYPE_BOOL, ""],

@@ -17,7 +17,8 @@ func test_with_the_hint_hull_springs_and_stiffness_are_drawn() -> void:
 	if not open_viewport():
 		return
 	tree.debug_collisions_hint = true
-	var body := add_to_view({ "color": CLEAR, "hull": SoftBody2D.make_box_hull(Vector2(160, 160), 80) })
+	var body := add_to_view({ "color": CLEAR, "hull": SoftBody2D.make_box_hull(Vector2(160, 160), 80),
+			"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK })
 	tree.debug_collisions_hint = false
 	await ticks(3)
 	var image := await picture()
@@ -64,7 +65,7 @@ func test_contacts_of_a_body_that_monitors_are_drawn_where_they_are() -> void:
 	var body := add_to_view({ "color": CLEAR, "gravity_scale": 1.0, "position": Vector2(200, 225), "contact_monitor": true })
 	tree.debug_collisions_hint = false
 	var color: Color = ProjectSettings.get_setting_with_override("debug/shapes/collision/contact_color")
-	await ticks(25)
+	await seconds(3) # at rest
 	var image := await picture()
 	var lowest := Vector2.ZERO
 	for point in body.get_interpolated_hull():

@@ -234,7 +234,7 @@ func test_a_stretched_body_is_not_culled() -> void:
 	if not open_viewport():
 		return
 	var body := add_to_view({ "position": Vector2(200, 200), "color": Color.RED, "stiffness": 0.0, "shape_matching": 0.0,
-			"damping": 0.0, "collision_mask": 0 })
+			"damping": 0.0, "collision_mask": 0, "most_stretch": 1000.0 })
 	for i in body.hull.size():
 		body.apply_point_impulse(i, Vector2(signf(body.hull[i].x), 0) * 60)
 	await ticks(30)

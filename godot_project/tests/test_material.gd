@@ -3,6 +3,7 @@ extends "res://tests/support/suite.gd"
 ## A material is shared by nodes: its values count instead of theirs, and a change reaches all of them.
 
 const FIELDS := {
+	"youngs_modulus": [250.0, 320.0], "poisson_ratio": [0.25, 0.375], "damping_ratio": [0.5, 0.25],
 	"stiffness": [250.0, 320.0], "damping": [0.5, 0.75], "shape_matching": [0.75, 0.5], "shape_damping": [0.5, 0.125],
 	"pressure": [20.0, 40.0], "inflation": [1.25, 1.5], "friction": [0.75, 0.125], "bounce": [0.5, 0.25],
 	"rolling_resistance": [0.25, 0.125], "density": [2.0, 4.0],
@@ -21,7 +22,7 @@ func test_a_change_reaches_every_body_of_the_material_at_once() -> void:
 	var bodies: Array[SoftBody2D] = []
 	for i in 3:
 		bodies.append(add_weightless_body(Vector2(200 * i, 0), {"soft_body_material": material}))
-	var other := add_weightless_body(Vector2(800, 0))
+	var other := add_weightless_body(Vector2(800, 0), {"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK})
 	for body in bodies:
 		check_equal(body.get_spring_stiffness(3), 250.0, "stiffness of a spring")
 	material.stiffness = 320.0
@@ -70,6 +71,10 @@ func test_values_out_of_range_are_refused_and_nobody_is_told() -> void:
 		var bad: Array = [-0.5, NAN, INF, 1e300]
 		if name == "bounce":
 			bad.append(1.5)
+		if name == "poisson_ratio":
+			bad.append(0.5)
+		if name == "youngs_modulus":
+			bad.append(0.0)
 		for value: float in bad:
 			var old: float = material.get(name)
 			check_refused(func() -> void: material.set(name, value), ["Jelly", name], "%s = %s" % [name, value])
@@ -101,7 +106,7 @@ func test_density_makes_the_mass_of_the_area_and_a_scaled_body_heavier() -> void
 
 
 func test_what_a_material_overrides_is_shown_and_saved_but_not_edited() -> void:
-	var body := add_weightless_body()
+	var body := add_weightless_body(Vector2.ZERO, {"stiffness": 60.0})
 	var usage := func(name: String) -> int:
 		for property in body.get_property_list():
 			if property["name"] == name:

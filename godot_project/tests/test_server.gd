@@ -82,7 +82,7 @@ func test_contact_substeps_follow_the_setting() -> void:
 
 
 func test_bodies_that_leave_their_substeps_open_take_the_project_s() -> void:
-	var open := add_weightless_body(Vector2.ZERO)
+	var open := add_weightless_body(Vector2.ZERO, {"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK})
 	var own := add_weightless_body(Vector2(300, 0), {"substeps": 3})
 	await change(SUBSTEPS, 7)
 	check_equal(open.get_substep_plan()["substeps"], 7, "substeps of a body that leaves them open")

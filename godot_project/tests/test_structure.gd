@@ -51,7 +51,7 @@ func test_springs_are_told_alike_in_and_outside_the_tree_at_any_winding_and_scal
 
 func test_the_automatic_springs_written_down_are_the_same_body() -> void:
 	add_floor(60)
-	var automatic := add_body()
+	var automatic := add_body(Vector2.ZERO, {"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK})
 	var written := add_body(Vector2(512, 0), {"springs": automatic.get_all_springs()})
 	for i in 60:
 		await ticks(1)
@@ -101,7 +101,8 @@ func test_a_painted_body_moves_alike_in_either_winding() -> void:
 
 func test_inner_points_are_points_of_the_body() -> void:
 	var inner := PackedVector2Array([Vector2(-15, -10), Vector2(20, 5)])
-	var body := add_weightless_body(Vector2(100, 50), {"hull": PackedVector2Array(SQUARE), "inner_points": inner})
+	var body := add_weightless_body(Vector2(100, 50), {"hull": PackedVector2Array(SQUARE), "inner_points": inner,
+			"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK})
 	check_equal(body.get_point_count(), 7, "number of points")
 	var points := body.get_point_positions()
 	for i in 2:

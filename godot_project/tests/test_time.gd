@@ -29,7 +29,7 @@ func _wobble(ticks_per_second: int, time_scale := 1.0) -> PackedVector2Array:
 
 ## How far the points are from the rest shape when the dent is deepest.
 func _wobble_size() -> float:
-	var body := add_weightless_body()
+	var body := add_weightless_body(Vector2.ZERO, {"stiffness": 100.0})
 	var velocities := body.get_point_velocities()
 	for i in 16:
 		velocities[i] = Vector2(1, 0) * cos(TAU * 2 * i / 16.0) * 400

@@ -150,6 +150,50 @@ func test_the_preview_leaves_the_node_as_it_was() -> void:
 	check_equal(history().get_version(), version, "steps of undo")
 
 
+func test_the_panel_advises_a_material_on_youngs_modulus() -> void:
+	await open_scene({"youngs_modulus": 20.0})
+	await frames(30)
+	var panel: Control = plugin.inspector.panel
+	panel.refresh()
+	await frames(2)
+	check_equal(panel.shown_rows[5].text, "elastic modes", "what makes it elastic")
+	check_equal(panel.shown_advice.size(), 1, "advice")
+	panel.apply(panel.shown_advice[0])
+	check(body.youngs_modulus > 40, "Young's modulus after the advice: %s" % body.youngs_modulus)
+	check_equal([body.stiffness, body.get_elastic_model_in_use()], [100.0, SoftBody2D.ELASTIC_MODEL_MODES], "stiffness and model")
+	check(body.get_stability_report(200)["sag"] <= 0.1, "with the advised value it holds")
+	await undo()
+	check_equal(body.youngs_modulus, 20.0, "Young's modulus after undo")
+
+
+func test_raw_values_make_a_network_in_the_inspector_until_they_are_taken_back() -> void:
+	await open_scene()
+	body.stiffness = 140.0
+	check_equal(body.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_NETWORK, "model with another stiffness")
+	body.stiffness = 100.0
+	check_equal(body.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_MODES, "model with the default again")
+
+
+func test_a_preset_that_is_chosen_in_the_inspector_is_undone_with_all_its_values() -> void:
+	await open_scene({"youngs_modulus": 333.0, "friction": 0.875})
+	await frames(30)
+	var chooser: EditorProperty = null
+	for property: EditorProperty in EditorInterface.get_inspector().find_children("*", "EditorProperty", true, false):
+		if property.get_edited_property() == &"preset":
+			chooser = property
+	if not check(chooser != null, "the inspector shows the preset"):
+		return
+	check_equal(body.preset, SoftBodyMaterial2D.PRESET_CUSTOM, "preset of values of one's own")
+	var version := history().get_version()
+	chooser.emit_changed(&"preset", SoftBodyMaterial2D.PRESET_RUBBER)
+	await frames(2)
+	var rubber := SoftBodyMaterial2D.make_preset(SoftBodyMaterial2D.PRESET_RUBBER)
+	check_equal([body.youngs_modulus, body.friction], [rubber.youngs_modulus, rubber.friction], "values of rubber")
+	check_equal(history().get_version(), version + 1, "steps of undo")
+	await undo()
+	check_equal([body.youngs_modulus, body.poisson_ratio, body.friction], [333.0, 0.45, 0.875], "values after undo")
+
+
 func test_the_stability_panel_tells_and_its_advice_is_applied_in_one_step() -> void:
 	await open_scene({"stiffness": 5.0, "substeps": 20})
 	await frames(30)
@@ -160,7 +204,7 @@ func test_the_stability_panel_tells_and_its_advice_is_applied_in_one_step() -> v
 	await frames(2)
 	await shot("stability")
 	check(panel.report.get("folds", false), "a body of 5 N/m folds: %s" % panel.report)
-	check_equal(panel.shown_rows.size(), 5, "figures")
+	check_equal(panel.shown_rows.size(), 6, "figures")
 	var texts: Array = panel.shown_advice.map(func(advice: RefCounted) -> String: return advice.text)
 	check("substeps are enough" in "\n".join(texts), "advice on substeps: %s" % [texts])
 	check("will fold under its own weight" in "\n".join(texts), "advice on stiffness: %s" % [texts])

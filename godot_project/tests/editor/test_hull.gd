@@ -153,7 +153,7 @@ func test_a_new_hull_is_drawn_point_by_point() -> void:
 
 
 func test_the_radius_handle_scales_and_the_pressure_arrow_sets_pressure() -> void:
-	await open_scene()
+	await open_scene({"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK})
 	var before := values()
 	var version := history().get_version()
 	var handle: Vector2 = plugin.hull_mode.handles._radius_place(body)
@@ -167,6 +167,10 @@ func test_the_radius_handle_scales_and_the_pressure_arrow_sets_pressure() -> voi
 	check_equal(history().get_version(), version + 1, "steps of undo")
 	await undo()
 	check_equal(body.pressure, 0.0, "pressure after undo")
+	body.elastic_model = SoftBody2D.ELASTIC_MODEL_AUTOMATIC
+	tip = plugin.hull_mode.handles._pressure_place(body)
+	await drag(tip, tip + Vector2(0, -60 * EditorInterface.get_editor_scale()))
+	check_equal(body.pressure, 0.0, "pressure of a body of a material, which has no arrow")
 
 
 func test_several_bodies_are_edited_together() -> void:

@@ -4,6 +4,7 @@ extends Logger
 
 var _mutex := Mutex.new()
 var _entries := PackedStringArray()
+var _notes := PackedStringArray()
 
 
 func _log_error(function: String, file: String, line: int, code: String, rationale: String,
@@ -13,6 +14,21 @@ func _log_error(function: String, file: String, line: int, code: String, rationa
 	_mutex.lock()
 	_entries.append("%s: %s (%s, %s:%d)" % [kind, text, function, file.get_file(), line])
 	_mutex.unlock()
+
+
+func _log_message(message: String, _error: bool) -> void:
+	if message.begins_with("Note: SoftBody2D"):
+		_mutex.lock()
+		_notes.append(message)
+		_mutex.unlock()
+
+
+## What the extension has printed that is neither, since the run began.
+func notes() -> PackedStringArray:
+	_mutex.lock()
+	var copy := _notes.duplicate()
+	_mutex.unlock()
+	return copy
 
 
 ## Everything since the last call.

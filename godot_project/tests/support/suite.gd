@@ -128,6 +128,11 @@ func take_errors() -> PackedStringArray:
 	return PackedStringArray() if _error_log == null else PackedStringArray(_error_log.call("take"))
 
 
+## Notes of the extension since the run began; null on engines without the class Logger.
+func printed_notes() -> Variant:
+	return null if _error_log == null else PackedStringArray(_error_log.call("notes"))
+
+
 # Waiting. After each awaited tick, the soft bodies have been stepped once more.
 
 func ticks(count: int) -> void:

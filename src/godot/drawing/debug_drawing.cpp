@@ -67,7 +67,7 @@ void DebugDrawing::draw(const SoftBodyData &body, std::span<const Vec2> points, 
 	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);
 	server()->canvas_item_clear(item_);
 	draw_hull(body, points);
-	if (body.settings().has_springs()) { // Elastic modes have none.
+	if (!body.settings().is_elastic()) { // Beside elastic modes springs take no part.
 		draw_springs(body, points, pixel);
 	}
 	const Vector2 centre = mean_of(points, body.shape().masses());

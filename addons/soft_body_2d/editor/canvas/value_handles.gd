@@ -53,7 +53,7 @@ func press(place: Vector2) -> bool:
 			continue
 		if _radius_place(body).distance_to(place) <= _canvas.grab_radius():
 			_kind = Kind.RADIUS
-		elif _pressure_place(body).distance_to(place) <= _canvas.grab_radius():
+		elif _has_pressure(body) and _pressure_place(body).distance_to(place) <= _canvas.grab_radius():
 			if body.soft_body_material != null:
 				_canvas.warn(Words.say("The pressure of '%s' comes from its material: change it there.") % body.name)
 				return false
@@ -93,7 +93,7 @@ func drag(place: Vector2) -> void:
 		if pressure < 2 * unit:
 			pressure = 0
 		for body in _canvas.bodies:
-			if body.soft_body_material == null:
+			if body.soft_body_material == null and _has_pressure(body):
 				body.pressure = Advice.rounded_up(pressure)
 		_text = Words.say("pressure %s N/m") % Advice.number(_body.pressure)
 	_canvas.redraw()
@@ -138,11 +138,11 @@ func draw(overlay: Control) -> void:
 		overlay.draw_line(edge, radius_place, color, _canvas.scale(), true)
 		_canvas.draw_square(overlay, radius_place, color)
 		var tip := _pressure_place(body)
-		var foot := _top(body)
-		overlay.draw_line(foot, tip, color, 2 * _canvas.scale(), true)
-		var head := 6 * _canvas.scale()
-		overlay.draw_colored_polygon([tip + Vector2(0, -head), tip + Vector2(-head, head / 2), tip + Vector2(head,
-				head / 2)], color)
+		if _has_pressure(body):
+			overlay.draw_line(_top(body), tip, color, 2 * _canvas.scale(), true)
+			var head := 6 * _canvas.scale()
+			overlay.draw_colored_polygon([tip + Vector2(0, -head), tip + Vector2(-head, head / 2), tip + Vector2(head,
+					head / 2)], color)
 		if _body == body and _kind != Kind.NONE:
 			var place := radius_place if _kind == Kind.RADIUS else tip
 			_canvas.draw_text(overlay, place + Vector2(14, 4) * _canvas.scale(), _text, BodyCanvas.SELECTED)
@@ -166,6 +166,11 @@ func _radius_place(body: SoftBody2D) -> Vector2:
 func _top(body: SoftBody2D) -> Vector2:
 	var box := _box(body)
 	return Vector2(box.get_center().x, box.position.y)
+
+
+# A material holds its area by itself, and a pressure would make a network of it.
+func _has_pressure(body: SoftBody2D) -> bool:
+	return body.get_elastic_model_in_use() == SoftBody2D.ELASTIC_MODEL_NETWORK
 
 
 func _pressure_place(body: SoftBody2D) -> Vector2:

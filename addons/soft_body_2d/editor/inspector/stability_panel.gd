@@ -8,6 +8,8 @@ const Words := preload("../logic/words.gd")
 const MaterialAccess := preload("../logic/material_access.gd")
 
 const COLORS: Array[Color] = [Color("5fc96a"), Color("f0b93a"), Color("f0605f")]
+## What a material has instead of a body that shares it.
+const OF_MATERIAL: Array[StringName] = [&"youngs_modulus", &"stiffness", &"damping"]
 const LOOK_AGAIN := 0.4
 ## A measurement of what it would take to do it every time that something moves [ms].
 const TIME_LIMIT := 20.0
@@ -59,10 +61,10 @@ func _look() -> void:
 		values.append([body.hull, body.inner_points, body.center_point, body.springs, body.spring_stiffness_scales,
 				body.spring_damping_scales, body.spring_length_scales, body.pinned_points, body.get_total_mass(),
 				body.gravity_scale, body.integrator, body.substeps, body.collision_mask, body.global_transform.x,
-				body.global_transform.y])
+				body.global_transform.y, body.elastic_model, body.least_area, body.least_stretch, body.most_stretch])
 		var source: Object = body if body.soft_body_material == null else body.soft_body_material
-		for property: StringName in [&"stiffness", &"damping", &"shape_matching", &"shape_damping", &"pressure",
-				&"inflation"]:
+		for property: StringName in [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"stiffness", &"damping",
+				&"shape_matching", &"shape_damping", &"pressure", &"inflation"]:
 			values.append(source.get(property))
 	values.append(Engine.physics_ticks_per_second)
 	var known := hash(values)
@@ -106,8 +108,8 @@ func _badness(of: Dictionary) -> int:
 
 static func own_values(body: SoftBody2D) -> Dictionary:
 	var source: Object = body if body.soft_body_material == null else body.soft_body_material
-	return {"stiffness": source.get(&"stiffness"), "damping": source.get(&"damping"), "substeps": body.substeps,
-			"integrator": body.integrator}
+	return {"youngs_modulus": source.get(&"youngs_modulus"), "stiffness": source.get(&"stiffness"), "damping": source.get(&"damping"),
+			"substeps": body.substeps, "integrator": body.integrator}
 
 
 func _add_row(row: Advice.Row) -> void:
@@ -155,9 +157,12 @@ func apply(advice: Advice.Advice) -> void:
 		if lock != "":
 			_canvas.warn(lock)
 			return
+		var is_network := body.get_elastic_model_in_use() == SoftBody2D.ELASTIC_MODEL_NETWORK
 		for property: StringName in advice.changes:
+			if property in OF_MATERIAL and (property == &"youngs_modulus") == is_network:
+				continue # another model than the worst body's: this value does nothing here, or would make it a network
 			var target: Object = body
-			if body.soft_body_material != null and property in [&"stiffness", &"damping"]:
+			if body.soft_body_material != null and property in OF_MATERIAL:
 				target = body.soft_body_material
 				var problem := MaterialAccess.problem(body.soft_body_material, EditorInterface.get_edited_scene_root())
 				if problem != "":
@@ -165,7 +170,7 @@ func apply(advice: Advice.Advice) -> void:
 					return
 			var value: Variant = advice.changes[property]
 			# What is enough for the worst must not make another one softer.
-			if property in [&"stiffness", &"damping"] and target.get(property) >= value:
+			if property in OF_MATERIAL and target.get(property) >= value:
 				continue
 			if not seen.has([target, property]) and target.get(property) != value:
 				seen[[target, property]] = true

@@ -13,6 +13,8 @@ const BAD_SHARE := 0.1
 const FAIR_SAG := 0.1
 const FAIR_MARGIN := 1.5
 const XPBD := 7
+## As SoftBody2D.ELASTIC_MODEL_*.
+const MODEL_NAMES: Array[String] = ["", "spring network", "springs", "springs, shape", "springs, shape, area", "elastic modes"]
 
 
 ## One figure of the panel.
@@ -74,10 +76,13 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 		found.append(Row.new(say.call("Cost"), say.call("%s µs a tick") % number(microseconds),
 				Level.BAD if share > BAD_SHARE else (Level.FAIR if share > FAIR_SHARE else Level.GOOD),
 				say.call("What a tick of this body takes on this machine while it lies awake on flat ground: %s %% of a tick. Asleep it costs next to nothing.") % number(100 * share)))
+	var unfit: bool = report["elastic_reason"] == "unfit"
+	found.append(Row.new(say.call("Elasticity"), say.call(MODEL_NAMES[report["elastic_model"]]),
+			Level.BAD if unfit else Level.GOOD, say.call(elastic_text(report["elastic_reason"]))))
 	return found
 
 
-## `own` holds the node's values of `stiffness`, `damping`, `substeps` and `integrator`.
+## `own` holds the node's values, or its material's, of `youngs_modulus`, `stiffness`, `damping`, `substeps` and `integrator`.
 static func advice(report: Dictionary, own: Dictionary, say: Callable) -> Array[Advice]:
 	var found: Array[Advice] = []
 	if report.is_empty():
@@ -94,12 +99,15 @@ static func advice(report: Dictionary, own: Dictionary, say: Callable) -> Array[
 		found.append(Advice.new(say.call("%d substeps are enough") % report["automatic_substeps"],
 				{&"substeps": int(report["automatic_substeps"])}))
 	if report.has("sag"):
-		var stiffness: float = own["stiffness"]
-		var firm := rounded_up(report["firm_stiffness"])
-		if firm > stiffness and (report["folds"] or report["sag"] > FAIR_SAG):
-			var text: String = say.call("Stiffness %s will fold under its own weight: use ≥ %s") if report["folds"] \
-					else say.call("Stiffness %s sags visibly: use ≥ %s to hold the shape")
-			found.append(Advice.new(text % [number(stiffness), number(firm)], {&"stiffness": firm}))
+		var is_material: bool = report["youngs_modulus"] > 0
+		var property := &"youngs_modulus" if is_material else &"stiffness"
+		var present: float = own[property]
+		var firm := rounded_up(report["firm_youngs_modulus" if is_material else "firm_stiffness"])
+		if firm > present and (report["folds"] or report["sag"] > FAIR_SAG):
+			var name: String = say.call("Young's modulus" if is_material else "Stiffness")
+			var text: String = say.call("%s %s will fold under its own weight: use ≥ %s") if report["folds"] \
+					else say.call("%s %s sags visibly: use ≥ %s to hold the shape")
+			found.append(Advice.new(text % [name, number(present), number(firm)], {property: firm}))
 	if report["damping"] < report["least_damping"]:
 		var damping: float = own["damping"]
 		# What is painted on single springs stays: the node's own value makes up for it.
@@ -121,6 +129,21 @@ static func reason_text(reason: String) -> String:
 		"fixed":
 			return "as set"
 	return "not stable"
+
+
+static func elastic_text(reason: String) -> String:
+	match reason:
+		"chosen":
+			return "The elastic model is chosen in the inspector."
+		"own_springs":
+			return "The body has springs of its own: a network with the raw values. Set the elastic model to use the material."
+		"painted_springs":
+			return "Springs have factors of their own: a network with the raw values. Set the elastic model to use the material."
+		"network_values":
+			return "Raw values of the network are set: Young's modulus, Poisson's ratio and damping ratio have no effect. Set the elastic model to Modes to use them."
+		"material":
+			return "Young's modulus, Poisson's ratio and damping ratio decide."
+	return "The chosen elastic model does not fit the body; the network takes its place. The warnings say why."
 
 
 ## Three digits, as one reads them.
