@@ -103,11 +103,11 @@ void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &pl
 		advance_one_by_one(crew, lanes, plan, elapsed, duration, substeps, swept_from, are_coupled);
 	} else if (lanes == ALL_LANES) {
 		const std::uint32_t alone = lanes_answered_alone(crew, lanes, elapsed, duration);
-		advance_side_by_side(crew, lanes, alone, plan, duration, substeps, swept_from);
+		advance_side_by_side(crew, lanes, alone, plan, duration, substeps, swept_from, are_coupled);
 	} else {
 		Crew some = with_stand_ins(crew, lanes);
 		const std::uint32_t alone = lanes_answered_alone(some, lanes, elapsed, duration);
-		advance_side_by_side(some, lanes, alone, plan, duration, substeps, swept_from);
+		advance_side_by_side(some, lanes, alone, plan, duration, substeps, swept_from, are_coupled);
 		crew.touching = (crew.touching & ~lanes) | (some.touching & lanes);
 	}
 }
@@ -146,15 +146,15 @@ bool BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const Substep
 	const std::uint32_t alone = lanes_answered_alone(*crews[0], ALL_LANES, elapsed, duration);
 	if (alone != 0) {
 		ahead.ask_all();
-		advance_side_by_side(*crews[0], ALL_LANES, alone, plan, duration, substeps, swept_from[0]);
+		advance_side_by_side(*crews[0], ALL_LANES, alone, plan, duration, substeps, swept_from[0], are_coupled);
 		advance_one(1);
 		return false;
 	}
 	const std::uint32_t other_alone = lanes_answered_alone(*crews[1], ALL_LANES, elapsed, duration);
 	if (other_alone != 0 || !advance_wide(crews, plan, duration, substeps, touching, ahead)) {
 		ahead.ask_all();
-		advance_side_by_side(*crews[0], ALL_LANES, alone, plan, duration, substeps, swept_from[0]);
-		advance_side_by_side(*crews[1], ALL_LANES, other_alone, plan, duration, substeps, swept_from[1]);
+		advance_side_by_side(*crews[0], ALL_LANES, alone, plan, duration, substeps, swept_from[0], are_coupled);
+		advance_side_by_side(*crews[1], ALL_LANES, other_alone, plan, duration, substeps, swept_from[1], are_coupled);
 		return false;
 	}
 	return touching[0] != nullptr;
@@ -230,7 +230,7 @@ BodyLanes<RealPack> BodyStepper::gather_lanes(const Crew &crew) {
 	pack_velocities_.resize(std::max(pack_velocities_.size(), count));
 	BodyLanes<RealPack> lanes{ { *crew.shape, *crew.settings, {} }, crew.shape->inverse_masses(),
 		{ pack_positions_.data(), count }, { pack_velocities_.data(), count } };
-	if (crew.settings->matches_shape()) {
+	if (crew.settings->turns_with_body()) {
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
 			const Rotation memory = crew.rotation_memory(lane);
 			lanes.model.rotation_memory.c.set(lane, memory.c);
@@ -245,7 +245,7 @@ BodyLanes<RealPack> BodyStepper::gather_lanes(const Crew &crew) {
 }
 
 void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, std::uint32_t answered_alone,
-		const SubstepPlan &plan, Real duration, int substeps, const SweptFrom &swept_from) {
+		const SubstepPlan &plan, Real duration, int substeps, const SweptFrom &swept_from, bool are_coupled) {
 	counts_.substeps += std::uint64_t(substeps) * std::uint64_t(std::popcount(taking_part));
 	const SoftBodyShape &shape = *crew.shape;
 	const std::size_t count = shape.point_count();
@@ -263,6 +263,13 @@ void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, st
 			hold_area<RealPack>(lanes, h);
 			pack_workspace_.forces_are_current = RealPack(0) < RealPack(0);
 		}
+		if (crew.settings->has_limits()) { // before contacts, which have the last word and look along the whole way
+			const PackMask crushed = may_break_limits<RealPack>(lanes.model, lanes.positions);
+			if (any(crushed)) {
+				keep_whole_in_lanes(crew, taking_part, bits(crushed), lanes, h, are_coupled || world_->has_surroundings());
+				pack_workspace_.forces_are_current = RealPack(0) < RealPack(0);
+			}
+		}
 		if (crew.settings->has_damp()) {
 			damp_rigid_motion<RealPack>(lanes, h);
 		}
@@ -275,12 +282,6 @@ void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, st
 		pack_workspace_.forces_are_current = both(pack_workspace_.forces_are_current, !(contacts > RealPack(0)));
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
 			counts_.contacts += taking_part >> lane & 1 ? std::uint64_t(contacts[lane]) : 0;
-		}
-	}
-	if (crew.settings->has_limits()) {
-		const PackMask crushed = may_break_limits<RealPack>(lanes.model, lanes.positions);
-		if (any(crushed)) {
-			keep_whole_in_lanes(crew, taking_part, bits(crushed), lanes, h);
 		}
 	}
 	const PackMask sound = is_sound<RealPack>(lanes.positions, lanes.velocities, credible_reach(shape, plan));
@@ -312,7 +313,7 @@ void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, st
 
 // Few bodies are crushed at a time.
 void BodyStepper::keep_whole_in_lanes(const Crew &crew, std::uint32_t taking_part, std::uint32_t crushed,
-		const BodyLanes<RealPack> &lanes, Real h) {
+		const BodyLanes<RealPack> &lanes, Real h, bool bears_load) {
 	for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
 		if ((taking_part & crushed) >> lane & 1) {
 			SoftBodyData &data = body(crew.bodies[lane]);
@@ -325,7 +326,7 @@ void BodyStepper::keep_whole_in_lanes(const Crew &crew, std::uint32_t taking_par
 				positions[i] = lane_of(lanes.positions[i], lane);
 				velocities[i] = lane_of(lanes.velocities[i], lane);
 			}
-			keep_whole(data, h);
+			keep_whole(data, h, bears_load);
 			for (std::size_t i = 0; i < positions.size(); ++i) {
 				set_lane(lanes.positions[i], lane, positions[i]);
 				set_lane(lanes.velocities[i], lane, velocities[i]);
@@ -380,7 +381,7 @@ bool BodyStepper::advance_wide(const std::array<Crew *, 2> &crews, const Substep
 	stretch.substeps = substeps;
 	stretch.reach = credible_reach(*crews[0]->shape, plan);
 	stretch.touching = touching;
-	for (std::size_t lane = 0; crews[0]->settings->matches_shape() && lane < WIDE_WIDTH; ++lane) {
+	for (std::size_t lane = 0; crews[0]->settings->turns_with_body() && lane < WIDE_WIDTH; ++lane) {
 		stretch.rotation_memories[lane] = crews[lane / PACK_WIDTH]->rotation_memory(lane % PACK_WIDTH);
 	}
 	const std::optional<std::uint64_t> contacts = wide_->advance(stretch, ahead);
@@ -442,6 +443,9 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 			hold_area<Real>(lanes_of(data), h);
 			workspace_.forces_are_current = false;
 		}
+		if (keep_whole(data, h, is_coupled || world_->has_surroundings())) { // before contacts, which have the last word and look along the whole way
+			workspace_.forces_are_current = false;
+		}
 		if (data.settings().has_damp()) {
 			damp_rigid_motion(lanes_of(data), h);
 			workspace_.forces_are_current &= !data.has_pins(); // or else no spring feels it
@@ -463,7 +467,6 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 			workspace_.forces_are_current = false;
 		}
 	}
-	keep_whole(data, h);
 	if (!is_sound<Real>(data.positions(), data.velocities(), credible_reach(data.shape(), plan))) {
 		std::ranges::copy(std::span(start_).first(count), data.mutable_positions().begin());
 		std::ranges::copy(std::span(start_).last(count), data.mutable_velocities().begin());

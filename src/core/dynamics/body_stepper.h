@@ -80,7 +80,7 @@ private:
 	Crew with_stand_ins(const Crew &crew, std::uint32_t lanes);
 	/// Lanes of `answered_alone` meet the surroundings one after the other in each substep.
 	void advance_side_by_side(Crew &crew, std::uint32_t taking_part, std::uint32_t answered_alone, const SubstepPlan &plan,
-			Real duration, int substeps, const SweptFrom &swept_from);
+			Real duration, int substeps, const SweptFrom &swept_from, bool are_coupled);
 	/// Between two substeps: each of those lanes as it is in `lanes`, and back. How many contacts each had.
 	RealPack answer_alone(const Crew &crew, std::uint32_t answered_alone, const BodyLanes<RealPack> &lanes, Real h,
 			const SweptFrom &swept_from);
@@ -92,7 +92,7 @@ private:
 			const std::array<TouchingBody *, WIDE_WIDTH> &touching, StateAhead &ahead);
 	/// Brings those of the lanes that are crushed or drawn out back within their limits.
 	void keep_whole_in_lanes(const Crew &crew, std::uint32_t taking_part, std::uint32_t crushed,
-			const BodyLanes<RealPack> &lanes, Real h);
+			const BodyLanes<RealPack> &lanes, Real h, bool bears_load);
 	void advance_one_by_one(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
 			int substeps, const SweptFrom &swept_from, bool are_coupled);
 	bool can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan) const;

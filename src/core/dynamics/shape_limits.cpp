@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace softbody {
@@ -84,29 +85,25 @@ std::array<double, 2> allowed_stretches(const std::array<double, 2> &found, cons
 	return allowed;
 }
 
-// What the body would be at the bounds, the way there, and how fast it moves away from them.
+// How a body is out of bounds.
 struct Excess {
-	Map shift; ///< from the body's affine map to the allowed one
-	Map brake; ///< what takes the rate away at which the map leaves its bounds
-	Map now; ///< the body's own affine map and its rate
-	Map rate;
+	Map shift; ///< from the body's affine map to the allowed one, or LIMIT_PUSH of it
+	Map now; ///< the body's own affine map
+	bool is_far = false; ///< by more than LIMIT_FAR
 };
 
 std::optional<Excess> find_excess(const SoftBodyData &body, const BodyFrame &frame) {
 	const SoftBodyShape &shape = body.shape();
 	Map positions;
-	Map velocities;
 	Map rest;
 	for (std::size_t i = 0; i < shape.point_count(); ++i) {
 		const Vec2 q = shape.rest_positions()[i];
 		const double mass = shape.masses()[i];
 		positions.add(body.positions()[i] - frame.centre, q, mass);
-		velocities.add(body.velocities()[i] - frame.velocity, q, mass);
 		rest.add(q, q, mass);
 	}
 	Excess excess;
 	excess.now = over(positions, rest);
-	excess.rate = over(velocities, rest);
 	const Stretches stretches = stretches_of(excess.now);
 	if (!std::isfinite(stretches.sizes[0])) {
 		return std::nullopt;
@@ -114,13 +111,20 @@ std::optional<Excess> find_excess(const SoftBodyData &body, const BodyFrame &fra
 	const std::array<double, 2> allowed = allowed_stretches(stretches.sizes, body.settings());
 	for (std::size_t k = 0; k < 2; ++k) {
 		const double change = allowed[k] - stretches.sizes[k];
-		const double rate = double(dot(stretches.now[k], excess.rate.apply(stretches.rest[k])));
+		excess.is_far |= std::abs(change) > double(LIMIT_FAR);
 		excess.shift.add(stretches.now[k], stretches.rest[k], std::clamp(change, -double(LIMIT_PUSH), double(LIMIT_PUSH)));
-		if (change != 0) {
-			excess.brake.add(stretches.now[k], stretches.rest[k], change > 0 ? std::max(-rate, 0.0) : std::min(-rate, 0.0));
-		}
 	}
 	return excess;
+}
+
+// Adds the velocity of a way gone in h, as far as the speed along it stays below `fastest`.
+void quicken(Vec2 &velocity, Vec2 way, Real h, Real fastest) {
+	const Real size = length(way);
+	if (size > 0) {
+		const Vec2 direction = way * (1 / size);
+		const Real along = dot(velocity, direction);
+		velocity += direction * (std::max(along, std::min(along + size / h, fastest)) - along);
+	}
 }
 
 // What has been changed gets back the momentum and spin that it had, and its center.
@@ -140,7 +144,7 @@ void restore_rigid_motion(SoftBodyData &body, const BodyFrame &before) {
 template bool may_break_limits<Real>(const BodyModel<Real> &, std::span<const Vec2>);
 template PackMask may_break_limits<RealPack>(const BodyModel<RealPack> &, std::span<const BasicVec2<RealPack>>);
 
-bool keep_whole(SoftBodyData &body, Real h) {
+bool keep_whole(SoftBodyData &body, Real h, bool bears_load) {
 	const BodySettings &settings = body.settings();
 	if (!settings.has_limits() || !may_break_limits<Real>(model_of(body), body.positions())) {
 		return false;
@@ -154,7 +158,7 @@ bool keep_whole(SoftBodyData &body, Real h) {
 	const Real area = hull_area<Real>(body.hull()) / body.shape().rest_area();
 	const Real onset = settings.least_area * LIMIT_ONSET;
 	const Real smoothing = area < onset ? std::min((onset - area) / (onset - settings.least_area), Real(1)) * LIMIT_SMOOTHING : Real(0);
-	const Real fastest = LIMIT_SPEED * body.shape().radius();
+	const Real walk = LIMIT_SPEED * body.shape().radius();
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
 		if (body.inverse_masses()[i] == 0) {
 			continue;
@@ -164,16 +168,11 @@ bool keep_whole(SoftBodyData &body, Real h) {
 		Vec2 &velocity = body.mutable_velocities()[i];
 		const Vec2 home = frame.centre + excess->now.apply(q);
 		const Vec2 shift = excess->shift.apply(q);
-		const Vec2 way = (home - position) * smoothing;
-		position += shift + way;
-		velocity += shift * (1 / h); // as a constraint would
-		// What is crumpled comes back at a walk, or it would burst.
-		const Real size = length(way);
-		if (size > 0) {
-			const Vec2 direction = way * (1 / size);
-			const Real along = dot(velocity, direction);
-			velocity += direction * (std::max(along, std::min(along + size / h, fastest)) - along);
-		}
+		const Vec2 smoothed = (home - position) * smoothing;
+		position += shift + smoothed;
+		// A constraint's velocity, so that it bears a load; but no body shall burst.
+		quicken(velocity, shift, h, bears_load && !excess->is_far ? std::numeric_limits<Real>::max() : walk);
+		quicken(velocity, smoothed, h, walk);
 	}
 	if (body.is_free()) {
 		restore_rigid_motion(body, frame);

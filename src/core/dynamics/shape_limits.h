@@ -14,12 +14,13 @@ namespace softbody {
 /// Keeps a body within its settings' `least_area`, `least_stretch` and `most_stretch`.
 ///
 /// The stretch is that of the best-fitting affine map of the rest shape (Müller et al. 2005, sec. 4.2: F = A_pq A_qq^-1), by
-/// its singular values. Where one is out of bounds the points move by (F' - F) q, F' having it at the bound, by at most
-/// LIMIT_PUSH of the body's radius in a substep, and the rate at which it goes on is taken from the velocities, without a
-/// rebound. The area likewise along its gradient. Momentum stays; angular momentum is given back. A body that is turned inside
-/// out is left to its elasticity, which brings it back.
-/// Pinned points stay. Returns whether anything changed. O(points) where the body is near a limit, O(hull points) else.
-bool keep_whole(SoftBodyData &body, Real h);
+/// its singular values. Where one is out of bounds, the points move by (F' - F) q, F' having it at the bound, by at most
+/// LIMIT_PUSH of the body's size in a substep of `h` [s]. Where the area is below LIMIT_ONSET of its bound, points are drawn to
+/// where the map has them, so that no single one folds in. Velocities get what a constraint gives them, the way over h; at most
+/// LIMIT_SPEED where the body is crumpled or far out of bounds, or where nothing can press on it (`bears_load`).
+/// Momentum, angular momentum and center stay. Pinned points stay. Returns whether anything changed. O(points) where the body
+/// is near a limit, O(hull points) else.
+bool keep_whole(SoftBodyData &body, Real h, bool bears_load);
 
 /// Whether `keep_whole` might change anything, for several bodies side by side. O(hull points).
 template <class T>

@@ -263,7 +263,7 @@ void Simulator::step_free(Real dt) {
 	advance_crews(free_crews_, { 0, dt, 1, false }, begin, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = bodies_.crew(i);
 		const std::uint32_t stepped = bodies_.state(i).stepped();
-		if (crew.settings->matches_shape()) {
+		if (crew.settings->turns_with_body()) {
 			stepper.remember_rotations(crew, stepped, stepper.measure_frames(crew));
 		}
 		stepper.end(crew, stepped);
@@ -374,14 +374,14 @@ void Simulator::move_rigid_bodies_alone(Real dt) {
 void Simulator::measure_frames() {
 	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
 		const Crew &crew = bodies_.crew(i);
-		if (!pair_contacts_.resists_rolling() && !crew.settings->matches_shape()) {
+		if (!pair_contacts_.resists_rolling() && !crew.settings->turns_with_body()) {
 			return;
 		}
 		const std::array<BodyFrame, PACK_WIDTH> frames = stepper.measure_frames(crew);
 		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
 			bodies_.touching(bodies_.state(i).rows[lane]).take_frame(frames[lane]);
 		}
-		if (crew.settings->matches_shape()) {
+		if (crew.settings->turns_with_body()) {
 			stepper.remember_rotations(crew, bodies_.state(i).turn, frames);
 		}
 	});

@@ -113,7 +113,7 @@ public:
 			to_positions[lane] = crew.positions[lane % PACK_WIDTH];
 			to_velocities[lane] = crew.velocities[lane % PACK_WIDTH];
 		}
-		if (settings.matches_shape()) {
+		if (settings.turns_with_body()) {
 			for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
 				bodies.model.rotation_memory.c.set(lane, stretch.rotation_memories[lane].c);
 				bodies.model.rotation_memory.s.set(lane, stretch.rotation_memories[lane].s);
@@ -134,6 +134,10 @@ public:
 			if (settings.area_stiffness > 0) {
 				hold_area<WidePack>(bodies, stretch.h);
 				workspace_.forces_are_current = WidePack(0) < WidePack(0);
+			}
+			if (settings.has_limits() && any(may_break_limits<WidePack>(bodies.model, bodies.positions))) {
+				ahead.ask_all();
+				return std::nullopt; // rare, and for the narrower code
 			}
 			ahead.ask(2);
 			if (settings.has_damp()) {

@@ -98,6 +98,8 @@ struct BodySettings {
 	bool is_elastic() const { return shear_modulus > 0; }
 	/// Whether anything resists being crushed.
 	bool has_limits() const { return least_area > 0 || least_stretch > 0 || most_stretch < std::numeric_limits<Real>::max(); }
+	/// Whether forces depend on how the body is turned, so that its rotation is kept from step to step.
+	bool turns_with_body() const { return matches_shape() || is_elastic(); }
 	/// Whether its motion as a whole is damped.
 	bool has_damp() const { return linear_damp > 0 || angular_damp > 0; }
 
