@@ -6,6 +6,7 @@
 #include "core/dynamics/energy.h"
 #include "core/dynamics/simulator.h"
 #include "core/geometry/polygon.h"
+#include "core/model/material.h"
 #include "support/random.h"
 
 #include <doctest/doctest.h>
@@ -109,6 +110,46 @@ TEST_CASE("the area term aims at the inflation") {
 		simulator.simulate(Real(1) / 60);
 	}
 	CHECK(fill(world.soft_bodies()[0]) == doctest::Approx(1.5).epsilon(0.01));
+}
+
+TEST_CASE("a body of elastic modes lets out all its air, spins fast and stays finite") {
+	StructureOptions options;
+	options.elastic = true;
+	BodySettings settings;
+	settings.inflation = 0;
+	const auto shape = SoftBodyCreator::create_circle(50, 16, options).value();
+	REQUIRE(!apply_material({}, ElasticModel::MODES, *shape, settings));
+	WorldData world;
+	world.add_soft_body(SoftBodyData::create(shape, settings).value());
+	SoftBodyData &body = world.soft_bodies()[0];
+	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+		REQUIRE(!body.set_point(i, body.positions()[i], perpendicular(body.positions()[i]) * 200));
+	}
+	Simulator simulator(world);
+	for (int k = 0; k < 300; ++k) {
+		CHECK(simulator.simulate(Real(1) / 60).reset_bodies.empty());
+	}
+}
+
+TEST_CASE("a disk that spins in its plane keeps its spin") {
+	StructureOptions options;
+	options.elastic = true;
+	BodySettings settings;
+	settings.can_sleep = false;
+	const auto shape = SoftBodyCreator::create_circle(50, 16, options).value();
+	REQUIRE(!apply_material({}, ElasticModel::MODES, *shape, settings));
+	WorldData world;
+	world.add_soft_body(SoftBodyData::create(shape, settings).value());
+	SoftBodyData &body = world.soft_bodies()[0];
+	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+		REQUIRE(!body.set_point(i, body.positions()[i], perpendicular(body.positions()[i]) * 4));
+	}
+	const double before = measure_momentum(body).angular;
+	Simulator simulator(world);
+	for (int k = 0; k < 120; ++k) {
+		simulator.simulate(Real(1) / 60);
+	}
+	CHECK(measure_momentum(body).angular / before == doctest::Approx(1).epsilon(0.005)); // it lost a tenth a second
 }
 
 TEST_CASE("the area hardens as it goes to nothing, and pushes outward when turned inside out") {

@@ -152,16 +152,22 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	if (is_reversed) {
 		std::reverse(points.begin() + 1, points.begin() + std::ptrdiff_t(count));
 	}
-	if (options.elastic) {
-		ElasticReduction reduction = reduce_solid(points, count);
-		for (const Real share : reduction.mass_shares) {
-			description.masses.push_back(options.mass * share);
-		}
-		description.modes = std::move(reduction.modes);
-	} else {
-		description.masses.assign(points.size(), options.mass / Real(points.size()));
-	}
+	description.masses.assign(points.size(), options.mass / Real(points.size()));
 	description.points = std::move(points);
+	if (!options.elastic) {
+		return SoftBodyShape::create(std::move(description));
+	}
+	// Sizes and masses out of range are refused before a solid is made of them. Its points lie around the origin, where they
+	// have most digits.
+	const auto plain = SoftBodyShape::create(description);
+	if (!plain) {
+		return plain.error();
+	}
+	ElasticReduction reduction = reduce_solid(plain.value()->rest_positions(), count);
+	for (std::size_t i = 0; i < description.masses.size(); ++i) {
+		description.masses[i] = options.mass * reduction.mass_shares[i];
+	}
+	description.modes = std::move(reduction.modes);
 	return SoftBodyShape::create(std::move(description));
 }
 

@@ -5,12 +5,16 @@
 #include "core/dynamics/pressure_lanes.h"
 #include "core/model/body_lanes.h"
 
+#include <algorithm>
 #include <span>
 
 namespace softbody {
 
 /// Below this share of its target the area term hardens no further [1]: at nothing it would grow without bound.
 inline constexpr Real LEAST_HARDENED_AREA = Real(0.25);
+
+/// Least share of the rest area that the area term aims at [1]; a smaller inflation counts as this.
+inline constexpr Real LEAST_AIMED_AREA = Real(0.05);
 
 /// Ends a substep of `h` [s] by the constraint C = s A0 (J - 1/J) / 2, J = A / (s A0), with compliance A0/K and damping β. For
 /// small strains C is A - s A0; like a neo-Hookean solid it hardens as the area goes to nothing (XPBD, Macklin, Müller and
@@ -25,19 +29,27 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 	const BodySettings &settings = body.model.settings;
 	const std::span<const BasicVec2<T>> hull = std::span<const BasicVec2<T>>(body.positions).first(shape.hull_count());
 	const std::size_t count = hull.size();
-	const auto way_across = [&](std::size_t i) { // of the gradient at the start, doubled and turned back by 90 degrees
-		const std::size_t last = i == 0 ? count - 1 : i - 1;
-		const std::size_t next = i + 1 == count ? 0 : i + 1;
-		return (hull[last] - hull[next]) - (body.velocities[last] - body.velocities[next]) * T(h);
-	};
+	const auto next_of = [&](std::size_t i) { return i + 1 == count ? 0 : i + 1; };
+	const auto last_of = [&](std::size_t i) { return i == 0 ? count - 1 : i - 1; };
 	T mobility = T(0);
+	T start_mobility = T(0); // of the same gradient with the one at the start
+	T start_size = T(0);
 	T rate = T(0);
 	for (std::size_t i = 0; i < count; ++i) {
 		const BasicVec2<T> gradient = area_derivative<T>(hull, i);
-		mobility += dot(gradient, perpendicular(way_across(i))) * T(Real(0.5) * body.inverse_masses[i]);
+		const BasicVec2<T> turned = body.velocities[last_of(i)] - body.velocities[next_of(i)];
+		const BasicVec2<T> start = gradient - perpendicular(turned) * T(Real(0.5) * h);
+		const T weight(body.inverse_masses[i]);
+		mobility += length_squared(gradient) * weight;
+		start_mobility += dot(gradient, start) * weight;
+		start_size += length_squared(start) * weight;
 		rate += dot(gradient, body.velocities[i]);
 	}
-	const T target(settings.inflation * shape.rest_area());
+	// Where the hull has changed so much in the substep that the two gradients differ, the present one is safe.
+	const auto is_calm = both(start_mobility > mobility * T(Real(0.5)), start_size < mobility * T(2));
+	mobility = select(is_calm, start_mobility, mobility);
+	const T back = select(is_calm, T(h), T(0));
+	const T target(std::max(settings.inflation, LEAST_AIMED_AREA) * shape.rest_area());
 	const T fill = hull_area<T>(hull) / target;
 	const T least(LEAST_HARDENED_AREA);
 	const T held = select(fill > least, fill, least);
@@ -46,14 +58,19 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 	const T excess = ((held - T(1) / held) * T(Real(0.5)) + (fill - held) * slope) * target;
 	const T elastic = slope * T(settings.area_stiffness / shape.rest_area() * h * h);
 	const T viscous = slope * slope * T(settings.area_stiffness / shape.rest_area() * settings.elastic_damping_time * h);
-	const T least_mobility = select(mobility > T(0), mobility, T(0));
-	const T impulse = -(elastic * excess + viscous * rate * T(h)) / (T(1) + (elastic * slope + viscous) * least_mobility);
-	// Where points were when the substep began does not change by a shift: one loop does.
+	const T impulse = -(elastic * excess + viscous * rate * T(h)) / (T(1) + (elastic * slope + viscous) * mobility);
+	// The ways between neighbors are those before any point is moved.
+	const auto place = [&](std::size_t i) { return body.positions[i] - body.velocities[i] * back; };
 	const T per_h(1 / h);
+	const BasicVec2<T> first = place(0);
+	BasicVec2<T> last = place(count - 1);
 	for (std::size_t i = 0; i < count; ++i) {
-		const BasicVec2<T> shift = perpendicular(way_across(i)) * (impulse * T(Real(0.5) * body.inverse_masses[i]));
+		const BasicVec2<T> here = place(i);
+		const BasicVec2<T> next = i + 1 == count ? first : place(i + 1);
+		const BasicVec2<T> shift = perpendicular(last - next) * (impulse * T(Real(0.5) * body.inverse_masses[i]));
 		body.positions[i] += shift;
 		body.velocities[i] += shift * per_h;
+		last = here;
 	}
 }
 
