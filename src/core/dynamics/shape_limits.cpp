@@ -71,16 +71,16 @@ Stretches stretches_of(const Map &f) {
 }
 
 // The stretches that a body is brought to: within bounds, and with the least area.
-std::array<double, 2> allowed_stretches(const std::array<double, 2> &found, const BodySettings &settings) {
+std::array<double, 2> allowed_stretches(const std::array<double, 2> &found, const ShapeBounds &bounds) {
 	std::array<double, 2> allowed;
 	for (std::size_t k = 0; k < 2; ++k) {
-		allowed[k] = std::clamp(found[k], double(settings.least_stretch), double(settings.most_stretch));
+		allowed[k] = std::clamp(found[k], double(bounds.least_stretch), double(bounds.most_stretch));
 	}
 	const double area = allowed[0] * allowed[1];
-	if (area < settings.least_area) {
+	if (area < bounds.least_area) {
 		// What lacks is given to the thinner side first.
-		allowed[1] = std::min(settings.least_area / std::max(allowed[0], 1e-6), allowed[0]);
-		allowed[0] = std::max(allowed[0], settings.least_area / std::max(allowed[1], 1e-6));
+		allowed[1] = std::min(bounds.least_area / std::max(allowed[0], 1e-6), allowed[0]);
+		allowed[0] = std::max(allowed[0], bounds.least_area / std::max(allowed[1], 1e-6));
 	}
 	return allowed;
 }
@@ -108,7 +108,7 @@ std::optional<Excess> find_excess(const SoftBodyData &body, const BodyFrame &fra
 	if (!std::isfinite(stretches.sizes[0])) {
 		return std::nullopt;
 	}
-	const std::array<double, 2> allowed = allowed_stretches(stretches.sizes, body.settings());
+	const std::array<double, 2> allowed = allowed_stretches(stretches.sizes, bounds_of(body.settings()));
 	for (std::size_t k = 0; k < 2; ++k) {
 		const double change = allowed[k] - stretches.sizes[k];
 		excess.is_far |= std::abs(change) > double(LIMIT_FAR);
@@ -156,8 +156,9 @@ bool keep_whole(SoftBodyData &body, Real h, bool bears_load) {
 	}
 	// Crumpled, so that its area is lost without the whole being small: its points are drawn to where the affine map has them.
 	const Real area = hull_area<Real>(body.hull()) / body.shape().rest_area();
-	const Real onset = settings.least_area * LIMIT_ONSET;
-	const Real smoothing = area < onset ? std::min((onset - area) / (onset - settings.least_area), Real(1)) * LIMIT_SMOOTHING : Real(0);
+	const Real least_area = bounds_of(settings).least_area;
+	const Real onset = least_area * LIMIT_ONSET;
+	const Real smoothing = area < onset ? std::min((onset - area) / (onset - least_area), Real(1)) * LIMIT_SMOOTHING : Real(0);
 	const Real walk = LIMIT_SPEED * body.shape().radius();
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
 		if (body.inverse_masses()[i] == 0) {

@@ -7,6 +7,7 @@
 #include "core/model/body_lanes.h"
 #include "core/model/soft_body_data.h"
 
+#include <algorithm>
 #include <span>
 
 namespace softbody {
@@ -21,6 +22,19 @@ namespace softbody {
 /// Momentum, angular momentum and center stay. Pinned points stay. Returns whether anything changed. O(points) where the body
 /// is near a limit, O(hull points) else.
 bool keep_whole(SoftBodyData &body, Real h, bool bears_load);
+
+/// The limits of a body as it is meant to be: one that is blown up may be as much larger, one that lets its air out as much
+/// smaller.
+struct ShapeBounds {
+	Real least_area = 0;
+	Real least_stretch = 0;
+	Real most_stretch = 0;
+};
+inline ShapeBounds bounds_of(const BodySettings &settings) {
+	const Real larger = std::max(settings.inflation, Real(1));
+	const Real smaller = std::min(settings.inflation, Real(1));
+	return { settings.least_area * smaller, settings.least_stretch * smaller, settings.most_stretch * larger };
+}
 
 /// Whether `keep_whole` might change anything, for several bodies side by side. O(hull points).
 template <class T>

@@ -18,7 +18,7 @@ inline constexpr Real NOTICED_STRETCH = Real(1.6);
 template <class T>
 MaskOf<T> may_break_limits(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions) {
 	const SoftBodyShape &shape = body.shape;
-	const BodySettings &settings = body.settings;
+	const ShapeBounds bounds = bounds_of(body.settings);
 	const std::span<const BasicVec2<T>> hull = positions.first(shape.hull_count());
 	const BasicVec2<T> base = hull[0];
 	BasicVec2<T> low;
@@ -32,8 +32,8 @@ MaskOf<T> may_break_limits(const BodyModel<T> &body, std::span<const BasicVec2<T
 		high = { select(here.x > high.x, here.x, high.x), select(here.y > high.y, here.y, high.y) };
 		last = here;
 	}
-	const Real least_area = std::max(settings.least_area * LIMIT_ONSET, NOTICED_STRETCH * settings.least_stretch);
-	const Real reach = std::min(NOTICED_STRETCH, settings.most_stretch);
+	const Real least_area = std::max(bounds.least_area * LIMIT_ONSET, NOTICED_STRETCH * bounds.least_stretch);
+	const Real reach = std::min(NOTICED_STRETCH * std::max(body.settings.inflation, Real(1)), bounds.most_stretch);
 	const Real diagonal = 4 * shape.radius() * shape.radius() * (1 + reach * reach);
 	const MaskOf<T> is_small = twice_area < T(2 * least_area * shape.rest_area());
 	const MaskOf<T> is_long = length_squared(high - low) > T(diagonal);
