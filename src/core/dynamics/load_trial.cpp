@@ -58,6 +58,10 @@ Result<LoadTrial> LoadTrial::create(SoftBodyData body, Vec2 gravity, Real length
 	settings.can_sleep = true;
 	settings.contact_monitor = false;
 	settings.collision_mask = EVERY_LAYER;
+	// Whether its elasticity holds the weight is what is asked; at its limits it would stand in any case.
+	settings.least_area = 0;
+	settings.least_stretch = 0;
+	settings.most_stretch = std::numeric_limits<Real>::infinity();
 	if (Status status = body.set_settings(settings)) {
 		return *status;
 	}
