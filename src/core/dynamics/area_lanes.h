@@ -21,8 +21,8 @@ inline constexpr Real LEAST_AIMED_AREA = Real(0.05);
 /// Chentanez 2016, eq. 18 and 26, from a zero multiplier):
 ///   λ = -(C + β dA/dt) K h²/A0 / (1 + (1 + β/h) K h²/A0 sum w |∂A/∂x|²).
 /// Positions move by w λ ∂A/∂x, velocities by the same over h. The gradient along which they move is that of the points at the
-/// start of the substep, x - v h: then angular momentum stays exactly, as it does for forces there (the gradient of the end
-/// took a tenth of a body's spin in a second). It is stable for every K. O(hull points).
+/// start of the substep, x - v h: then angular momentum stays, as it does for forces there (the gradient of the end took a
+/// tenth of a body's spin in a second). Where the hull has changed wildly within the substep, it is the gradient of the end. It is stable for every K. O(hull points).
 template <class T>
 void hold_area(const BodyLanes<T> &body, Real h) {
 	const SoftBodyShape &shape = body.model.shape;

@@ -443,7 +443,8 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 			hold_area<Real>(lanes_of(data), h);
 			workspace_.forces_are_current = false;
 		}
-		if (keep_whole(data, h, is_coupled || world_->has_surroundings())) { // before contacts, which have the last word and look along the whole way
+		// Before contacts, which have the last word and look along the whole way.
+		if (keep_whole(data, h, is_coupled || world_->has_surroundings())) {
 			workspace_.forces_are_current = false;
 		}
 		if (data.settings().has_damp()) {

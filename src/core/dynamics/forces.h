@@ -11,7 +11,8 @@
 namespace softbody {
 
 /// Adds up all forces at the given state (thesis eq. 3.7): gravity, springs with projected damping,
-/// pressure, shape matching, elastic modes, and `external`. The area term is no force (`hold_area`). A term that is switched off is not evaluated. `positions` and
+/// pressure, shape matching, elastic modes, and `external`. The area term is no force (`hold_area`). A term that is switched
+/// off is not evaluated. `positions` and
 /// `velocities` have one entry a point, `external` one a point or none at all; `forces` [mass·length/s²] is
 /// overwritten. Reads no state of the body other than its shape, settings and rotation memory, so that
 /// multi-stage integrators can evaluate it anywhere. O(points + springs).

@@ -29,7 +29,8 @@ struct BodySettings {
 	Real shear_modulus = 0;
 	/// Poisson's ratio ν of the elastic modes [1], 0..0.49. How far the area gives way is set by `area_stiffness`.
 	Real poisson_ratio = Real(0.45);
-	/// Bulk modulus K of the hull's area [force/length], >= 0: energy K (A - inflation A0)² / (2 A0). Solved as a compliant
+	/// Bulk modulus K of the hull's area [force/length], >= 0: energy K (A - inflation A0)² / (2 A0) for small changes, harder as the
+	/// area goes to nothing. Solved as a compliant
 	/// constraint (XPBD, Macklin 2016), so it takes no substeps, however large.
 	Real area_stiffness = 0;
 	/// Damping of elastic modes and area as the time β by which strain rate counts as strain [s], >= 0 (Kelvin and Voigt).
