@@ -315,9 +315,16 @@ func test_copies_and_scenes_keep_the_material_the_model_and_what_was_set() -> vo
 			copy.free()
 		body.free()
 	var by_script := add_weightless_body(Vector2.ZERO, {"stiffness": 100.0})
-	var twin := by_script.duplicate() as SoftBody2D
-	check_equal(twin.get_elastic_model_in_use(), NETWORK, "model of a duplicate of a network with the default stiffness")
-	twin.free()
+	var packed := PackedScene.new()
+	packed.pack(by_script)
+	for twin: SoftBody2D in [by_script.duplicate(), packed.instantiate()]:
+		check_equal(twin.get_elastic_model_in_use(), NETWORK, "model of a copy of a network with the default stiffness")
+		twin.free()
+	by_script.clear_network_values()
+	packed.pack(by_script)
+	for twin: SoftBody2D in [by_script.duplicate(), packed.instantiate()]:
+		check_equal(twin.get_elastic_model_in_use(), MODES, "model of a copy of a body whose raw values were cleared")
+		twin.free()
 	var material := SoftBodyMaterial2D.new()
 	check_equal((material.duplicate() as SoftBodyMaterial2D).has_network_values(), false, "raw values of a duplicated material")
 	material.damping = 0.12

@@ -27,9 +27,10 @@ need_templates() {
 }
 
 # export_project PROJECT GAME: exports for Linux with the release template, as the program GAME in $EXPORT_DIR/GAME/.
+# Godot keeps the scenes that it exported as long as their files stay the same, but what is in them depends on the extension, too.
 export_project() {
 	local project=$1 game=$2 log=$LOG_DIR/export_$2.log status=0
-	rm -rf "${EXPORT_DIR:?}/$game"
+	rm -rf "${EXPORT_DIR:?}/$game" "${project:?}/.godot/exported"
 	mkdir -p "$EXPORT_DIR/$game"
 	(need_templates && godot_headless 600 --path "$project" --export-release Linux "$EXPORT_DIR/$game/$game" >"$log" 2>&1) ||
 		status=$?

@@ -107,7 +107,8 @@ public:
 	}
 	void set_preset(SoftBodyMaterial2D::Preset p_preset);
 	SoftBodyMaterial2D::Preset get_preset() const { return SoftBodyMaterial2D::Preset(softbody::preset_of(own_material_)); }
-	void clear_network_values();
+	void set_network_values_set(bool p_set);
+	void clear_network_values() { set_network_values_set(false); }
 	bool has_network_values() const { return own_material_.has_network_values; }
 	void set_elastic_model(ElasticModel p_model);
 	ElasticModel get_elastic_model() const { return elastic_model_; }

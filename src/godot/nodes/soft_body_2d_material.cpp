@@ -56,9 +56,9 @@ void SoftBody2D::set_preset(SoftBodyMaterial2D::Preset p_preset) {
 	}
 }
 
-void SoftBody2D::clear_network_values() {
+void SoftBody2D::set_network_values_set(bool p_set) {
 	softbody::MaterialValues changed = own_material_;
-	softbody::clear_network_values(changed);
+	softbody::set_network_values_set(changed, p_set);
 	take_over_own_values("elastic_model", changed);
 }
 
@@ -147,7 +147,6 @@ double SoftBody2D::mass_in_use() const {
 
 // What a material overrides is shown, not edited; it is saved, so that nothing is lost when the material goes.
 void SoftBody2D::_validate_property(PropertyInfo &p_property) const {
-	softbody::keep_defaults_unstored(own_material_, p_property);
 	if (material_.is_null()) {
 		return;
 	}

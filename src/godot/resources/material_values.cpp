@@ -70,6 +70,14 @@ void note_set(MaterialValues &values, const MaterialField &field, bool sticks) {
 	});
 }
 
+void set_network_values_set(MaterialValues &values, bool set) {
+	if (set) {
+		values.has_network_values = true;
+	} else {
+		clear_network_values(values);
+	}
+}
+
 void clear_network_values(MaterialValues &values) {
 	const MaterialValues defaults;
 	for (const MaterialField &field : FIELDS) {
@@ -78,17 +86,6 @@ void clear_network_values(MaterialValues &values) {
 		}
 	}
 	values.has_network_values = false;
-}
-
-void keep_defaults_unstored(const MaterialValues &values, godot::PropertyInfo &r_property) {
-	if (values.has_network_values) {
-		return;
-	}
-	for (const MaterialField &field : FIELDS) {
-		if (field.is_of_network && r_property.name == godot::StringName(field.name)) {
-			r_property.usage &= ~godot::PROPERTY_USAGE_STORAGE;
-		}
-	}
 }
 
 Material to_material(const MaterialValues &values) {

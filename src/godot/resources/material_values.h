@@ -63,6 +63,8 @@ const MaterialField &material_field(double MaterialValues::*value);
 /// After `field` was set: whether the raw values of the network count as set. One that `sticks` counts whatever its value, as
 /// a script or a scene has set it; else they count while one of them differs from its default, so that undo takes that back.
 void note_set(MaterialValues &values, const MaterialField &field, bool sticks);
+/// Whether the raw values count as set. If not, they get their defaults.
+void set_network_values_set(MaterialValues &values, bool set);
 /// Gives the raw values their defaults: none counts as set any more.
 void clear_network_values(MaterialValues &values);
 /// What `apply_material` takes.
@@ -75,14 +77,12 @@ MaterialPreset preset_of(const MaterialValues &values);
 /// Refuses what is out of range, also what is finite here and not in the core's precision.
 Status check_material_value(const MaterialField &field, double value);
 
-/// For `_validate_property`: raw values that do not count as set are not stored. `duplicate` copies stored properties by
-/// setting each, whatever its value, and a copy would have a network that its original has not.
-void keep_defaults_unstored(const MaterialValues &values, godot::PropertyInfo &r_property);
-
 /// Binds setter, getter and property of each field to `Class::set_material_value<…>` and `Class::get_material_value<…>`.
 template <class Class>
 void bind_material_values();
-/// The same for the raw values of the spring network.
+/// The same for the raw values of the spring network, and after them a stored property that tells whether they count as set.
+/// A scene does not store a value that equals its default: without that property, saving would forget that it was set. And
+/// `duplicate` sets every stored property, whatever its value: the property comes last, so it takes that back.
 template <class Class>
 void bind_network_values();
 
@@ -130,6 +130,10 @@ void bind_network_values() {
 	material_binding::bind<Class, &Values::pressure>();
 	godot::ClassDB::bind_method(godot::D_METHOD("clear_network_values"), &Class::clear_network_values);
 	godot::ClassDB::bind_method(godot::D_METHOD("has_network_values"), &Class::has_network_values);
+	godot::ClassDB::bind_method(godot::D_METHOD("set_network_values_set", "set"), &Class::set_network_values_set);
+	godot::ClassDB::add_property(Class::get_class_static(),
+			godot::PropertyInfo(godot::Variant::BOOL, "network_values_set", godot::PROPERTY_HINT_NONE, "", godot::PROPERTY_USAGE_NO_EDITOR),
+			"set_network_values_set", "has_network_values");
 }
 
 } // namespace softbody

@@ -46,9 +46,9 @@ void SoftBodyMaterial2D::set_preset(Preset p_preset) {
 	take_over(changed);
 }
 
-void SoftBodyMaterial2D::clear_network_values() {
+void SoftBodyMaterial2D::set_network_values_set(bool p_set) {
 	softbody::MaterialValues changed = values_;
-	softbody::clear_network_values(changed);
+	softbody::set_network_values_set(changed, p_set);
 	take_over(changed);
 }
 

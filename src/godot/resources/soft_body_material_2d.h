@@ -38,7 +38,8 @@ public:
 	static Ref<SoftBodyMaterial2D> make_preset(Preset p_preset);
 	void set_preset(Preset p_preset);
 	Preset get_preset() const { return Preset(softbody::preset_of(values_)); }
-	void clear_network_values();
+	void set_network_values_set(bool p_set);
+	void clear_network_values() { set_network_values_set(false); }
 	bool has_network_values() const { return values_.has_network_values; }
 
 protected:
@@ -46,7 +47,6 @@ protected:
 	bool _set(const StringName &p_name, const Variant &p_value) {
 		return unfit_.set(*this, get_class_static(), p_name, p_value);
 	}
-	void _validate_property(PropertyInfo &p_property) const { softbody::keep_defaults_unstored(values_, p_property); }
 	bool _get(const StringName &p_name, Variant &r_value) const { return unfit_.get(p_name, r_value); }
 	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
