@@ -10,7 +10,8 @@
 
 namespace softbody {
 
-/// Below this share of its target the area term hardens no further [1]: at nothing it would grow without bound.
+/// Below this share of its target an area is pushed no harder [1]: at nothing the push would grow without bound, and a body
+/// turned inside out would come back with so much energy that it shot away.
 inline constexpr Real LEAST_HARDENED_AREA = Real(0.25);
 
 /// Least share of the rest area that the area term aims at [1]; a smaller inflation counts as this.
@@ -53,9 +54,9 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 	const T fill = hull_area<T>(hull) / target;
 	const T least(LEAST_HARDENED_AREA);
 	const T held = select(fill > least, fill, least);
-	// C = target (J - 1/J) / 2, and its slope by the area; below the least share along the tangent.
+	// C = target (J - 1/J) / 2, and its slope by the area; both as at the least share below that.
 	const T slope = (T(1) + T(1) / (held * held)) * T(Real(0.5));
-	const T excess = ((held - T(1) / held) * T(Real(0.5)) + (fill - held) * slope) * target;
+	const T excess = (held - T(1) / held) * T(Real(0.5)) * target;
 	const T elastic = slope * T(settings.area_stiffness / shape.rest_area() * h * h);
 	const T viscous = slope * slope * T(settings.area_stiffness / shape.rest_area() * settings.elastic_damping_time * h);
 	const T impulse = -(elastic * excess + viscous * rate * T(h)) / (T(1) + (elastic * slope + viscous) * mobility);

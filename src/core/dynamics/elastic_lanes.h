@@ -14,6 +14,9 @@ namespace softbody {
 /// substeps. Smaller: a single point is pressed in more easily than the solid would let it.
 inline constexpr Real REST_STIFFNESS = 2;
 
+/// Least share of the rest inertia that the turning of a body's frame is reckoned with [1]: a body turned inside out has no frame.
+inline constexpr Real LEAST_REACH = Real(0.25);
+
 /// Stiffness of each mode of a material, and of what is in no mode [force/length].
 struct ModeStiffness {
 	std::array<Real, MAX_ELASTIC_MODES> modes{};
@@ -35,7 +38,8 @@ inline ModeStiffness mode_stiffness(const ElasticModes &modes, const BodySetting
 /// Adds the forces of the elastic modes (modal analysis in the frame that turns with the body; Terzopoulos and Witkin 1988,
 /// Pentland and Williams 1989). With y the displacement from the rest shape in that frame, less its dilation, s the mass
 /// shares, φ the modes and z = sum s φ·y their amplitudes, the energy is (k_rest sum s |y|² + sum (k_j - k_rest) z_j²) / 2.
-/// Damping counts β times the rate of y as displacement. Forces sum to zero, and so do their torques, but for rounding.
+/// Damping counts β times the rate of y as displacement. Forces sum to zero, and so do their torques, but for rounding, unless
+/// the body is turned inside out.
 /// Precondition: the shape has modes. O(points · modes).
 template <class T>
 void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,
@@ -74,8 +78,11 @@ void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> pos
 		along_force += amplitudes[j] * overlap;
 	}
 	BasicVec2<T> sum;
+	T torque = T(0);
+	T reach = T(0); // sum m x · R q, about the inertia
 	for (std::size_t i = 0; i < positions.size(); ++i) {
-		const BasicVec2<T> y = displacement(i) - in_all_lanes<T>(shape.rest_positions()[i]) * dilation;
+		const BasicVec2<T> rest = in_all_lanes<T>(shape.rest_positions()[i]);
+		const BasicVec2<T> y = displacement(i) - rest * dilation;
 		BasicVec2<T> force = y * T(stiffness.rest * (shape.masses()[i] * per_mass));
 		const std::span<const Vec2> mode = modes.shape_of_point(i);
 		for (std::size_t j = 0; j < mode.size(); ++j) {
@@ -84,13 +91,21 @@ void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> pos
 		if (i < shape.hull_count()) {
 			force -= in_all_lanes<T>(modes.dilation[i]) * along_force;
 		}
+		const BasicVec2<T> arm = frame.rotation.apply_inverse(positions[i] - frame.centre);
+		torque -= cross(arm, force);
+		reach += dot(arm, rest) * T(shape.masses()[i]);
 		force = frame.rotation.apply(force);
 		forces[i] -= force;
 		sum += force;
 	}
+	// The frame turns with the points: the slope of the energy by its angle is the torque found so far, and the slope of its
+	// angle by a point is m R q / reach, turned by a right angle. With both the forces turn nothing.
+	const T least(LEAST_REACH * shape.rest_inertia());
+	const T turn = torque / select(reach > least, reach, least);
 	// What rounding leaves of the sum would turn with the body and drive it.
 	for (std::size_t i = 0; i < positions.size(); ++i) {
-		forces[i] += sum * T(shape.masses()[i] * per_mass);
+		const BasicVec2<T> across = perpendicular(frame.rotation.apply(in_all_lanes<T>(shape.rest_positions()[i])));
+		forces[i] += sum * T(shape.masses()[i] * per_mass) - across * (turn * T(shape.masses()[i]));
 	}
 }
 
