@@ -135,6 +135,15 @@ inline double worst_speed(const WorldData &world) {
 	return worst;
 }
 
+/// The same without what bodies do sideways, as when they roll on a floor.
+inline double worst_vertical_speed(const WorldData &world) {
+	double worst = 0;
+	for (const SoftBodyData &body : world.soft_bodies()) {
+		worst = std::max(worst, std::abs(double(measure_frame(body).velocity.y)));
+	}
+	return worst;
+}
+
 /// A twentieth of R: what one begins to see.
 inline constexpr double VISIBLE = 0.05;
 

@@ -16,7 +16,7 @@ StressScene onto_corner(const StressSetup &setup) {
 	scene.world.add_border(floor_at(0));
 	scene.world.add_collider({ { { 0, -150 }, { 60, -90 }, { 0, -30 }, { -60, -90 } }, 0, {} });
 	scene.world.add_soft_body(stress_ball({ 2, -400 }, setup, { 1, 200 }));
-	scene.seconds = 12; // it rolls off the corner with 250 px/s, and rolling resistance takes 0.03 g, 29 px/s, a second
+	scene.seconds = 16; // it rolls off the corner with up to 400 px/s, and rolling resistance takes 0.03 g, 29 px/s, a second
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.9);
