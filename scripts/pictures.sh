@@ -9,12 +9,15 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/bench.sh"
 
-# name  scene  first second  last second
+# name  scene  first second  last second  frames filmed a second  frames shown a second (15 and 15, if not given)
 CLIPS=(
 	"pile  res://examples/pile.tscn  0  4"
 	"petri_dish  res://miniatures/petri_dish.tscn  1  6"
 	"jelly_wrestlers  res://miniatures/jelly_wrestlers.tscn  1  6"
 	"crates  res://examples/crates_and_lift.tscn  0  4"
+	"before_drop  res://pictures/drop.tscn  0  5  30  15"
+	"before_press  res://pictures/press.tscn  0  6"
+	"before_heap  res://pictures/heap.tscn  0  6  7  7"
 )
 FRAMES_PER_SECOND=15
 WIDTH=480
@@ -35,20 +38,21 @@ slides() {
 	"$BENCH_PYTHON" "$REPO_DIR/scripts/lib/animate.py" "$folder" "$REPO_DIR/docs/pictures/$name.webp" 1 "$WIDTH" 0
 }
 
-# film NAME SCENE BEGIN END: plays the scene by the clock of its frames, and keeps what was drawn from BEGIN on.
+# film NAME SCENE BEGIN END [FILMED [SHOWN]]: plays the scene by the clock of its frames, and keeps what was drawn from BEGIN on.
 film() {
-	local name=$1 scene=$2 begin=$3 end=$4 folder=$REPO_DIR/build/pictures/$1 log=$LOG_DIR/picture_$1.log
+	local name=$1 scene=$2 begin=$3 end=$4 rate=${5:-$FRAMES_PER_SECOND} shown=${6:-$FRAMES_PER_SECOND}
+	local folder=$REPO_DIR/build/pictures/$name log=$LOG_DIR/picture_$name.log
 	step "$name: $scene"
 	rm -rf "$folder"
 	mkdir -p "$folder"
-	if ! godot_windowed 600 --path "$PROJECT_DIR" --resolution 960x540 --fixed-fps "$FRAMES_PER_SECOND" \
-		--write-movie "$folder/frame.png" --quit-after $((end * FRAMES_PER_SECOND)) "$scene" >"$log" 2>&1; then
+	if ! godot_windowed 600 --path "$PROJECT_DIR" --resolution 960x540 --fixed-fps "$rate" \
+		--write-movie "$folder/frame.png" --quit-after $((end * rate)) "$scene" >"$log" 2>&1; then
 		tail -n 5 "$log" >&2
 		problem "Godot could not film $scene (see $log)"
 		return 1
 	fi
 	"$BENCH_PYTHON" "$REPO_DIR/scripts/lib/animate.py" "$folder" "$REPO_DIR/docs/pictures/$name.webp" \
-		"$FRAMES_PER_SECOND" "$WIDTH" $((begin * FRAMES_PER_SECOND))
+		"$shown" "$WIDTH" $((begin * rate))
 }
 
 build_extension target=template_debug

@@ -7,6 +7,7 @@
 #include "core/dynamics/simulator.h"
 #include "core/geometry/polygon.h"
 #include "core/model/material.h"
+#include "scenes/deformations.h"
 #include "scenes/jelly.h"
 #include "support/random.h"
 
@@ -63,6 +64,18 @@ void keep_for(SoftBodyData &body, int substeps) {
 	for (int k = 0; k < substeps; ++k) {
 		keep_whole(body, Real(1) / 240, true);
 	}
+}
+
+// A new node's body: elastic modes, with limits.
+SoftBodyData default_body(Vec2 center) {
+	StructureOptions options;
+	options.stiffness = 1;
+	options.elastic = true;
+	const auto shape = SoftBodyCreator::create_circle(JELLY_RADIUS, JELLY_HULL_POINTS, options).value();
+	BodySettings settings;
+	set_default_limits(settings);
+	REQUIRE(!apply_material({}, ElasticModel::MODES, *shape, settings));
+	return SoftBodyData::create(shape, settings, Pose{ center, {} }).value();
 }
 
 } // namespace
@@ -156,20 +169,12 @@ TEST_CASE("a heap of springs far too soft for it stays a heap") {
 }
 
 TEST_CASE("a heap of default bodies twenty high carries itself") {
-	StructureOptions options;
-	options.stiffness = 1;
-	options.elastic = true;
-	const auto shape = SoftBodyCreator::create_circle(50, 16, options).value();
-	BodySettings settings;
-	set_default_limits(settings);
-	REQUIRE(!apply_material({}, ElasticModel::MODES, *shape, settings));
 	WorldData world = pixel_world();
 	REQUIRE(!world.add_border(floor_at(0)));
 	REQUIRE(!world.add_border({ { { 0, 0 }, { 1, 0 } }, {} }));
 	REQUIRE(!world.add_border({ { { 410, 0 }, { -1, 0 } }, {} }));
 	for (int i = 0; i < 80; ++i) {
-		const Pose place{ { (Real(i % 4) + Real(0.5)) * Real(102.5), -Real(i / 4) * 105 - 53 }, {} };
-		world.add_soft_body(SoftBodyData::create(shape, settings, place).value());
+		world.add_soft_body(default_body({ (Real(i % 4) + Real(0.5)) * Real(102.5), -Real(i / 4) * 105 - 53 }));
 	}
 	Simulator simulator(world);
 	for (int tick = 0; tick < 600; ++tick) {
@@ -178,4 +183,38 @@ TEST_CASE("a heap of default bodies twenty high carries itself") {
 	for (const SoftBodyData &body : world.soft_bodies()) {
 		CHECK(fill(body) > 0.5);
 	}
+}
+
+TEST_CASE("a default body pressed to 0.3 of its height for ten minutes finds its shape again") {
+	constexpr int CLOSING = 180; // ticks
+	constexpr int HELD = 36000;
+	constexpr int FREE = 600;
+	constexpr double HELD_HALF = 0.3 * double(JELLY_RADIUS);
+	WorldData world = pixel_world();
+	REQUIRE(!world.set_gravity({}));
+	world.add_soft_body(default_body({ 0, 0 }));
+	const auto set_plates = [&](double half) {
+		world.clear_surroundings();
+		REQUIRE(!world.add_border(floor_at(Real(half))));
+		REQUIRE(!world.add_border({ { { 0, Real(-half) }, { 0, 1 } }, {} }));
+	};
+	Simulator simulator(world);
+	SoftBodyData &body = world.soft_bodies()[0];
+	for (int tick = 1; tick <= CLOSING; ++tick) {
+		set_plates(double(JELLY_RADIUS) + (HELD_HALF - double(JELLY_RADIUS)) * tick / CLOSING);
+		simulator.simulate(FRAME);
+	}
+	std::size_t resets = 0;
+	for (int tick = 0; tick < HELD; ++tick) {
+		resets += simulator.simulate(FRAME).reset_bodies.size();
+	}
+	CHECK(resets == 0);
+	for (const Vec2 p : body.hull()) {
+		CHECK(std::fabs(double(p.y)) < HELD_HALF + 1); // it was between the plates all the time
+	}
+	world.clear_surroundings();
+	for (int tick = 0; tick < FREE; ++tick) {
+		simulator.simulate(FRAME);
+	}
+	CHECK(deviation_from_rest(body) < 0.01 * double(JELLY_RADIUS));
 }
