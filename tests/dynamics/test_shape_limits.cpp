@@ -80,6 +80,21 @@ SoftBodyData default_body(Vec2 center) {
 
 } // namespace
 
+TEST_CASE("bounds of nothing leave a body alone, however it lies") {
+	SoftBodyData body = limited_circle({});
+	BodySettings settings = body.settings();
+	settings.least_area = 0;
+	settings.least_stretch = 0;
+	settings.most_stretch = 1000;
+	REQUIRE(!body.set_settings(settings));
+	stretch(body, Real(-1), Real(0.1), Real(0.4)); // mirrored, and nearly flat
+	const std::vector<Vec2> before(body.positions().begin(), body.positions().end());
+	keep_for(body, 10);
+	for (std::size_t i = 0; i < before.size(); ++i) {
+		CHECK(length(body.positions()[i] - before[i]) < 1e-3 * double(JELLY_RADIUS));
+	}
+}
+
 TEST_CASE("a body within its limits is left alone to the bit") {
 	SoftBodyData body = limited_circle({ 30, 40 });
 	stretch(body, Real(1.3), Real(0.75), Real(0.4));

@@ -70,14 +70,15 @@ Stretches stretches_of(const Map &f) {
 	return { { turned + mirrored, turned - mirrored }, { u, perpendicular(u) }, { v, perpendicular(v) } };
 }
 
-// The stretches that a body is brought to: within bounds, and with the least area.
+// The stretches that a body is brought to: within bounds, and with the least area. Bounds of 0 are none: a mirrored body stays so.
 std::array<double, 2> allowed_stretches(const std::array<double, 2> &found, const ShapeBounds &bounds) {
 	std::array<double, 2> allowed;
 	for (std::size_t k = 0; k < 2; ++k) {
-		allowed[k] = std::clamp(found[k], double(bounds.least_stretch), double(bounds.most_stretch));
+		const double least = bounds.least_stretch > 0 ? double(bounds.least_stretch) : -double(bounds.most_stretch);
+		allowed[k] = std::clamp(found[k], least, double(bounds.most_stretch));
 	}
 	const double area = allowed[0] * allowed[1];
-	if (area < bounds.least_area) {
+	if (bounds.least_area > 0 && area < bounds.least_area) {
 		// What lacks is given to the thinner side first.
 		allowed[1] = std::min(bounds.least_area / std::max(allowed[0], 1e-6), allowed[0]);
 		allowed[0] = std::max(allowed[0], bounds.least_area / std::max(allowed[1], 1e-6));
