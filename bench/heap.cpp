@@ -4,6 +4,7 @@
 #include "elastic_bodies.h"
 #include "soft_pile.h"
 
+#include "core/creator/hulls.h"
 #include "core/dynamics/simulator.h"
 #include "core/geometry/aabb.h"
 #include "core/geometry/polygon.h"
@@ -62,6 +63,7 @@ ElasticBody node(const Points &hull, Firmness firmness) {
 	body.settings.angular_damp = Real(ANGULAR_DAMP);
 	body.settings.collision_mask = 1;
 	body.settings.can_sleep = true;
+	body.settings.self_collision = softbody::has_deep_dents(hull);
 	return body;
 }
 

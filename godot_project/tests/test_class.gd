@@ -64,7 +64,7 @@ const PROPERTIES := {
 	"freeze": [TYPE_BOOL, ""],
 	"simulate_off_screen": [TYPE_BOOL, ""],
 	"failure_mode": [TYPE_INT, "Reset,Freeze"],
-	"self_collision": [TYPE_BOOL, ""],
+	"self_collision": [TYPE_INT, "Off,On,Automatic"],
 	"contact_monitor": [TYPE_BOOL, ""],
 	"max_contacts_reported": [TYPE_INT, ""],
 }
@@ -81,7 +81,7 @@ const DEFAULTS := {
 	"soft_body_material": null, "linear_velocity": Vector2.ZERO, "angular_velocity": 0.0,
 	"constant_force": Vector2.ZERO, "constant_torque": 0.0, "sleeping": false, "can_sleep": true, "freeze": false, "simulate_off_screen": true,
 	"failure_mode": 0,
-	"self_collision": false, "contact_monitor": false, "max_contacts_reported": 16,
+	"self_collision": 2, "contact_monitor": false, "max_contacts_reported": 16,
 	"collision_proxy_enabled": true, "collision_proxy_margin": -1.0,
 	"linear_damp_mode": 0, "linear_damp": 0.0, "angular_damp_mode": 0, "angular_damp": 0.0,
 }

@@ -266,7 +266,7 @@ func test_a_body_folds_onto_itself_instead_of_through_itself() -> void:
 	# A flat strip that is closed like a book.
 	var hull := SoftBody2D.make_box_hull(Vector2(200, 16), 10)
 	var crossings: Array[bool] = []
-	for self_collision: bool in [false, true]:
+	for self_collision: int in [SoftBody2D.SELF_COLLISION_OFF, SoftBody2D.SELF_COLLISION_ON]:
 		var body := add_weightless_body(Vector2.ZERO, {"hull": hull, "center_point": false, "shape_matching": 0.0,
 				"stiffness": 60.0, "self_collision": self_collision, "least_area": 0.0})
 		var crossed := false
@@ -281,3 +281,26 @@ func test_a_body_folds_onto_itself_instead_of_through_itself() -> void:
 		body.free()
 	check(crossings[0], "without self-collision the strip does not cross itself, so this shows nothing")
 	check(not crossings[1], "with self-collision the strip crosses itself")
+
+
+func test_a_body_with_deep_dents_does_not_pass_through_itself_at_default_values() -> void:
+	check_equal(add_weightless_body().has_self_collision(), false, "self-collision of a circle")
+	add_floor(100)
+	var hull := PackedVector2Array([Vector2(-40, -40), Vector2(-14, -40), Vector2(-14, -14), Vector2(-14, 12), Vector2(14, 12),
+			Vector2(14, -14), Vector2(14, -40), Vector2(40, -40), Vector2(40, 0), Vector2(40, 40), Vector2(0, 40), Vector2(-40, 40),
+			Vector2(-40, 0)])
+	for mode: int in [SoftBody2D.SELF_COLLISION_OFF, SoftBody2D.SELF_COLLISION_AUTOMATIC]:
+		var pile: Array[SoftBody2D] = []
+		for i in 5:
+			pile.append(add_body(Vector2(500 * mode + 3 * i, 50 - 90 * i), {"hull": hull, "self_collision": mode}))
+		check_equal(pile[0].has_self_collision(), mode == SoftBody2D.SELF_COLLISION_AUTOMATIC, "self-collision of a U")
+		var crossed := 0
+		for i in 180:
+			await ticks(1)
+			for body in pile:
+				crossed += 1 if Geometry2D.triangulate_polygon(hull_of(body)).is_empty() else 0
+		if mode == SoftBody2D.SELF_COLLISION_OFF:
+			check(crossed > 0, "without self-collision no arms cross, so this shows nothing")
+		else:
+			check_equal(crossed, 0, "ticks in which the arms of a U cross")
+	check_refused(func() -> void: add_body().set("self_collision", 3), ["self_collision"], "self_collision = 3")

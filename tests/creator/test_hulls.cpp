@@ -113,6 +113,19 @@ TEST_CASE("capsule points lie on the capsule and enclose little less than it") {
 	CHECK(capsule_hull(3, 7, 1000).value().size() == 6); // two pieces an arc, one a side
 }
 
+TEST_CASE("deep dents are told from shallow ones, in either winding") {
+	const std::vector<Vec2> letter = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } }; // 3 of 3.5
+	CHECK(has_deep_dents(letter));
+	CHECK(has_deep_dents(std::vector<Vec2>(letter.rbegin(), letter.rend())));
+	const auto box_with_dent = [](Real depth) { // 4 - depth of 4
+		return std::vector<Vec2>{ { 0, 0 }, { 2, 0 }, { 2, 2 }, { 1, 2 - depth }, { 0, 2 } };
+	};
+	CHECK(has_deep_dents(box_with_dent(Real(0.21))));
+	CHECK_FALSE(has_deep_dents(box_with_dent(Real(0.19))));
+	CHECK_FALSE(has_deep_dents(circle_hull(50, 16).value()));
+	CHECK_FALSE(has_deep_dents(box_hull({ 40, 10 }, 5).value()));
+}
+
 TEST_CASE("outlines refuse lengths that are not positive and counts out of range, by name") {
 	for (const Real bad : { Real(0), Real(-1), NOT_A_NUMBER, INFINITE }) {
 		CHECK(circle_hull(bad, 8).error().name == "radius");

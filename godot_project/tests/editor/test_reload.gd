@@ -26,7 +26,7 @@ var body_values := {
 	"linear_damp_mode": 1, "linear_damp": 0.25, "angular_damp_mode": 1, "angular_damp": 0.5,
 	"linear_velocity": Vector2(30, 20), "angular_velocity": 0.5, "constant_force": Vector2(4, 0), "constant_torque": 8.0,
 	"integrator": SoftBody2D.INTEGRATOR_MIDPOINT, "substeps": 9, "collision_layer": 5, "collision_mask": 3,
-	"self_collision": true, "collision_proxy_enabled": false, "collision_proxy_margin": 2.0, "contact_monitor": true,
+	"self_collision": 1, "collision_proxy_enabled": false, "collision_proxy_margin": 2.0, "contact_monitor": true,
 	"max_contacts_reported": 4, "sleeping": true, "can_sleep": false, "freeze": true, "simulate_off_screen": false,
 	"failure_mode": 1, "color": Color(0.25, 0.5, 0.75), "antialiased": true, "smooth": true,
 	"vertex_colors": PackedColorArray([Color.RED, Color.GREEN, Color.BLUE, Color.WHITE, Color.BLACK, Color.RED, Color.GREEN]),

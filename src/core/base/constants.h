@@ -73,6 +73,10 @@ inline constexpr Real SWEEP_SHARE = Real(0.25);
 /// Larger: folds stay visibly apart. Smaller: rounding may cross them, above all far from the world's origin.
 inline constexpr Real SELF_GAP = Real(1) / 32;
 
+/// Share of its convex hull that an outline without deep dents fills [1]. Larger: bodies that cannot meet themselves are
+/// watched for it, which takes two to four times as long. Smaller: arms and lips pass through each other.
+inline constexpr Real LEAST_SOLIDITY = Real(0.95);
+
 /// How often the contacts of a hull with itself are gone through in a substep before what still crosses is moved as one
 /// piece [1]. Fewer: a body that lies folded on itself stiffens. More: costs as much again, where it is folded.
 inline constexpr int SELF_CONTACT_PASSES = 4;

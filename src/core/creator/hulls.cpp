@@ -3,6 +3,8 @@
 #include "core/creator/hulls.h"
 
 #include "core/base/constants.h"
+#include "core/geometry/convex_hull.h"
+#include "core/geometry/polygon.h"
 
 #include <cmath>
 #include <numbers>
@@ -106,6 +108,12 @@ Result<std::vector<Vec2>> capsule_hull(Real radius, Real height, Real spacing) {
 	append_arc(hull, { 0, -straight }, radius, std::numbers::pi, int(arc));
 	append_line(hull, { radius, -straight }, { radius, straight }, int(side));
 	return hull;
+}
+
+bool has_deep_dents(std::span<const Vec2> outline) {
+	std::vector<Vec2> workspace(2 * outline.size());
+	const double around = std::abs(double(signed_area(convex_hull(outline, workspace))));
+	return std::abs(double(signed_area(outline))) < double(LEAST_SOLIDITY) * around;
 }
 
 } // namespace softbody

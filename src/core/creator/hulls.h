@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/vec2.h"
 
+#include <span>
 #include <vector>
 
 namespace softbody {
@@ -21,5 +22,9 @@ Result<std::vector<Vec2>> box_hull(Vec2 size, Real spacing);
 /// An upright capsule about the origin: `height` along y, caps included, and half circles of
 /// `radius`, divided like the box. Refuses radius or spacing <= 0 and height <= 2 radius.
 Result<std::vector<Vec2>> capsule_hull(Real radius, Real height, Real spacing);
+
+/// Whether an outline has dents so deep that their sides meet when it is pressed: it fills less than LEAST_SOLIDITY of its convex
+/// hull. Precondition: a simple polygon. O(n log n).
+bool has_deep_dents(std::span<const Vec2> outline);
 
 } // namespace softbody

@@ -86,6 +86,12 @@ public:
 		FAILURE_MODE_RESET,
 		FAILURE_MODE_FREEZE,
 	};
+	/// Off and on are what the property was before it could choose: false and true.
+	enum SelfCollision {
+		SELF_COLLISION_OFF,
+		SELF_COLLISION_ON,
+		SELF_COLLISION_AUTOMATIC,
+	};
 
 	SoftBody2D();
 	~SoftBody2D();
@@ -131,8 +137,10 @@ public:
 	uint32_t get_collision_layer() const { return collision_layer_; }
 	void set_collision_mask(uint32_t p_mask);
 	uint32_t get_collision_mask() const { return collision_mask_; }
-	void set_self_collision(bool p_self_collision);
-	bool has_self_collision() const { return self_collision_; }
+	void set_self_collision(SelfCollision p_self_collision);
+	SelfCollision get_self_collision() const { return self_collision_; }
+	/// Whether it is in use.
+	bool has_self_collision() const;
 
 	// What the engine sees: soft_body_2d_proxy.cpp.
 	void set_collision_proxy_enabled(bool p_enabled);
@@ -411,6 +419,7 @@ private:
 		ModelChoice used;
 		softbody::Status model_problem; ///< why `used` is not `wanted`
 		bool is_reversed = false; ///< see `hull_reversed_`
+		bool has_deep_dents = false; ///< see `softbody::has_deep_dents`
 		PackedStringArray problems; ///< parts of the structure that do not fit the others and were left out
 	};
 
@@ -543,7 +552,7 @@ private:
 	int substeps_ = 0;
 	uint32_t collision_layer_ = 1;
 	uint32_t collision_mask_ = 1;
-	bool self_collision_ = false;
+	SelfCollision self_collision_ = SELF_COLLISION_AUTOMATIC;
 	bool contact_monitor_ = false;
 	int max_contacts_reported_ = DEFAULT_MAX_CONTACTS;
 	bool collision_proxy_enabled_ = true;
@@ -601,3 +610,4 @@ VARIANT_ENUM_CAST(SoftBody2D::ElasticModel);
 VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);
 VARIANT_ENUM_CAST(SoftBody2D::DampMode);
 VARIANT_ENUM_CAST(SoftBody2D::FailureMode);
+VARIANT_ENUM_CAST(SoftBody2D::SelfCollision);

@@ -136,9 +136,16 @@ void SoftBody2D::set_collision_mask(uint32_t p_mask) {
 	apply_settings();
 }
 
-void SoftBody2D::set_self_collision(bool p_self_collision) {
-	self_collision_ = p_self_collision;
-	apply_settings();
+void SoftBody2D::set_self_collision(SelfCollision p_self_collision) {
+	if (accept("self_collision", softbody::check_between("self_collision", p_self_collision, SELF_COLLISION_OFF, SELF_COLLISION_AUTOMATIC, ""))) {
+		self_collision_ = p_self_collision;
+		apply_settings();
+	}
+}
+
+bool SoftBody2D::has_self_collision() const {
+	const Design *found = design();
+	return self_collision_ == SELF_COLLISION_ON || (self_collision_ == SELF_COLLISION_AUTOMATIC && found != nullptr && found->has_deep_dents);
 }
 
 // From properties to the core.
@@ -196,7 +203,7 @@ softbody::Result<softbody::BodySettings> SoftBody2D::make_settings(const Design 
 	settings.collision_mask = collision_mask_;
 	settings.can_sleep = can_sleep_;
 	settings.contact_monitor = contact_monitor_;
-	settings.self_collision = self_collision_;
+	settings.self_collision = self_collision_ == SELF_COLLISION_ON || (self_collision_ == SELF_COLLISION_AUTOMATIC && p_design.has_deep_dents);
 	settings.failure_response = failure_mode_ == FAILURE_MODE_FREEZE ? softbody::FailureResponse::FREEZE : softbody::FailureResponse::RESET;
 	if (const softbody::SoftBodyData *found = body()) { // Of areas, too: `feel_areas` sets them.
 		settings.linear_damp = found->settings().linear_damp;
@@ -290,12 +297,17 @@ void SoftBody2D::bind_collision() {
 	ClassDB::bind_method(D_METHOD("set_collision_mask", "mask"), &SoftBody2D::set_collision_mask);
 	ClassDB::bind_method(D_METHOD("get_collision_mask"), &SoftBody2D::get_collision_mask);
 	ClassDB::bind_method(D_METHOD("set_self_collision", "self_collision"), &SoftBody2D::set_self_collision);
+	ClassDB::bind_method(D_METHOD("get_self_collision"), &SoftBody2D::get_self_collision);
 	ClassDB::bind_method(D_METHOD("has_self_collision"), &SoftBody2D::has_self_collision);
 
 	ADD_GROUP("Collision", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "collision_layer", PROPERTY_HINT_LAYERS_2D_PHYSICS), "set_collision_layer", "get_collision_layer");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "collision_mask", PROPERTY_HINT_LAYERS_2D_PHYSICS), "set_collision_mask", "get_collision_mask");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "self_collision"), "set_self_collision", "has_self_collision");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "self_collision", PROPERTY_HINT_ENUM, "Off,On,Automatic"), "set_self_collision", "get_self_collision");
+
+	BIND_ENUM_CONSTANT(SELF_COLLISION_OFF);
+	BIND_ENUM_CONSTANT(SELF_COLLISION_ON);
+	BIND_ENUM_CONSTANT(SELF_COLLISION_AUTOMATIC);
 }
 
 void SoftBody2D::bind_solver() {

@@ -6,6 +6,7 @@
 #include "godot/nodes/soft_body_2d.h"
 
 #include "core/base/constants.h"
+#include "core/creator/hulls.h"
 #include "core/geometry/polygon.h"
 #include "godot/convert.h"
 #include "godot/server/shape_cache.h"
@@ -188,6 +189,7 @@ softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &
 		softbody::Status problem = shape ? softbody::Status() : softbody::Status(shape.error());
 		if (shape) {
 			made.shape = shape.value();
+			made.has_deep_dents = softbody::has_deep_dents(hull);
 			problem = check_elasticity(made);
 		}
 		if (!problem) {

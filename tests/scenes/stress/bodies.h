@@ -58,6 +58,7 @@ inline SoftBodyData stress_body(const std::vector<Vec2> &hull, Vec2 place, const
 		Material material;
 		material.youngs_modulus *= stuff.stiffness / 100;
 		apply_material(material, ElasticModel::MODES, *shape, settings);
+		settings.self_collision = has_deep_dents(hull); // as a node chooses
 	}
 	return SoftBodyData::create(shape, settings, { place, Rotation::from_angle(angle) }).value();
 }
