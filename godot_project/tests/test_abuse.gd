@@ -56,7 +56,7 @@ func _changes() -> Dictionary:
 			TYPE_BOOL:
 				changes[name] = not value
 			TYPE_INT:
-				changes[name] = value + 1
+				changes[name] = value - 1 if name == "self_collision" else value + 1 # automatic is the last of its values
 			TYPE_FLOAT:
 				changes[name] = value + 0.125
 			TYPE_VECTOR2:

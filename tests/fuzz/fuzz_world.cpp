@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace softbody::fuzzing {
@@ -23,6 +25,12 @@ constexpr int MOST_STEPS = 12;
 constexpr std::size_t MOST_BODIES = 6;
 constexpr std::size_t MOST_COLLIDERS = 12;
 
+std::shared_ptr<const SoftBodyShape> elastic(std::span<const Vec2> hull, Real mass) {
+	StructureOptions options{ mass, 1, 1, hull.size() > 6 };
+	options.elastic = true;
+	return SoftBodyCreator::create_polygon(hull, options).value();
+}
+
 // Two of each number of points, so that one can take the other's place.
 const std::vector<std::shared_ptr<const SoftBodyShape>> &shapes() {
 	static const std::vector<std::shared_ptr<const SoftBodyShape>> all = [] {
@@ -32,7 +40,8 @@ const std::vector<std::shared_ptr<const SoftBodyShape>> &shapes() {
 			SoftBodyCreator::create_polygon(triangle, { 1, 100, 1, false }).value(),
 			SoftBodyCreator::create_polygon(triangle, { Real(1e-3), 1000, 0, false }).value(),
 			SoftBodyCreator::create_polygon(dented, { 1, 200, 1, false }).value(),
-			SoftBodyCreator::create_polygon(dented, { 100, 0, 0, false }).value() };
+			SoftBodyCreator::create_polygon(dented, { 100, 0, 0, false }).value(), elastic(dented, 1), elastic(dented, 50),
+			elastic(circle_hull(Real(0.5), 8).value(), 1) };
 	}();
 	return all;
 }
@@ -63,7 +72,8 @@ private:
 
 	BodySettings settings() {
 		BodySettings s;
-		const bool is_awful = bytes_.integer(0, 7) == 0;
+		const int kind = bytes_.integer(0, 7);
+		const bool is_awful = kind == 0;
 		const auto value = [&](double most) { return is_awful ? bytes_.any(most) : bytes_.positive(most); };
 		s.shape_stiffness = value(100);
 		s.shape_damping = value(5);
@@ -82,7 +92,25 @@ private:
 		s.self_collision = bits & 4;
 		s.collision_layer = bits >> 4;
 		s.collision_mask = 0xffffffffu >> (bits & 8);
+		if (kind > 4) {
+			add_terms_of_a_material(s);
+		}
 		return s;
+	}
+
+	// Any of the terms, fitting or not: springs or modes, area, limits.
+	void add_terms_of_a_material(BodySettings &s) {
+		const bool is_awful = bytes_.integer(0, 7) == 0;
+		const auto value = [&](double most) { return is_awful ? bytes_.any(most) : bytes_.positive(most); };
+		s.spring_stiffness_scale = value(3);
+		s.spring_damping_scale = value(3);
+		s.shear_modulus = value(1000);
+		s.poisson_ratio = value(0.49);
+		s.area_stiffness = value(10000);
+		s.elastic_damping_time = value(0.1);
+		s.least_area = value(1);
+		s.least_stretch = value(1);
+		s.most_stretch = bytes_.chance() ? 1 + value(3) : std::numeric_limits<Real>::infinity();
 	}
 
 	Pose pose() {
