@@ -169,6 +169,19 @@ func test_automatic_chooses_by_what_the_body_is_made_of() -> void:
 		body.free()
 
 
+func test_the_plan_says_how_far_the_model_chosen_is_from_a_solid() -> void:
+	for points: int in [6, 8, 16, 40, 300]:
+		var body := add_weightless_body(Vector2.ZERO, {"hull": SoftBody2D.make_circle_hull(50, points)})
+		var plan := body.get_substep_plan()
+		check_equal(plan["elastic_model"], MODES, "model of %d points" % points)
+		check(plan["elastic_error"] > 0.0 and plan["elastic_error"] < 0.05, "error of %d points is %s" % [points, plan["elastic_error"]])
+		body.elastic_model = SoftBody2D.ELASTIC_MODEL_SPRINGS
+		check(body.get_substep_plan()["elastic_error"] > 0.05, "springs of %d points are no further off" % points)
+		body.elastic_model = NETWORK
+		check_equal(body.get_substep_plan()["elastic_error"], 0.0, "error of a network of %d points" % points)
+		body.free()
+
+
 func test_raw_values_stay_in_force_until_the_model_is_chosen_or_they_are_cleared() -> void:
 	var body := add_weightless_body(Vector2.ZERO, {"stiffness": 70.0, "damping": 0.3})
 	check_equal(body.get_warnings(), PackedStringArray(), "warnings of a network")

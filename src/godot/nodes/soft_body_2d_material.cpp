@@ -2,6 +2,7 @@
 // What the node is made of: its own values, or those of a material that it shares with others.
 #include "godot/nodes/soft_body_2d.h"
 
+#include "core/model/model_choice.h"
 #include "godot/convert.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -88,7 +89,7 @@ SoftBody2D::ModelChoice SoftBody2D::choose_model() const {
 	if (material_values().has_network_values) {
 		return { ELASTIC_MODEL_NETWORK, REASON_NETWORK_VALUES };
 	}
-	return { ELASTIC_MODEL_MODES, REASON_MATERIAL };
+	return { ElasticModel(ELASTIC_MODEL_SPRINGS + int(softbody::choose_elastic_model(std::size_t(hull_.size())))), REASON_MATERIAL };
 }
 
 SoftBody2D::ElasticModel SoftBody2D::get_elastic_model_in_use() const {

@@ -5,6 +5,7 @@
 #include "core/dynamics/load_trial.h"
 #include "core/dynamics/stability_report.h"
 #include "core/geometry/polygon.h"
+#include "core/model/model_choice.h"
 #include "godot/convert.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -129,6 +130,8 @@ Dictionary SoftBody2D::get_substep_plan() const {
 		write_plan(softbody::plan_substeps(*found->shape, settings.value(), tick_length(), collision_mask_ != 0), result);
 		result["elastic_model"] = int(found->used.model);
 		result["elastic_reason"] = found->used.reason;
+		const bool is_network = found->used.model == ELASTIC_MODEL_NETWORK;
+		result["elastic_error"] = is_network ? 0.0 : softbody::expected_error(softbody::ElasticModel(found->used.model - ELASTIC_MODEL_SPRINGS), std::size_t(hull_.size()));
 	}
 	return result;
 }

@@ -78,7 +78,7 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 				say.call("What a tick of this body takes on this machine while it lies awake on flat ground: %s %% of a tick. Asleep it costs next to nothing.") % number(100 * share)))
 	var unfit: bool = report["elastic_reason"] == "unfit"
 	found.append(Row.new(say.call("Elasticity"), say.call(MODEL_NAMES[report["elastic_model"]]),
-			Level.BAD if unfit else Level.GOOD, say.call(elastic_text(report["elastic_reason"]))))
+			Level.BAD if unfit else Level.GOOD, elastic_text(report, say)))
 	return found
 
 
@@ -131,19 +131,19 @@ static func reason_text(reason: String) -> String:
 	return "not stable"
 
 
-static func elastic_text(reason: String) -> String:
-	match reason:
+static func elastic_text(report: Dictionary, say: Callable) -> String:
+	match report["elastic_reason"]:
 		"chosen":
-			return "The elastic model is chosen in the inspector."
+			return say.call("The elastic model is chosen in the inspector.")
 		"own_springs":
-			return "The body has springs of its own: a network with the raw values. Set the elastic model to use the material."
+			return say.call("The body has springs of its own: a network with the raw values. Set the elastic model to use the material.")
 		"painted_springs":
-			return "Springs have factors of their own: a network with the raw values. Set the elastic model to use the material."
+			return say.call("Springs have factors of their own: a network with the raw values. Set the elastic model to use the material.")
 		"network_values":
-			return "Raw values of the network are set: Young's modulus, Poisson's ratio and damping ratio have no effect. Set the elastic model to Modes to use them."
+			return say.call("Raw values of the network are set: Young's modulus, Poisson's ratio and damping ratio have no effect. Set the elastic model to Modes to use them.")
 		"material":
-			return "Young's modulus, Poisson's ratio and damping ratio decide."
-	return "The chosen elastic model does not fit the body; the network takes its place. The warnings say why."
+			return say.call("Young's modulus, Poisson's ratio and damping ratio decide. This is the cheapest model whose outline no player can tell from an elastic solid's: within %s %% of the radius, in measurements with a disk.") % number(100 * report["elastic_error"])
+	return say.call("The chosen elastic model does not fit the body; the network takes its place. The warnings say why.")
 
 
 ## Three digits, as one reads them.

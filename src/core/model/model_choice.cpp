@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Which elastic model is enough for what a player sees.
+#include "core/model/model_choice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace softbody {
+
+namespace {
+
+constexpr std::array<double, 7> POINTS = { 8, 12, 16, 24, 32, 64, 128 };
+
+// A row a model, from the cheapest to the dearest.
+constexpr std::array<std::array<double, POINTS.size()>, 4> ERRORS = { {
+		{ 0.113, 0.088, 0.104, 0.320, 0.465, 0.722, 0.860 }, // springs
+		{ 0.117, 0.102, 0.098, 0.189, 0.259, 0.353, 0.382 }, // springs and shape
+		{ 0.063, 0.056, 0.065, 0.189, 0.259, 0.353, 0.382 }, // springs, shape and area
+		{ 0.034, 0.036, 0.029, 0.027, 0.030, 0.025, 0.025 }, // modes
+} };
+
+} // namespace
+
+double expected_error(ElasticModel model, std::size_t hull_points) {
+	const std::array<double, POINTS.size()> &row = ERRORS[std::size_t(model)];
+	const double count = std::clamp(double(hull_points), POINTS.front(), POINTS.back());
+	std::size_t above = 1;
+	while (POINTS[above] < count) {
+		++above;
+	}
+	const double share = std::log(count / POINTS[above - 1]) / std::log(POINTS[above] / POINTS[above - 1]);
+	return row[above - 1] + share * (row[above] - row[above - 1]);
+}
+
+ElasticModel choose_elastic_model(std::size_t hull_points) {
+	ElasticModel best = ElasticModel::SPRINGS;
+	for (const ElasticModel model : { ElasticModel::SPRINGS, ElasticModel::SPRINGS_AND_SHAPE, ElasticModel::SPRINGS_SHAPE_AND_AREA, ElasticModel::MODES }) {
+		const double error = expected_error(model, hull_points);
+		if (error < VISIBLE_ERROR) {
+			return model;
+		}
+		best = error < expected_error(best, hull_points) ? model : best;
+	}
+	return best;
+}
+
+} // namespace softbody
