@@ -49,14 +49,23 @@ const char *name_of(Firmness firmness) {
 	return firmness == Firmness::DEFAULT ? "default" : firmness == Firmness::SOFT ? "soft" : "firm";
 }
 
-ElasticBody node(const Points &hull, Firmness firmness) {
+softbody::Material material_of(Firmness firmness) {
 	softbody::Material material;
 	if (firmness == Firmness::FIRM) {
 		material.youngs_modulus *= Real(FIRM);
 	}
+	return material;
+}
+
+const ModelChoice &model_of(Firmness firmness) {
 	const std::span<const ModelChoice> models = elastic_models();
-	const ModelChoice &old = *std::find_if(models.begin(), models.end(), [](const ModelChoice &c) { return c.is_old_network; });
-	ElasticBody body = elastic_body(firmness == Firmness::SOFT ? old : default_model(), hull, MASS, material);
+	return firmness == Firmness::SOFT
+			? *std::find_if(models.begin(), models.end(), [](const ModelChoice &c) { return c.is_old_network; })
+			: default_model();
+}
+
+ElasticBody node(const Points &hull, Firmness firmness, const ModelChoice &model) {
+	ElasticBody body = elastic_body(model, hull, MASS, material_of(firmness));
 	body.settings.friction = Real(0.4);
 	body.settings.rolling_resistance = Real(0.03);
 	body.settings.linear_damp = Real(LINEAR_DAMP);
@@ -65,6 +74,10 @@ ElasticBody node(const Points &hull, Firmness firmness) {
 	body.settings.can_sleep = true;
 	body.settings.self_collision = softbody::has_deep_dents(hull);
 	return body;
+}
+
+ElasticBody node(const Points &hull, Firmness firmness) {
+	return node(hull, firmness, model_of(firmness));
 }
 
 struct Place {
@@ -106,6 +119,15 @@ void fill(Heap &heap, int columns, int rows, double radius, double step, double 
 Heap heap_of(int columns, int rows, Firmness firmness, int seed) {
 	Heap heap{ "heap", rows, firmness, seed, { node(circle(RADIUS, POINTS, false), firmness) } };
 	fill(heap, columns, rows, RADIUS, 2.05);
+	return heap;
+}
+
+// What each model costs in company: the bodies do not sleep, and the mean is that of ten seconds.
+Heap heap_of_model(const ModelChoice &model, Firmness firmness, int points) {
+	Heap heap{ "model " + model.name, 10, firmness, 1, { node(circle(RADIUS, points, false), firmness, model) } };
+	heap.kinds[0].settings.can_sleep = false;
+	heap.seconds = 10;
+	fill(heap, 10, 10, RADIUS, 2.05);
 	return heap;
 }
 
@@ -261,6 +283,16 @@ json heap(const Options &options) {
 			const int large_seeds = firmness == Firmness::DEFAULT ? 2 : 1;
 			for (int seed = 1; seed <= large_seeds; ++seed) {
 				rows.push_back(run(heap_of(40, 25, firmness, seed), patience));
+			}
+		}
+	}
+	for (const ModelChoice &model : elastic_models()) {
+		for (const Firmness firmness : { Firmness::DEFAULT, Firmness::FIRM }) {
+			for (const int points : { 8, 16, 32 }) {
+				if (!model.is_old_network && (!options.quick || points == POINTS)) {
+					rows.push_back(run(heap_of_model(model, firmness, points), patience));
+					rows.back()["points"] = points;
+				}
 			}
 		}
 	}

@@ -9,6 +9,7 @@
 #include "core/dynamics/simulator.h"
 #include "core/geometry/aabb.h"
 #include "core/geometry/polygon.h"
+#include "core/model/model_choice.h"
 
 #include <array>
 #include <cmath>
@@ -496,7 +497,16 @@ json model(const Options &options) {
 	for (const json &row : reference.data["mesh"]) {
 		mesh.push_back(mesh_row(reference, row));
 	}
-	return { { "default_model", default_model().name }, { "company", COMPANY }, { "rows", rows }, { "mesh", mesh } };
+	json expected = json::array(); // what the automatic choice of a model goes by
+	for (const ModelChoice &choice : elastic_models()) {
+		for (const int points : counts) {
+			if (!choice.is_old_network && choice.model <= softbody::ElasticModel::MODES) {
+				const double error = softbody::expected_error(choice.model, std::size_t(points));
+				expected.push_back({ { "model", choice.name }, { "points", points }, { "expected_percent", 100 * error } });
+			}
+		}
+	}
+	return { { "expected", expected }, { "default_model", default_model().name }, { "company", COMPANY }, { "rows", rows }, { "mesh", mesh } };
 }
 
 } // namespace bench

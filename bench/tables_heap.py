@@ -37,7 +37,7 @@ def summarize(result):
     rows = result["rows"]
     ratios = over_firm(rows)
     default = [row for row in rows if row["scene"] == "heap" and row["firmness"] == "default"]
-    shaped = [row for row in rows if row["scene"] not in ("heap", "trial")]
+    shaped = [row for row in rows if row["scene"].startswith(("concave", "mixed"))]
     soft = [r for r in ratios if r["firmness"] == "soft" and (r["bodies"], r["rows_high"]) == (CRUSHED_BODIES, CRUSHED_ROWS)]
     targets = {
         "default_none_folded": all_of(default, lambda r: r["folded"] == 0),
@@ -61,7 +61,7 @@ def print_table(summary):
     print(f"  {'scene':<13} {'bodies':>6} {'high':>4} {'firmness':<8} {'seed':>4} {'folded':>6} {'crossed':>7} {'ruined':>6}"
           f" {'least area':>10}"
           f" {'ever':>6} {'mean':>5} {'asleep':>8} {'ms a step':>9} {'worst':>7} {'px high':>7} {'resets':>6}")
-    for row in summary["rows"]:
+    for row in (row for row in summary["rows"] if not row["scene"].startswith("model ")):
         asleep = row["asleep_after_s"]
         asleep = f"not in {row['simulated_s']:.0f}" if asleep is None else f"{asleep:.1f} s"
         print(f"  {row['scene']:<13} {row['bodies']:>6} {row['rows_high']:>4} {row['firmness']:<8} {row['seed'] or '–':>4}"
@@ -72,6 +72,12 @@ def print_table(summary):
     print(f"  folded: crossed, or below {summary['crushed']:g} of its area; crossed: its outline meets itself; ruined: below 0.6;"
           " ms a step: until all sleep;"
           f" firm: {summary['firm_times']:g} times the default's modulus; soft: the old network, 100 N/m")
+    print("What models cost a body a tick in a heap of 100, ten high, awake [µs]; default material, and ten times as firm")
+    costs = {(r["scene"], r["points"], r["firmness"]): 1e3 * r["mean_step_ms"] / r["bodies"]
+             for r in summary["rows"] if r["scene"].startswith("model ")}
+    for scene, points in dict.fromkeys((scene, points) for scene, points, _ in costs):
+        print(f"  {scene.removeprefix('model '):<24} {points:>3} points"
+              + "".join(f" {costs[scene, points, firmness]:>7.2f}" for firmness in ("default", "firm")))
     for r in summary["over_firm"]:
         print(f"  {r['bodies']} bodies {r['rows_high']} high: a step of {r['firmness']} ones takes"
               f" {number(r['step_over_firm'], '.2f')} times that of firm ones")

@@ -168,6 +168,25 @@ def within(value, most):
     return value is not None and value <= most
 
 
+EXPECTED_SCENES = ("rest", "press_0.9", "press_0.75", "hang", "drop")  # of core/model/model_choice.h, and the wobble
+MOST_EXPECTED_OFF = 0.2  # of what is measured, or a percent of R
+
+
+def with_measured(expected, rows):
+    """Errors that the automatic choice of a model goes by, and the same measured."""
+    def measured(model, points):
+        own = [row for row in rows if (row["model"], row["points"]) == (model, points)]
+        return worst([row["rms_percent"] for row in own if row["scene"] in EXPECTED_SCENES]
+                     + [row["error_percent"] for row in own if row["scene"] == "wobble"])
+
+    return [{**one, "measured_percent": measured(one["model"], one["points"])} for one in expected]
+
+
+def is_as_measured(one):
+    expected, measured = one["expected_percent"], one["measured_percent"]
+    return measured is not None and abs(expected - measured) <= max(1, MOST_EXPECTED_OFF * measured)
+
+
 def summarize(result):
     reference = json.loads(REFERENCES.read_text(encoding="utf-8"))
     rows = [judged_row(row, reference) for row in result["rows"]]
@@ -183,6 +202,8 @@ def summarize(result):
     targets[f"frequency_within_{MOST_FREQUENCY_ERROR}_percent"] = within(frequency, MOST_FREQUENCY_ERROR)
     for value in MESH_VALUES:
         targets[f"mesh_{value}_spread_at_most_{MOST_MESH_SPREAD}_percent"] = within(spread[value], MOST_MESH_SPREAD)
+    expected = with_measured(result["expected"], rows)
+    targets["automatic_choice_expects_what_is_measured"] = all(is_as_measured(one) for one in expected)
     return rounded({
         "targets": targets,
         "default_worst_rms_percent": rms,
@@ -194,6 +215,7 @@ def summarize(result):
         "default_points": DEFAULT_POINTS,
         "company": result["company"],
         **load(),
+        "expected": expected,
         "mesh_spreads": spreads,
         "mesh": mesh,
         "rows": rows,
@@ -251,6 +273,11 @@ def print_table(summary):
         print(f"  {s['kind']:<8} {s['value']:<9} spread {s['spread_percent']:>6.2f} %, farthest"
               f" {s['farthest_from_reference_percent']:>+7.2f} %   {ratios}")
     print("  left out: sag and width of stars that stand on a tip, width of the L, which rolls over when pressed")
+    print("What the automatic choice expects of a model, worst of its scenes in % of R (and measured)")
+    for model in dict.fromkeys(one["model"] for one in summary["expected"]):
+        print(f"  {model:<24}" + "".join(
+            f"  {one['points']}: {one['expected_percent']:.1f} ({number(one['measured_percent'], '.1f')})"
+            for one in summary["expected"] if one["model"] == model))
     print_load(summary)
     rms = ", ".join(f"{scene} {number(value, '.2f')} %" for scene, value in summary["default_worst_rms_percent"].items())
     print(f"  default: {rms}, frequency off by {number(summary['frequency_error_percent'], '.2f')} %")
