@@ -25,11 +25,14 @@ constexpr double OLD_SHAPE_MATCHING = 0.4; // of the springs' stiffness
 constexpr double OLD_SHAPE_DAMPING_RATIO = 0.25;
 constexpr double LITTLE_DAMPING = 0.02; // a material's ratio up to which the old network has none at all
 
+constexpr int TRIANGLE_POINTS = 4; // inside a body of triangles, for each of its hull points
+
 const ModelChoice CHOICES[] = {
 	{ "springs", ElasticModel::SPRINGS },
 	{ "springs_and_shape", ElasticModel::SPRINGS_AND_SHAPE },
 	{ "springs_shape_and_area", ElasticModel::SPRINGS_SHAPE_AND_AREA },
 	{ "modes", ElasticModel::MODES },
+	{ "triangles", ElasticModel::TRIANGLES },
 	{ "network (old default)", ElasticModel::SPRINGS_AND_SHAPE, true },
 };
 
@@ -51,7 +54,9 @@ ElasticBody of_material(ElasticModel model, const Points &hull, double mass, con
 	options.mass = Real(mass);
 	options.stiffness = 1; // the material says how much of each the body has
 	options.damping = 1;
-	options.elastic = true;
+	options.elastic = model != ElasticModel::TRIANGLES;
+	options.elastic_triangles = model == ElasticModel::TRIANGLES;
+	options.triangle_points = TRIANGLE_POINTS * int(hull.size());
 	ElasticBody body{ take(softbody::SoftBodyCreator::create_polygon(hull, options)), {} };
 	if (const softbody::Status refused = apply_material(material, model, *body.shape, body.settings)) {
 		throw std::runtime_error(refused->message());

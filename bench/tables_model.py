@@ -26,6 +26,7 @@ MODEL_LABELS = {
     "springs_and_shape": "springs, shape matching",
     "springs_shape_and_area": "springs, shape, area",
     "modes": "elastic modes",
+    "triangles": "elastic triangles",
 }
 
 
