@@ -23,6 +23,10 @@ constexpr double CLEARANCE = 0.7;
 
 const double ROW_HEIGHT = std::sqrt(0.75); // of the lattice, over its spacing
 
+// The same while points are moved to even out the triangles, over the spacing without clearance, and how often they are.
+constexpr double RELAXED_CLEARANCE = 0.5;
+constexpr int RELAXATIONS = 8;
+
 constexpr int SPACINGS = 28; // tried for each place of the lattice: to 1e-8 of the first guess
 
 // Places of the lattice, as parts of its spacing and of its rows' distance. The first has a point in the middle; the others
@@ -59,6 +63,19 @@ public:
 		return found;
 	}
 
+	bool is_clear(Vec2 p, double distance) const {
+		const double least = distance * distance;
+		for (std::size_t i = 0; i < hull_.size(); ++i) {
+			const Vec2 a = hull_[i];
+			const Vec2 side = hull_[(i + 1) % hull_.size()] - a;
+			const Real t = closest_parameter_on_segment(p, a, a + side);
+			if (double(length_squared(a + side * t - p)) < least) {
+				return false;
+			}
+		}
+		return std::ranges::none_of(own_points_, [&](Vec2 own) { return double(length_squared(own - p)) < least; });
+	}
+
 private:
 	// Where a horizontal line meets the outline, ascending: it is inside between the first and the second, and so on.
 	std::vector<double> crossings_at(double y) const {
@@ -72,19 +89,6 @@ private:
 		}
 		std::ranges::sort(crossings);
 		return crossings;
-	}
-
-	bool is_clear(Vec2 p, double distance) const {
-		const double least = distance * distance;
-		for (std::size_t i = 0; i < hull_.size(); ++i) {
-			const Vec2 a = hull_[i];
-			const Vec2 side = hull_[(i + 1) % hull_.size()] - a;
-			const Real t = closest_parameter_on_segment(p, a, a + side);
-			if (double(length_squared(a + side * t - p)) < least) {
-				return false;
-			}
-		}
-		return std::ranges::none_of(own_points_, [&](Vec2 own) { return double(length_squared(own - p)) < least; });
 	}
 
 	std::span<const Vec2> hull_;
@@ -114,6 +118,30 @@ std::vector<Vec2> nearest_count(const Lattice &lattice, double spacing, std::arr
 		}
 	}
 	return best;
+}
+
+// Moves the points from `first` on to where the triangles around them balance: each to the mean of their centers, weighted by
+// area. Those at the outline, where the lattice does not fit, get triangles that are less flat.
+void relax(std::vector<Vec2> &points, std::size_t hull_count, std::size_t first, const Lattice &lattice, double clearance) {
+	for (int pass = 0; pass < RELAXATIONS; ++pass) {
+		std::vector<Vec2> sums(points.size());
+		std::vector<Real> areas(points.size());
+		for (const Triangle &t : triangulate(points, hull_count)) {
+			const Real area = Real(signed_double_area(points[t[0]], points[t[1]], points[t[2]]));
+			// Relative to the corner, or far from the origin digits are lost.
+			for (const std::uint32_t corner : t) {
+				const Vec2 p = points[corner];
+				sums[corner] += ((points[t[0]] - p) + (points[t[1]] - p) + (points[t[2]] - p)) * (area / 3);
+				areas[corner] += area;
+			}
+		}
+		for (std::size_t i = first; i < points.size(); ++i) {
+			const Vec2 moved = areas[i] > 0 ? points[i] + sums[i] * (1 / areas[i]) : points[i];
+			if (lattice.is_clear(moved, clearance)) {
+				points[i] = moved;
+			}
+		}
+	}
 }
 
 ElasticTriangle elastic_triangle(std::span<const Vec2> points, const Triangle &corners) {
@@ -164,7 +192,12 @@ std::vector<Vec2> even_inner_points(std::span<const Vec2> hull, std::span<const 
 			break;
 		}
 	}
-	return best;
+	std::vector<Vec2> points(hull.begin(), hull.end());
+	points.insert(points.end(), own_points.begin(), own_points.end());
+	const std::size_t first = points.size();
+	points.insert(points.end(), best.begin(), best.end());
+	relax(points, hull.size(), first, lattice, spacing * RELAXED_CLEARANCE);
+	return { points.begin() + std::ptrdiff_t(first), points.end() };
 }
 
 Result<TriangleMesh> make_triangle_mesh(std::span<const Vec2> points, std::size_t hull_count) {

@@ -12,10 +12,11 @@
 
 namespace softbody {
 
-/// Points of a hexagonal lattice inside an outline of either winding. They keep 0.7 of the lattice's spacing from the outline
-/// and from `own_points`. The spacing and the lattice's place are sought so that there are `count` points, or as nearly as many
-/// as can be found; where several places give as many, the lattice has a point in the outline's center of area. Deterministic.
-/// Precondition: `check_hull` accepts the outline. O(count · outline) for each of some tens of spacings.
+/// Points of a hexagonal lattice inside an outline of either winding, moved a little so that triangles between them are even at
+/// the outline as well. They keep about 0.7 of the lattice's spacing from the outline and from `own_points`. The spacing and the
+/// lattice's place are sought so that there are `count` points, or as nearly as many as can be found. Deterministic.
+/// Precondition: `check_hull` accepts the outline. O(count · outline) for each of some tens of spacings, and a few
+/// triangulations.
 std::vector<Vec2> even_inner_points(std::span<const Vec2> hull, std::span<const Vec2> own_points, std::size_t count);
 
 /// A body made of triangles: what its points weigh, and how it deforms.
