@@ -52,9 +52,9 @@ double triangle_energy(const SoftBodyData &body) {
 		const Vec2 e2 = body.positions()[c] - body.positions()[a];
 		const TriangleShear<Real> shear = triangle_shear<Real>(triangle, e1, e2);
 		const Real ratio = cross(e1, e2) / (2 * triangle.area);
-		const double strain = triangle_dilation<Real>(settings.area_stiffness, settings.inflation, ratio, shear).strain;
+		const TriangleDilation<Real> dilation = triangle_dilation<Real>(settings, ratio, shear);
 		const double sheared = double(shear.u) * shear.u + double(shear.v) * shear.v;
-		energy += triangle.area * (settings.shear_modulus * sheared + settings.area_stiffness * strain * (double(ratio) - settings.inflation)) / 2;
+		energy += triangle.area * (settings.shear_modulus * sheared / 2 + dilation_energy(settings.area_stiffness, dilation));
 	}
 	return energy;
 }

@@ -10,14 +10,25 @@
 
 namespace softbody {
 
+/// From this |F|²/2 on a triangle's change of area is measured relative to its size [1]; 1 is a triangle at rest. Larger: drawn
+/// out bodies are stiffer against a change of area than explicit steps bear. Smaller: moderate stretches deviate from the solid's.
+inline constexpr Real PLAIN_SIZE = Real(1.2);
+
+/// Largest pressure of a triangle over the shear modulus [1]. Larger: triangles turned over push so hard that they hold one
+/// another there. Smaller: bodies pressed flat lose area. A disk pressed to 0.3 of its height has about 3.
+inline constexpr Real MOST_PRESSURE = 4;
+
 /// The stable neo-Hookean solid in the plane (Smith, de Goes and Kim 2018, eq. 14 without its constant) has the energy
 ///   μ/2 (|F|² - 2) - μ (J - 1) + K/2 (J - 1)², J = det F, K = λ + μ,
 /// per rest area. In the singular values of F, s2 < 0 for a triangle turned over, that is μ/2 (s1 - s2)² + K/2 (J - 1)². F = I is
-/// free of force, and μ and λ are the Lamé parameters there. Here the second part is divided by n² = (1 + 3 |F|²/2) / 4:
-///   W(F) = μ/2 (s1 - s2)² + K/2 (J - 1)² / n².
-/// At F = I n is 1 and the division changes nothing up to the second order; W is 0 for the same F. But the stiffness of (J - 1)²
-/// grows with the square of a stretch, and a step that is stable at rest is not for a body drawn out. With n it stays below 2.5
-/// times that at rest for stretches of 0.2 to 3, as STABILITY_BUDGET allows for.
+/// free of force, and μ and λ are the Lamé parameters there.
+///
+/// Here it is that for |F|²/2 < PLAIN_SIZE and K |J - 1| < MOST_PRESSURE μ, and beyond softer against a change of area:
+///   W(F) = μ/2 (s1 - s2)² + K h(C), C = (J - 1)/n, n² = max(1, |F|²/2 / PLAIN_SIZE),
+/// h being C²/2 for |C| up to MOST_PRESSURE μ/K and linear beyond (Huber 1964). W is 0 for the same F. There are two reasons. The stiffness
+/// of (J - 1)² grows with the square of a stretch, so that a step that is stable at rest is not for a body drawn out; that of C²
+/// stays below 2.4 times its value at rest, which STABILITY_BUDGET leaves room for. And pressures without bound hold triangles
+/// that are turned over against each other for good, where shear alone always unfolds them.
 ///
 /// The part of shear is quadratic in the positions: with u = F_xx - F_yy and v = F_xy + F_yx it is μ/2 (u² + v²). Its forces are
 /// linear and never vanish in a deformed triangle, turned over or not. |F|²/2 = J + (u² + v²)/2.
@@ -37,28 +48,41 @@ TriangleShear<T> triangle_shear(const ElasticTriangle &triangle, BasicVec2<T> e1
 		e1.x * T(g1.y) + e1.y * T(g1.x) + e2.x * T(g2.y) + e2.y * T(g2.x) };
 }
 
-/// The change of area of a triangle: its energy per rest area is K/2 strain² n², and its derivatives follow from
-/// dW = pressure dJ - softening d(u² + v²)/2.
-template <class T>
-struct TriangleDilation {
-	T strain = T(0); ///< (J - s) / n² [1]
-	T pressure = T(0); ///< K strain - softening [force/length]
-	T softening = T(0); ///< 3/8 K strain² [force/length]
-};
-
-/// `ratio` is J, and `target` is s, the value of J at rest: the settings' inflation.
-template <class T>
-TriangleDilation<T> triangle_dilation(Real bulk_modulus, T target, T ratio, const TriangleShear<T> &shear) {
-	const T size = ratio + (shear.u * shear.u + shear.v * shear.v) * T(Real(0.5));
-	const T strain = (ratio - target) * T(4) / (T(1) + size * T(3));
-	const T softening = strain * strain * T(Real(0.375) * bulk_modulus);
-	return { strain, strain * T(bulk_modulus) - softening, softening };
-}
-
 /// The derivative of u² / 2 + v² / 2 by a corner whose linear function has the gradient g.
 template <class T>
 BasicVec2<T> shear_derivative(const TriangleShear<T> &shear, Vec2 g) {
 	return { shear.u * T(g.x) + shear.v * T(g.y), shear.v * T(g.x) - shear.u * T(g.y) };
+}
+
+/// The change of area of a triangle, with C and h as above.
+template <class T>
+struct TriangleDilation {
+	T strain = T(0); ///< C [1]
+	T slope = T(0); ///< h'(C) [1]
+	T pressure = T(0); ///< derivative of K h(C) by J [force/length]
+	T softening = T(0); ///< minus its derivative by |F|²/2, which J is a part of [force/length]
+};
+
+/// `ratio` is J, which is compared with the settings' inflation instead of 1.
+template <class T>
+TriangleDilation<T> triangle_dilation(const BodySettings &settings, T ratio, const TriangleShear<T> &shear) {
+	const T size = (ratio + (shear.u * shear.u + shear.v * shear.v) * T(Real(0.5))) * T(1 / PLAIN_SIZE);
+	const auto is_large = size > T(1);
+	const T per_n = select(is_large, T(1) / sqrt(size), T(1));
+	TriangleDilation<T> dilation;
+	dilation.strain = (ratio - T(settings.inflation)) * per_n;
+	const Real most = MOST_PRESSURE * settings.shear_modulus / settings.area_stiffness;
+	dilation.slope = greater(lesser(dilation.strain, T(most)), T(-most));
+	const T softening = dilation.slope * dilation.strain * per_n * per_n * T(settings.area_stiffness / (2 * PLAIN_SIZE));
+	dilation.softening = select(is_large, softening, T(0));
+	dilation.pressure = dilation.slope * per_n * T(settings.area_stiffness) - dilation.softening;
+	return dilation;
+}
+
+/// K h(C), per rest area [force/length].
+template <class T>
+T dilation_energy(Real bulk_modulus, const TriangleDilation<T> &dilation) {
+	return dilation.slope * (dilation.strain - dilation.slope * T(Real(0.5))) * T(bulk_modulus);
 }
 
 /// Net push [force] and torque about a place [force·length] of forces on points.
@@ -100,7 +124,7 @@ void add_triangle_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>>
 		const TriangleShear<T> shear = triangle_shear<T>(triangle, e1, e2);
 		const TriangleShear<T> rate = triangle_shear<T>(triangle, drift1, drift2);
 		const T ratio = cross(e1, e2) * T(Real(0.5) / triangle.area);
-		const TriangleDilation<T> dilation = triangle_dilation<T>(settings.area_stiffness, T(settings.inflation), ratio, shear);
+		const TriangleDilation<T> dilation = triangle_dilation<T>(settings, ratio, shear);
 		const T elastic = (T(settings.shear_modulus) - dilation.softening) * T(triangle.area);
 		const T viscous = damping * T(triangle.area);
 		const TriangleShear<T> stress = { shear.u * elastic + rate.u * viscous, shear.v * elastic + rate.v * viscous };

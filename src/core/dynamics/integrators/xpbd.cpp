@@ -156,7 +156,7 @@ void solve_shear(const ElasticTriangle &triangle, const SoftBodyData &body, std:
 	x[c] -= on_c * w[c];
 }
 
-// Its area as the constraint C = A - s A0 of compliance n² A0/K.
+// Its area as the constraint C of compliance 1/(K A0), where h is quadratic; beyond, with the pressure that it has there.
 void solve_dilation(const ElasticTriangle &triangle, const SoftBodyData &body, Real h, std::span<Vec2> x) {
 	const BodySettings &settings = body.settings();
 	const std::span<const Real> w = body.inverse_masses();
@@ -165,17 +165,18 @@ void solve_dilation(const ElasticTriangle &triangle, const SoftBodyData &body, R
 	const Vec2 e2 = x[c] - x[a];
 	const Real ratio = cross(e1, e2) / (2 * triangle.area);
 	const TriangleShear<Real> shear = triangle_shear<Real>(triangle, e1, e2);
-	const Real strain = triangle_dilation<Real>(settings.area_stiffness, settings.inflation, ratio, shear).strain;
-	// strain / (J - s) = 1 / n²
-	const Real per_n = 4 / (1 + 3 * (ratio + (shear.u * shear.u + shear.v * shear.v) / 2));
-	const Real elastic = settings.area_stiffness * h * h;
-	const Vec2 on_b = perpendicular(-e2) * Real(0.5);
-	const Vec2 on_c = perpendicular(e1) * Real(0.5);
+	const TriangleDilation<Real> dilation = triangle_dilation<Real>(settings, ratio, shear);
+	// As in the forces: a corner's part of K h(C) A0 by J and by u² + v².
+	const TriangleShear<Real> stress = { -shear.u * dilation.softening * triangle.area, -shear.v * dilation.softening * triangle.area };
+	const Vec2 on_b = shear_derivative<Real>(stress, triangle.gradients[0]) - perpendicular(e2) * (dilation.pressure / 2);
+	const Vec2 on_c = shear_derivative<Real>(stress, triangle.gradients[1]) + perpendicular(e1) * (dilation.pressure / 2);
 	const Real mobility = w[a] * length_squared(on_b + on_c) + w[b] * length_squared(on_b) + w[c] * length_squared(on_c);
-	const Real impulse = -elastic * strain / (1 + elastic * per_n / triangle.area * mobility);
-	x[a] -= (on_b + on_c) * (impulse * w[a]);
-	x[b] += on_b * (impulse * w[b]);
-	x[c] += on_c * (impulse * w[c]);
+	// These are K A0 h'(C) ∂C/∂x, and the constraint's gradient is that without K A0 h'(C).
+	const Real scale = settings.area_stiffness * triangle.area * dilation.slope * dilation.slope;
+	const Real share = scale > 0 ? h * h / (1 + h * h * mobility / scale) : Real(0);
+	x[a] += (on_b + on_c) * (share * w[a]);
+	x[b] -= on_b * (share * w[b]);
+	x[c] -= on_c * (share * w[c]);
 }
 
 void solve_triangles(const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x) {
