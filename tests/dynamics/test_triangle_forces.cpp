@@ -67,25 +67,38 @@ struct Matrix {
 	Vec2 apply(Vec2 p) const { return { Real(xx * p.x + xy * p.y), Real(yx * p.x + yy * p.y) }; }
 };
 
-const std::array<Matrix, 6> STRAINS = { Matrix{ 1.1, 0, 0, 0.95 }, { 1, 0.3, -0.1, 1 }, { 1.5, 0.2, 0.1, 0.6 }, { 0.5, 0, 0, 0.5 },
-	{ 2, 0.3, -0.4, 1.5 }, { -1, 0.1, 0, 0.8 } };
+const std::array<Matrix, 4> MODERATE_STRAINS = { Matrix{ 1.1, 0, 0, 0.95 }, { 1, 0.3, -0.1, 1 }, { 1.3, 0.1, 0.1, 0.6 }, { 0.8, 0, 0, 0.8 } };
+const std::array<Matrix, 4> LARGE_STRAINS = { Matrix{ 2, 0.2, 0.1, 0.4 }, { 0.3, 0, 0, 0.5 }, { 2, 0.3, -0.4, 1.5 }, { -1, 0.1, 0, 0.8 } };
 
-// The law of triangle_lanes.h, written out.
-double energy_density(const Material &material, const Matrix &f) {
+// The stable neo-Hookean law of Smith, de Goes and Kim 2018 in the plane.
+double neo_hookean_energy(const Material &material, const Matrix &f) {
 	const double j = f.determinant();
-	const double n2 = (1 + 1.5 * f.square()) / 4;
-	return double(material.shear_modulus()) * (f.square() / 2 - j) + double(material.bulk_modulus()) * (j - 1) * (j - 1) / (2 * n2);
+	return double(material.shear_modulus()) * (f.square() / 2 - j) + double(material.bulk_modulus()) * (j - 1) * (j - 1) / 2;
 }
 
-// Its derivative by F: the first Piola-Kirchhoff stress.
-Matrix stress_of(const Material &material, const Matrix &f) {
-	const double mu = material.shear_modulus();
-	const double bulk = material.bulk_modulus();
-	const double strain = (f.determinant() - 1) / ((1 + 1.5 * f.square()) / 4);
-	const double of_f = mu - 0.375 * bulk * strain * strain;
-	const double of_cofactors = bulk * strain - mu;
-	return { of_f * f.xx + of_cofactors * f.yy, of_f * f.xy - of_cofactors * f.yx, of_f * f.yx - of_cofactors * f.xy,
-		of_f * f.yy + of_cofactors * f.xx };
+// The law of triangle_lanes.h, which deviates from it for large strains, written out.
+double energy_density(const Material &material, const Matrix &f) {
+	const double j = f.determinant();
+	const double n2 = std::max(1.0, f.square() / 2 / 1.1);
+	const double c = std::abs(j - 1) / std::sqrt(n2);
+	const double most = 4 * double(material.shear_modulus()) / double(material.bulk_modulus());
+	const double h = c < most ? c * c / 2 : most * (c - most / 2);
+	return double(material.shear_modulus()) * (f.square() / 2 - j) + double(material.bulk_modulus()) * h;
+}
+
+// The first Piola-Kirchhoff stress: the derivative of an energy by F.
+template <class Density>
+Matrix stress_of(const Density &density, const Material &material, const Matrix &f) {
+	constexpr double STEP = 1e-5;
+	Matrix stress{};
+	for (double Matrix::*entry : { &Matrix::xx, &Matrix::xy, &Matrix::yx, &Matrix::yy }) {
+		Matrix more = f;
+		Matrix less = f;
+		more.*entry += STEP;
+		less.*entry -= STEP;
+		stress.*entry = (density(material, more) - density(material, less)) / (2 * STEP);
+	}
+	return stress;
 }
 
 void strain(SoftBodyData &body, const Matrix &f) {
@@ -117,6 +130,31 @@ double total_energy(const SoftBodyData &body) {
 	return measure_energy(body, {}).total();
 }
 
+// The frequency [Hz] of the highest peak of a series' spectrum.
+double strongest_frequency(const std::vector<double> &series, double step) {
+	double mean = 0;
+	for (const double value : series) {
+		mean += value / double(series.size());
+	}
+	double best = 0;
+	double most = 0;
+	for (double frequency = 0.5; frequency < 12; frequency += 0.01) {
+		double c = 0;
+		double s = 0;
+		for (std::size_t k = 0; k < series.size(); ++k) {
+			const double window = 1 - std::cos(2 * std::numbers::pi * (double(k) + 0.5) / double(series.size()));
+			const double phase = 2 * std::numbers::pi * frequency * double(k) * step;
+			c += window * (series[k] - mean) * std::cos(phase);
+			s += window * (series[k] - mean) * std::sin(phase);
+		}
+		if (c * c + s * s > most) {
+			most = c * c + s * s;
+			best = frequency;
+		}
+	}
+	return best;
+}
+
 // Steps of 1/60 s in an empty world.
 void run(WorldData &world, int steps, double *most_energy = nullptr) {
 	Simulator simulator(world);
@@ -130,21 +168,37 @@ void run(WorldData &world, int steps, double *most_energy = nullptr) {
 
 } // namespace
 
-TEST_CASE("uniform strain has the energy and the stress of the law, in every triangle, and the inside is in balance") {
-	const Material material{ 300, Real(0.4), 0 };
+// That a body under uniform strain has an energy and its stress, and is in balance inside.
+template <class Density>
+void check_uniform_strain(const Density &density, const Material &material, const Matrix &f) {
 	for (const std::vector<Vec2> &hull : { circle_hull(50, 16).value(), L_HULL }) {
 		SoftBodyData body = body_of(hull, material);
-		for (const Matrix &f : STRAINS) {
-			CAPTURE(f.xx);
-			strain(body, f);
-			const double expected = energy_density(material, f) * double(body.shape().rest_area());
-			CHECK(total_energy(body) == doctest::Approx(expected).epsilon(2e-3));
-			const Matrix stress = stress_of(material, f);
-			CHECK(worst_entry(measured_stress(body), stress) < 2e-3 * std::sqrt(Matrix(stress).square()));
-			const std::vector<Vec2> forces = forces_on(body);
-			for (std::size_t i = body.shape().hull_count(); i < forces.size(); ++i) {
-				CHECK(double(length(forces[i])) < 1e-3 * std::sqrt(stress.square()) * 50);
-			}
+		CAPTURE(f.xx);
+		strain(body, f);
+		const double expected = density(material, f) * double(body.shape().rest_area());
+		CHECK(total_energy(body) == doctest::Approx(expected).epsilon(2e-3));
+		const Matrix stress = stress_of(density, material, f);
+		CHECK(worst_entry(measured_stress(body), stress) < 2e-3 * std::sqrt(stress.square()));
+		const std::vector<Vec2> forces = forces_on(body);
+		for (std::size_t i = body.shape().hull_count(); i < forces.size(); ++i) {
+			CHECK(double(length(forces[i])) < 1e-3 * std::sqrt(stress.square()) * 50);
+		}
+	}
+}
+
+TEST_CASE("moderate uniform strain has the energy and the stress of a stable neo-Hookean solid") {
+	for (const double ratio : { 0.0, 0.3, 0.45 }) {
+		for (const Matrix &f : MODERATE_STRAINS) {
+			check_uniform_strain(neo_hookean_energy, { 300, Real(ratio), 0 }, f);
+		}
+	}
+}
+
+TEST_CASE("large uniform strain has the energy and the stress of the softened law") {
+	for (const double ratio : { 0.0, 0.3, 0.45 }) {
+		for (const Matrix &f : LARGE_STRAINS) {
+			check_uniform_strain(energy_density, { 300, Real(ratio), 0 }, f);
+			CHECK(energy_density({ 300, Real(ratio), 0 }, f) <= neo_hookean_energy({ 300, Real(ratio), 0 }, f));
 		}
 	}
 }
@@ -317,26 +371,46 @@ TEST_CASE("the plan's bounds hold for the highest frequencies, and are not far a
 			found = along / norm;
 		}
 		CHECK(found < 1.01 * bound);
-		CHECK(found > 0.7 * bound);
+		CHECK(found > 0.6 * bound);
 	}
 }
 
-TEST_CASE("crumpled, drawn out and stretched bodies are stable under the plan: they never show much more energy than they had") {
-	for (std::uint64_t seed = 0; seed < 40; ++seed) {
+TEST_CASE("crumpled, drawn out and blown up bodies never gain energy under the plan, with little damping") {
+	for (std::uint64_t seed = 0; seed < 60; ++seed) {
 		CAPTURE(seed);
 		Random random(seed);
-		const Material material{ 300, random.chance(0.5) ? Real(0.49) : Real(0.3), random.chance(0.5) ? Real(0) : Real(0.15) };
+		const Material material{ 300, random.chance(0.5) ? Real(0.49) : Real(0.3), random.chance(0.5) ? Real(0.02) : Real(0.15) };
 		SoftBodyData body = body_of(random.chance(0.5) ? L_HULL : circle_hull(50, 12).value(), material);
-		const Matrix f = seed % 3 == 0 ? Matrix{ 2.8, 0, 0, 0.4 } : seed % 3 == 1 ? Matrix{ 1.5, 0, 0, 1.5 } : Matrix{ 1, 0, 0, 1 };
-		strain(body, f);
+		const std::array<Matrix, 3> strains = { Matrix{ 2.8, 0, 0, 0.4 }, { 1.5, 0, 0, 1.5 }, { 1, 0, 0, 1 } };
+		strain(body, strains[seed % 3]);
 		disturb(body, random, seed % 3 == 2 ? 40 : 3, 50);
 		WorldData world;
 		world.add_soft_body(body);
+		if (random.chance(0.5)) { // then the plan is another
+			REQUIRE(!world.add_border({ { { 0, 100000 }, { 0, -1 } }, {} }));
+		}
 		CHECK(plan_substeps(body, Real(1) / 60, false).safe);
 		const double before = total_energy(body);
 		double most = before;
 		run(world, 120, &most);
-		CHECK(most < 1.5 * before);
+		CHECK(most < 1.01 * before);
+		CHECK(total_energy(world.soft_bodies()[0]) < 0.5 * before);
+	}
+}
+
+TEST_CASE("an undamped body that swings moderately keeps its energy under the plan") {
+	for (std::uint64_t seed = 0; seed < 10; ++seed) {
+		Random random(seed);
+		SoftBodyData body = body_of(circle_hull(50, 12).value(), { 300, Real(0.45), 0 });
+		strain(body, { 1.1, 0.05, 0, 0.9 });
+		disturb(body, random, 0.5, 0);
+		WorldData world;
+		world.add_soft_body(body);
+		const double before = total_energy(body);
+		double most = before;
+		run(world, 300, &most);
+		CHECK(most < 1.3 * before);
+		CHECK(total_energy(world.soft_bodies()[0]) > 0.7 * before);
 	}
 }
 
@@ -354,38 +428,29 @@ TEST_CASE("a free disk and a free L wobble with the solid's lowest frequency") {
 		}
 		return hull;
 	};
-	for (const auto &[hull, inner, squared, f] : { std::tuple(circle_hull(50, 24).value(), 64, 17.3865, Matrix{ 1.02, 0, 0, 0.98 }),
-				 std::tuple(longer(4), 96, 1.4518, Matrix{ 1, 0.03, 0.03, 1 }) }) {
+	for (const auto &[hull, inner, squared, is_bent] : { std::tuple(circle_hull(50, 24).value(), 64, 17.3865, false), std::tuple(longer(4), 96, 1.4518, true) }) {
 		const Material material{ 300, Real(0.45), Real(0.005) };
 		SoftBodyData body = body_of(shape_of(hull, inner), material);
 		CHECK(double(body.shape().triangles()->lowest_stiffness[2]) == doctest::Approx(squared).epsilon(0.03));
-		strain(body, f);
+		strain(body, { is_bent ? 1 : 1.02, 0, 0, is_bent ? 1 : 0.98 });
+		for (std::uint32_t i = 0; is_bent && i < body.point_count(); ++i) { // both arms outward
+			const Vec2 p = body.positions()[i] + body.shape().origin_offset();
+			REQUIRE(!body.set_point(i, body.positions()[i] - Vec2{ p.y * p.y, p.x * p.x } * Real(3e-4), {}));
+		}
 		WorldData world;
 		world.add_soft_body(body);
 		Simulator simulator(world);
-		// Crossings of zero of the distance between two points, about its mean.
 		std::vector<double> ways;
-		constexpr double STEP = 1.0 / 240;
+		constexpr double STEP = 1.0 / 120;
 		for (int k = 0; k < 960; ++k) {
 			simulator.simulate(Real(STEP));
 			const auto p = world.soft_bodies()[0].positions();
-			ways.push_back(double(length(p[hull.size() / 2] - p[0])));
+			ways.push_back(double(is_bent ? length(p[20] - p[4]) : length(p[12] - p[0]))); // the arms' ends, or opposite points
 		}
-		double mean = 0;
-		for (const double way : ways) {
-			mean += way / double(ways.size());
-		}
-		std::vector<double> crossings;
-		for (std::size_t k = 1; k < ways.size(); ++k) {
-			if (ways[k - 1] < mean && ways[k] >= mean) {
-				crossings.push_back(double(k) - (ways[k] - mean) / (ways[k] - ways[k - 1]));
-			}
-		}
-		REQUIRE(crossings.size() > 2);
-		const double period = (crossings.back() - crossings.front()) / double(crossings.size() - 1) * STEP;
-		const double expected = 2 * std::numbers::pi / std::sqrt(squared * double(material.shear_modulus()));
+		const double expected = std::sqrt(squared * double(material.shear_modulus())) / (2 * std::numbers::pi);
 		CAPTURE(hull.size());
-		CHECK(period == doctest::Approx(expected).epsilon(0.04));
+		// Linear triangles, four across an arm, bend by a tenth less easily than the solid (volumetric locking).
+		CHECK(strongest_frequency(ways, STEP) == doctest::Approx(expected).epsilon(is_bent ? 0.09 : 0.03));
 	}
 }
 

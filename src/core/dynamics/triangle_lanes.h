@@ -12,7 +12,7 @@ namespace softbody {
 
 /// From this |F|²/2 on a triangle's change of area is measured relative to its size [1]; 1 is a triangle at rest. Larger: drawn
 /// out bodies are stiffer against a change of area than explicit steps bear. Smaller: moderate stretches deviate from the solid's.
-inline constexpr Real PLAIN_SIZE = Real(1.2);
+inline constexpr Real PLAIN_SIZE = Real(1.1);
 
 /// Largest pressure of a triangle over the shear modulus [1]. Larger: triangles turned over push so hard that they hold one
 /// another there. Smaller: bodies pressed flat lose area. A disk pressed to 0.3 of its height has about 3.
