@@ -10,28 +10,29 @@
 
 namespace softbody {
 
+// The stable neo-Hookean solid in the plane (Smith, de Goes and Kim 2018, eq. 14 without its constant) has the energy
+//   μ/2 (|F|² - 2) - μ (J - 1) + K/2 (J - 1)², J = det F, K = λ + μ,
+// per rest area. In the singular values of F, s2 < 0 for a triangle turned over, that is μ/2 (s1 - s2)² + K/2 (J - 1)². F = I is
+// free of force, and μ and λ are the Lamé parameters there.
+//
+// Here it is that for |F|²/2 < PLAIN_SIZE and K |J - 1| < MOST_PRESSURE μ, and beyond softer against a change of area:
+//   W(F) = μ/2 (s1 - s2)² + K h(C), C = (J - 1)/n, n² = max(1, |F|²/2 / PLAIN_SIZE),
+// h being C²/2 for |C| up to MOST_PRESSURE μ/K and linear beyond (Huber 1964). W is 0 for the same F. There are two reasons.
+// The stiffness of (J - 1)² grows with the square of a stretch, so that a step that is stable at rest is not for a body drawn
+// out; that of h(C) along any plane wave stays below 2.42 times its value at rest. And pressures without bound hold triangles
+// that are turned over against each other for good, where shear alone unfolds them.
+//
+// The part of shear is quadratic in the positions: with u = F_xx - F_yy and v = F_xy + F_yx it is μ/2 (u² + v²). Its forces are
+// linear and never vanish in a sheared triangle, turned over or not. |F|²/2 = J + (u² + v²)/2.
+
 /// From this |F|²/2 on a triangle's change of area is measured relative to its size [1]; 1 is a triangle at rest. Larger: drawn
-/// out bodies are stiffer against a change of area than explicit steps bear. Smaller: moderate stretches deviate from the solid's.
+/// out bodies are stiffer against a change of area than the plan's substeps bear. Smaller: moderate stretches deviate from the
+/// solid's.
 inline constexpr Real PLAIN_SIZE = Real(1.1);
 
 /// Largest pressure of a triangle over the shear modulus [1]. Larger: triangles turned over push so hard that they hold one
 /// another there. Smaller: bodies pressed flat lose area. A disk pressed to 0.3 of its height has about 3.
 inline constexpr Real MOST_PRESSURE = 4;
-
-/// The stable neo-Hookean solid in the plane (Smith, de Goes and Kim 2018, eq. 14 without its constant) has the energy
-///   μ/2 (|F|² - 2) - μ (J - 1) + K/2 (J - 1)², J = det F, K = λ + μ,
-/// per rest area. In the singular values of F, s2 < 0 for a triangle turned over, that is μ/2 (s1 - s2)² + K/2 (J - 1)². F = I is
-/// free of force, and μ and λ are the Lamé parameters there.
-///
-/// Here it is that for |F|²/2 < PLAIN_SIZE and K |J - 1| < MOST_PRESSURE μ, and beyond softer against a change of area:
-///   W(F) = μ/2 (s1 - s2)² + K h(C), C = (J - 1)/n, n² = max(1, |F|²/2 / PLAIN_SIZE),
-/// h being C²/2 for |C| up to MOST_PRESSURE μ/K and linear beyond (Huber 1964). W is 0 for the same F. There are two reasons. The stiffness
-/// of (J - 1)² grows with the square of a stretch, so that a step that is stable at rest is not for a body drawn out; that of C²
-/// stays below 2.4 times its value at rest, which STABILITY_BUDGET leaves room for. And pressures without bound hold triangles
-/// that are turned over against each other for good, where shear alone always unfolds them.
-///
-/// The part of shear is quadratic in the positions: with u = F_xx - F_yy and v = F_xy + F_yx it is μ/2 (u² + v²). Its forces are
-/// linear and never vanish in a deformed triangle, turned over or not. |F|²/2 = J + (u² + v²)/2.
 
 /// How a triangle is sheared: zero for every turned and scaled copy of it.
 template <class T>
@@ -54,13 +55,13 @@ BasicVec2<T> shear_derivative(const TriangleShear<T> &shear, Vec2 g) {
 	return { shear.u * T(g.x) + shear.v * T(g.y), shear.v * T(g.x) - shear.u * T(g.y) };
 }
 
-/// The change of area of a triangle, with C and h as above.
+/// The change of area of a triangle, with C and h as at the top of this file.
 template <class T>
 struct TriangleDilation {
 	T strain = T(0); ///< C [1]
 	T slope = T(0); ///< h'(C) [1]
 	T pressure = T(0); ///< derivative of K h(C) by J [force/length]
-	T softening = T(0); ///< minus its derivative by |F|²/2, which J is a part of [force/length]
+	T softening = T(0); ///< minus the derivative of K h(C) by (u² + v²)/2 [force/length]
 };
 
 /// `ratio` is J, which is compared with the settings' inflation instead of 1.

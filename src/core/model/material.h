@@ -45,7 +45,8 @@ inline constexpr int ELASTIC_MODEL_COUNT = 5;
 /// body resists as the material does as far as the model can: springs and shape matching take up the shear modulus, the area
 /// term the rest of the bulk modulus; elastic modes and triangles have both as they are. Triangles whose damping would take too
 /// many substeps get a part of it by `shape_damping`, with the same ratio for the lowest mode. The other terms are switched off; pressure is left as it is. Refuses a bad material,
-/// MODES for a shape without modes, TRIANGLES for one without triangles, and springs for a shape without springs of stiffness > 0. O(springs).
+/// MODES for a shape without modes, TRIANGLES for one without triangles, and springs for a shape without springs of
+/// stiffness > 0. O(springs).
 Status apply_material(const Material &material, ElasticModel model, const SoftBodyShape &shape, BodySettings &settings);
 
 /// Shear modulus of the shape's springs under uniform strain, averaged over its directions: sum k l² / (8 A)

@@ -37,7 +37,8 @@ public:
 	/// Checks everything and builds the shape. Refuses: a bad hull (see `check_hull`) or one of
 	/// negative winding, sizes that do not match, non-finite points, masses <= 0, springs whose
 	/// index is out of range, whose ends are the same point or repeat an earlier spring, whose rest
-	/// length is not > 0, or whose stiffness or damping is negative or not finite; modes of another number of points; triangles beside modes, with corners out of range or without area; and sizes and masses whose area, inertia,
+	/// length is not > 0, or whose stiffness or damping is negative or not finite; modes of another number of points; triangles
+	/// beside modes, with corners out of range or without area; and sizes and masses whose area, inertia,
 	/// inverse or frequency leaves the range of numbers. O(points² + springs).
 	static Result<std::shared_ptr<const SoftBodyShape>> create(Description description);
 
