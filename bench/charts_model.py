@@ -27,6 +27,7 @@ LOOKS = (
     {"color": "#009E73", "marker": "^"},
     {"color": "#CC79A7", "marker": "D"},
     {"color": "#D55E00", "marker": "P"},
+    {"color": "#882255", "marker": "*"},
 )
 DEFAULT_LOOK = {"color": "#0072B2", "marker": "o", "lw": 2.4, "zorder": 4}
 OLD_LOOK = {"color": "#777777", "marker": "X", "ls": (0, (3, 2))}

@@ -30,7 +30,9 @@ const ModelChoice CHOICES[] = {
 	{ "springs_and_shape", ElasticModel::SPRINGS_AND_SHAPE },
 	{ "springs_shape_and_area", ElasticModel::SPRINGS_SHAPE_AND_AREA },
 	{ "modes", ElasticModel::MODES },
-	{ "network (old default)", ElasticModel::SPRINGS_AND_SHAPE, true },
+	{ "triangles", ElasticModel::TRIANGLES, 1.5 },
+	{ "triangles, dense", ElasticModel::TRIANGLES, 4 },
+	{ "network (old default)", ElasticModel::SPRINGS_AND_SHAPE, 0, true },
 };
 
 ElasticBody old_network(const Points &hull, double mass, bool damped) {
@@ -46,12 +48,15 @@ ElasticBody old_network(const Points &hull, double mass, bool damped) {
 	return body;
 }
 
-ElasticBody of_material(ElasticModel model, const Points &hull, double mass, const softbody::Material &material) {
+ElasticBody of_material(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material) {
+	const ElasticModel model = choice.model;
 	softbody::StructureOptions options;
 	options.mass = Real(mass);
 	options.stiffness = 1; // the material says how much of each the body has
 	options.damping = 1;
-	options.elastic = true;
+	options.elastic = model != ElasticModel::TRIANGLES;
+	options.elastic_triangles = model == ElasticModel::TRIANGLES;
+	options.triangle_points = int(choice.inner_points * double(hull.size()));
 	ElasticBody body{ take(softbody::SoftBodyCreator::create_polygon(hull, options)), {} };
 	if (const softbody::Status refused = apply_material(material, model, *body.shape, body.settings)) {
 		throw std::runtime_error(refused->message());
@@ -71,7 +76,7 @@ const ModelChoice &default_model() {
 
 ElasticBody elastic_body(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material) {
 	ElasticBody body = choice.is_old_network ? old_network(hull, mass, double(material.damping_ratio) > LITTLE_DAMPING)
-											 : of_material(choice.model, hull, mass, material);
+											 : of_material(choice, hull, mass, material);
 	set_default_limits(body.settings);
 	body.settings.friction = 0;
 	body.settings.can_sleep = false;

@@ -19,6 +19,7 @@ inline constexpr double TICK = 1.0 / 60; ///< [s]
 struct ModelChoice {
 	std::string name;
 	softbody::ElasticModel model = softbody::ElasticModel::MODES;
+	double inner_points = 0; ///< inside a body of triangles, for each of its hull points
 	bool is_old_network = false; ///< no material at all: the network of springs that was the default before there were any
 };
 std::span<const ModelChoice> elastic_models();

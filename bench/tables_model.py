@@ -26,6 +26,8 @@ MODEL_LABELS = {
     "springs_and_shape": "springs, shape matching",
     "springs_shape_and_area": "springs, shape, area",
     "modes": "elastic modes",
+    "triangles": "elastic triangles, 1.5 points inside for each of the hull",
+    "triangles, dense": "elastic triangles, 4 points inside",
 }
 
 

@@ -4,6 +4,7 @@
 
 #include "core/creator/elastic_modes.h"
 #include "core/creator/hulls.h"
+#include "core/creator/triangle_mesh.h"
 #include "core/geometry/polygon.h"
 
 #include <algorithm>
@@ -23,6 +24,12 @@ Status check_options(const StructureOptions &options) {
 		return status;
 	}
 	if (Status status = check_at_least("stiffness", options.stiffness, 0, "N/m")) {
+		return status;
+	}
+	if (options.elastic && options.elastic_triangles) {
+		return Error{ "elastic_triangles", "beside elastic modes", "must be the only elastic model", "switch one of the two off" };
+	}
+	if (Status status = check_between("triangle_points", options.triangle_points, 0, MAX_HULL_POINTS, "")) {
 		return status;
 	}
 	return check_at_least("damping", options.damping, 0, "N·s/m");
@@ -115,10 +122,15 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 		return *status;
 	}
 	const std::size_t count = hull.size();
+	std::vector<Vec2> inner_points = options.inner_points;
+	if (options.elastic_triangles) {
+		const std::vector<Vec2> even = even_inner_points(hull, options.inner_points, std::size_t(options.triangle_points));
+		inner_points.insert(inner_points.end(), even.begin(), even.end());
+	}
 	std::vector<Vec2> points(hull.begin(), hull.end());
-	points.insert(points.end(), options.inner_points.begin(), options.inner_points.end());
+	points.insert(points.end(), inner_points.begin(), inner_points.end());
 	std::optional<Vec2> centre;
-	if (options.centre_point) {
+	if (options.centre_point && !options.elastic_triangles) {
 		centre = mean_of(hull);
 		points.push_back(*centre);
 		const auto same = std::ranges::find(hull, *centre);
@@ -128,7 +140,7 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 		}
 	}
 	const std::vector<SpringEnds> springs =
-			options.springs.empty() ? automatic_springs(hull, options.inner_points, centre) : options.springs;
+			options.springs.empty() ? automatic_springs(hull, inner_points, centre) : options.springs;
 	if (Status status = check_spring_ends(springs, points)) {
 		return *status;
 	}
@@ -154,7 +166,7 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	}
 	description.masses.assign(points.size(), options.mass / Real(points.size()));
 	description.points = std::move(points);
-	if (!options.elastic) {
+	if (!options.elastic && !options.elastic_triangles) {
 		return SoftBodyShape::create(std::move(description));
 	}
 	// Sizes and masses out of range are refused before a solid is made of them. Its points lie around the origin, where they
@@ -162,6 +174,17 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	const auto plain = SoftBodyShape::create(description);
 	if (!plain) {
 		return plain.error();
+	}
+	if (options.elastic_triangles) {
+		Result<TriangleMesh> mesh = make_triangle_mesh(plain.value()->rest_positions(), count);
+		if (!mesh) {
+			return mesh.error();
+		}
+		for (std::size_t i = 0; i < description.masses.size(); ++i) {
+			description.masses[i] = options.mass * mesh.value().mass_shares[i];
+		}
+		description.triangles = std::move(mesh.value().triangles);
+		return SoftBodyShape::create(std::move(description));
 	}
 	ElasticReduction reduction = reduce_solid(plain.value()->rest_positions(), count);
 	for (std::size_t i = 0; i < description.masses.size(); ++i) {

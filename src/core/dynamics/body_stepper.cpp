@@ -259,7 +259,7 @@ void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, st
 	const Real h = duration / Real(substeps);
 	for (int i = 0; i < substeps; ++i) {
 		step(lanes, { world_->gravity(), {}, h }, pack_workspace_);
-		if (crew.settings->area_stiffness > 0) {
+		if (holds_area(shape, *crew.settings)) {
 			hold_area<RealPack>(lanes, h);
 			pack_workspace_.forces_are_current = RealPack(0) < RealPack(0);
 		}
@@ -439,7 +439,7 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 			workspace_.forces_are_current = false; // as the load turns with the body
 		}
 		step(data, input, workspace_);
-		if (data.settings().area_stiffness > 0) {
+		if (holds_area(data.shape(), data.settings())) {
 			hold_area<Real>(lanes_of(data), h);
 			workspace_.forces_are_current = false;
 		}

@@ -3,6 +3,7 @@
 #include "core/dynamics/energy.h"
 
 #include "core/dynamics/elastic_lanes.h"
+#include "core/dynamics/triangle_lanes.h"
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 
@@ -42,6 +43,22 @@ double mode_energy(const SoftBodyData &body, const BodyFrame &frame) {
 	return twice / 2;
 }
 
+double triangle_energy(const SoftBodyData &body) {
+	const BodySettings &settings = body.settings();
+	double energy = 0;
+	for (const ElasticTriangle &triangle : body.shape().triangles()->triangles) {
+		const auto [a, b, c] = triangle.corners;
+		const Vec2 e1 = body.positions()[b] - body.positions()[a];
+		const Vec2 e2 = body.positions()[c] - body.positions()[a];
+		const TriangleShear<Real> shear = triangle_shear<Real>(triangle, e1, e2);
+		const Real ratio = cross(e1, e2) / (2 * triangle.area);
+		const TriangleDilation<Real> dilation = triangle_dilation<Real>(settings, ratio, shear);
+		const double sheared = double(shear.u) * shear.u + double(shear.v) * shear.v;
+		energy += triangle.area * (settings.shear_modulus * sheared / 2 + dilation_energy(settings.area_stiffness, dilation));
+	}
+	return energy;
+}
+
 } // namespace
 
 Energy measure_energy(const SoftBodyData &body, Vec2 gravity) {
@@ -61,9 +78,14 @@ Energy measure_energy(const SoftBodyData &body, Vec2 gravity) {
 		energy.gravity -= mass * (double(acceleration.x) * p.x + double(acceleration.y) * p.y);
 	}
 	const double excess = signed_area(body.hull()) - double(body.settings().inflation) * shape.rest_area();
-	energy.area = body.settings().area_stiffness * excess * excess / (2 * double(shape.rest_area()));
+	if (holds_area(shape, body.settings())) {
+		energy.area = body.settings().area_stiffness * excess * excess / (2 * double(shape.rest_area()));
+	}
 	if (body.settings().is_elastic() && shape.modes() != nullptr) {
 		energy.modes = mode_energy(body, frame);
+	}
+	if (has_triangles(shape, body.settings())) {
+		energy.triangles = triangle_energy(body);
 	}
 	energy.pressure = body.settings().pressure_stiffness * excess * excess / (2 * double(shape.rest_area()));
 	for (const Spring2D &spring : shape.springs()) {

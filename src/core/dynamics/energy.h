@@ -15,8 +15,9 @@ struct Energy {
 	double shape = 0; ///< sum of m k_s/mean(m) |x - goal|² / 2
 	double modes = 0; ///< of the elastic modes, see `add_mode_forces`
 	double area = 0; ///< K (A - s A0)² / (2 A0), that of small changes: `hold_area` hardens
+	double triangles = 0; ///< of the elastic triangles see triangle_lanes.h
 	double gravity = 0; ///< -sum of m g·x; 0 at the world's origin
-	double total() const { return kinetic + springs + pressure + shape + modes + area + gravity; }
+	double total() const { return kinetic + springs + pressure + shape + modes + area + gravity + triangles; }
 };
 
 Energy measure_energy(const SoftBodyData &body, Vec2 gravity);

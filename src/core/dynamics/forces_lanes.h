@@ -6,6 +6,7 @@
 #include "core/dynamics/elastic_lanes.h"
 #include "core/dynamics/forces.h"
 #include "core/dynamics/pressure.h"
+#include "core/dynamics/triangle_lanes.h"
 #include "core/model/body_frame.h"
 
 namespace softbody {
@@ -72,6 +73,9 @@ void evaluate_forces(const BodyModel<T> &body, Vec2 gravity, std::span<const Bas
 	}
 	if (settings.is_elastic() && shape.modes() != nullptr) {
 		add_mode_forces<T>(body, positions, velocities, forces);
+	}
+	if (has_triangles(shape, settings)) {
+		add_triangle_forces<T>(body, positions, velocities, forces);
 	}
 	if (settings.pressure_stiffness > 0) {
 		add_pressure_forces<T>(shape, settings, positions, forces);

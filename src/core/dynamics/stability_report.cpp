@@ -12,9 +12,9 @@ namespace softbody {
 
 namespace {
 
-// Of a body whose elastic modes take part: E = 2 μ (1 + ν). 0 for others.
+// Of a body whose elastic modes or triangles take part: E = 2 μ (1 + ν). 0 for others.
 Real youngs_modulus_of(const SoftBodyShape &shape, const BodySettings &settings) {
-	const bool is_elastic = settings.is_elastic() && shape.modes() != nullptr;
+	const bool is_elastic = settings.is_elastic() && (shape.modes() != nullptr || shape.triangles() != nullptr);
 	return is_elastic ? 2 * settings.shear_modulus * (1 + settings.poisson_ratio) : Real(0);
 }
 

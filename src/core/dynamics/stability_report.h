@@ -11,7 +11,7 @@ namespace softbody {
 /// How much a body of the usual structure (hull and centre springs) sags on flat ground depends on
 /// q = k n R / (8 m g) alone (measured for 8 to 64 hull points): below 1 it folds, at 2 it has lost a tenth of its area,
 /// at 4 a twentieth, at 8 a fiftieth.
-/// A body with elastic modes sags by q = E R / (m g) instead: at 15 a disk has lost 4 % of its height, at 4 a tenth.
+/// A body with elastic modes or triangles sags by q = E R / (m g) instead: at 15 a disk has lost 4 % of its height, at 4 a tenth.
 inline constexpr Real FOLDING_STRENGTH = 1;
 inline constexpr Real FIRM_STRENGTH = 4;
 
@@ -24,7 +24,7 @@ struct StabilityReport {
 	Real strength = 0; ///< q [1]; infinite where nothing weighs
 	Real folding_stiffness = 0; ///< where q is FOLDING_STRENGTH [force/length]
 	Real firm_stiffness = 0; ///< where q is FIRM_STRENGTH [force/length]
-	/// E of a body with elastic modes [force/length]; 0 for others, and then the next two mean nothing.
+	/// E of a body with elastic modes or triangles [force/length]; 0 for others, and then the next two mean nothing.
 	Real youngs_modulus = 0;
 	Real folding_youngs_modulus = 0; ///< where q is FOLDING_STRENGTH [force/length]
 	Real firm_youngs_modulus = 0; ///< where q is FIRM_STRENGTH [force/length]

@@ -5,6 +5,7 @@
 #include "core/base/constants.h"
 #include "core/dynamics/elastic_lanes.h"
 #include "core/dynamics/integrators/integrator_step.h"
+#include "core/model/body_lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,18 +75,23 @@ FrequencyBounds bounds_with(const SoftBodyShape &shape, const BodySettings &sett
 	const double per_mass = double(shape.point_count()) / shape.total_mass();
 	const double area_term = settings.pressure_stiffness * hull.area_mobility / shape.rest_area();
 	FrequencyBounds bounds;
-	double mode_term = 0;
+	double shear_term = 0; // damped, of elastic modes and triangles
+	double dilation_term = 0;
 	if (settings.is_elastic() && shape.modes() != nullptr) {
-		mode_term = double(mode_stiffness(*shape.modes(), settings).rest) * shape.modes()->projection_bound / shape.total_mass();
+		shear_term = double(mode_stiffness(*shape.modes(), settings).rest) * shape.modes()->projection_bound / shape.total_mass();
 	}
-	bounds.frequency_squared = double(settings.spring_stiffness_scale) * shape.spring_frequency_squared() + mode_term + settings.shape_stiffness * per_mass + area_term +
-			settings.pressure_stiffness * hull.excess / shape.least_hull_mass();
-	bounds.damping_rate = double(settings.spring_damping_scale) * shape.spring_damping_rate() + mode_term * settings.elastic_damping_time + settings.shape_damping * per_mass;
+	if (has_triangles(shape, settings)) {
+		shear_term = double(settings.shear_modulus) * shape.triangle_shear_mobility();
+		dilation_term = double(settings.area_stiffness) * shape.triangle_dilation_mobility();
+	}
+	bounds.frequency_squared = double(settings.spring_stiffness_scale) * shape.spring_frequency_squared() + shear_term + settings.shape_stiffness * per_mass + area_term +
+			settings.pressure_stiffness * hull.excess / shape.least_hull_mass() + dilation_term;
+	bounds.damping_rate = double(settings.spring_damping_scale) * shape.spring_damping_rate() + shear_term * settings.elastic_damping_time + settings.shape_damping * per_mass;
 	if (!lives_on_damping(settings.integrator)) {
 		return bounds;
 	}
 	bounds.damping_time = ratio(settings.shape_damping, settings.shape_stiffness + area_term / per_mass);
-	if (mode_term > 0) {
+	if (shear_term > 0) {
 		bounds.damping_time = std::min(bounds.damping_time, double(settings.elastic_damping_time));
 	}
 	for (const Spring2D &spring : shape.springs()) {
@@ -112,7 +118,7 @@ SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shap
 	// than twice its energy for a moment. A budget of 0.8 would end that and take 1.7 times the substeps of every body
 	// at rest; Verlet for the flight alone left less trembling, but some, and one such body.
 	// A body whose area is held is moved after its forces were evaluated, which takes Verlet's advantage away as well.
-	const Integrator chosen = has_contacts || settings.area_stiffness > 0 ? Integrator::SEMI_IMPLICIT_EULER : Integrator::VELOCITY_VERLET;
+	const Integrator chosen = has_contacts || holds_area(shape, settings) ? Integrator::SEMI_IMPLICIT_EULER : Integrator::VELOCITY_VERLET;
 	plan.integrator = automatic ? chosen : settings.integrator;
 
 	// A damping of -0 is none, and gives a step of -0.
@@ -138,8 +144,9 @@ SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shap
 	const double step = double(dt) / plan.substeps;
 	plan.stability_margin = Real(largest_stable_step(plan.integrator, bounds, 2) / step);
 	plan.safe = plan.stability_margin > 1 && plan.reason != PlanReason::UNSTABLE;
+	const std::size_t triangles = has_triangles(shape, settings) ? shape.triangles()->triangles.size() : 0;
 	plan.cost = Real(plan.substeps * integrator_traits(plan.integrator).evaluations) *
-			Real(shape.point_count() + shape.springs().size());
+			Real(shape.point_count() + shape.springs().size() + triangles);
 	return plan;
 }
 

@@ -131,7 +131,7 @@ public:
 		for (int i = 0; i < stretch.substeps; ++i) {
 			ahead.ask(2);
 			step(bodies, { stretch.gravity, {}, stretch.h }, workspace_);
-			if (settings.area_stiffness > 0) {
+			if (holds_area(shape, settings)) {
 				hold_area<WidePack>(bodies, stretch.h);
 				workspace_.forces_are_current = WidePack(0) < WidePack(0);
 			}

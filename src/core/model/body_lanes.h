@@ -32,6 +32,16 @@ struct BodyLanes {
 	std::span<BasicVec2<T>> velocities;
 };
 
+/// Whether the shape's elastic triangles take part.
+inline bool has_triangles(const SoftBodyShape &shape, const BodySettings &settings) {
+	return settings.is_elastic() && shape.triangles() != nullptr;
+}
+
+/// Whether the hull's area is held as a whole (`hold_area`); elastic triangles each hold their own.
+inline bool holds_area(const SoftBodyShape &shape, const BodySettings &settings) {
+	return settings.area_stiffness > 0 && !has_triangles(shape, settings);
+}
+
 inline BodyModel<Real> model_of(const SoftBodyData &body) {
 	return { body.shape(), body.settings(), body.rotation_memory() };
 }

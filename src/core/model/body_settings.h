@@ -25,13 +25,15 @@ struct BodySettings {
 	/// Factors on the stiffness and damping of all springs of the shape [1], >= 0. Springs of stiffness 0 are not evaluated.
 	Real spring_stiffness_scale = 1;
 	Real spring_damping_scale = 1;
-	/// Shear modulus μ of the elastic modes [force/length], >= 0; without effect where the shape has none. See `Material`.
+	/// Shear modulus μ of the elastic modes or triangles [force/length], >= 0; without effect where the shape has neither. See
+	/// `Material`.
 	Real shear_modulus = 0;
-	/// Poisson's ratio ν of the elastic modes [1], 0..0.49. How far the area gives way is set by `area_stiffness`.
+	/// Poisson's ratio ν of the elastic modes [1], 0..0.49; triangles do without it. How far the area gives way is set by `area_stiffness`.
 	Real poisson_ratio = Real(0.45);
 	/// Bulk modulus K of the hull's area [force/length], >= 0: energy K (A - inflation A0)² / (2 A0) for small changes, harder as the
 	/// area goes to nothing. Solved as a compliant
-	/// constraint (XPBD, Macklin 2016), so it takes no substeps, however large.
+	/// constraint (XPBD, Macklin 2016), so it takes no substeps, however large. Of elastic triangles it is the bulk modulus of
+	/// each instead, by explicit forces, and takes substeps.
 	Real area_stiffness = 0;
 	/// Damping of elastic modes and area as the time β by which strain rate counts as strain [s], >= 0 (Kelvin and Voigt).
 	Real elastic_damping_time = 0;
@@ -95,7 +97,7 @@ struct BodySettings {
 	bool matches_shape() const { return shape_stiffness > 0 || shape_damping > 0; }
 	/// Whether springs take part.
 	bool has_springs() const { return spring_stiffness_scale > 0 || spring_damping_scale > 0; }
-	/// Whether the elastic modes of the shape take part.
+	/// Whether the elastic modes or triangles of the shape take part.
 	bool is_elastic() const { return shear_modulus > 0; }
 	/// Whether anything resists being crushed.
 	bool has_limits() const { return least_area > 0 || least_stretch > 0 || most_stretch < std::numeric_limits<Real>::max(); }

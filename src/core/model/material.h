@@ -37,13 +37,16 @@ enum class ElasticModel : std::uint8_t {
 	SPRINGS_AND_SHAPE, ///< springs with shape matching of DEFAULT_SHAPE_MATCHING: ν is about 0.2
 	SPRINGS_SHAPE_AND_AREA, ///< these with the area term, which brings ν to what the material says
 	MODES, ///< elastic modes with the area term: E and ν as the material says, and the solid's lowest frequency
+	TRIANGLES, ///< finite elements, E and ν as the material says, also where it is much deformed
 };
-inline constexpr int ELASTIC_MODEL_COUNT = 4;
+inline constexpr int ELASTIC_MODEL_COUNT = 5;
 
 /// Sets the coefficients of the model's terms in `settings`, so that under uniform strain, averaged over its directions, the
 /// body resists as the material does as far as the model can: springs and shape matching take up the shear modulus, the area
-/// term the rest of the bulk modulus. The other terms are switched off; pressure is left as it is. Refuses a bad material,
-/// MODES for a shape without modes, and springs for a shape without springs of stiffness > 0. O(springs).
+/// term the rest of the bulk modulus; elastic modes and triangles have both as they are. Triangles whose damping would take too
+/// many substeps get a part of it by `shape_damping`, with the same ratio for the lowest mode. The other terms are switched off; pressure is left as it is. Refuses a bad material,
+/// MODES for a shape without modes, TRIANGLES for one without triangles, and springs for a shape without springs of
+/// stiffness > 0. O(springs).
 Status apply_material(const Material &material, ElasticModel model, const SoftBodyShape &shape, BodySettings &settings);
 
 /// Shear modulus of the shape's springs under uniform strain, averaged over its directions: sum k l² / (8 A)

@@ -51,6 +51,32 @@ Status check_duplicates(const std::vector<Spring2D> &springs) {
 	return {};
 }
 
+Status check_triangles(const SoftBodyShape::Description &description) {
+	if (description.triangles == nullptr) {
+		return {};
+	}
+	if (description.modes != nullptr) {
+		return Error{ "triangles", "beside modes", "must be the only elastic model of a shape", "leave out one of the two" };
+	}
+	const std::vector<ElasticTriangle> &triangles = description.triangles->triangles;
+	for (std::size_t i = 0; i < triangles.size(); ++i) {
+		const std::string name = "triangles[" + std::to_string(i) + "]";
+		for (const std::uint32_t corner : triangles[i].corners) {
+			if (corner >= description.points.size()) {
+				return Error{ name, "point " + std::to_string(corner),
+					"must name points below " + std::to_string(description.points.size()), "use indices of existing points" };
+			}
+		}
+		if (Status status = check_above(name + ".area", triangles[i].area, 0, "")) {
+			return status;
+		}
+		if (!is_finite(triangles[i].gradients[0]) || !is_finite(triangles[i].gradients[1])) {
+			return Error{ name, "non-finite gradients", "must be finite", "scale the outline" };
+		}
+	}
+	return {};
+}
+
 Status check(const SoftBodyShape::Description &description) {
 	const std::size_t count = description.points.size();
 	if (description.hull_count > count) {
@@ -89,6 +115,9 @@ Status check(const SoftBodyShape::Description &description) {
 		return Error{ "modes", std::to_string(description.modes->shapes.size()) + " entries",
 			"must have one a point and mode", "find the modes of these points" };
 	}
+	if (Status status = check_triangles(description)) {
+		return status;
+	}
 	return check_duplicates(description.springs);
 }
 
@@ -104,6 +133,7 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::create(Description d
 	shape->masses_ = std::move(description.masses);
 	shape->springs_ = std::move(description.springs);
 	shape->modes_ = std::move(description.modes);
+	shape->triangles_ = std::move(description.triangles);
 	shape->hull_count_ = description.hull_count;
 	if (Status status = shape->derive()) {
 		return *status;
@@ -152,6 +182,9 @@ Status SoftBodyShape::derive() {
 
 	spring_frequency_squared_ = Real(largest_rate(&Spring2D::stiffness));
 	spring_damping_rate_ = Real(largest_rate(&Spring2D::damping));
+	const auto [shear, dilation] = largest_triangle_mobilities();
+	triangle_shear_mobility_ = Real(shear);
+	triangle_dilation_mobility_ = Real(dilation);
 	return check_derived();
 }
 
@@ -174,13 +207,18 @@ Status SoftBodyShape::check_derived() const {
 	if (!std::isfinite(spring_frequency_squared_)) {
 		return refused("stiffness", "too large for the masses", "give less stiffness or more mass");
 	}
+	if (!std::isfinite(triangle_shear_mobility_) || !std::isfinite(triangle_dilation_mobility_)) {
+		return refused("triangles", "too thin for the masses", "give more mass or fewer points");
+	}
 	if (!std::isfinite(spring_damping_rate_)) {
 		return refused("damping", "too large for the masses", "give less damping or more mass");
 	}
 	return {};
 }
 
-double SoftBodyShape::largest_rate(Real Spring2D::*coefficient) const {
+// Bound of the largest eigenvalue of M^-1 N for a non-negative symmetric matrix N, which `apply` multiplies x by.
+template <class Apply>
+double SoftBodyShape::largest_eigenvalue(const Apply &apply) const {
 	// 16 iterations: on wheels and lattices the quotient is then within 1 % of its limit.
 	constexpr int ITERATIONS = 16;
 	std::vector<double> x(point_count(), 1.0);
@@ -188,11 +226,7 @@ double SoftBodyShape::largest_rate(Real Spring2D::*coefficient) const {
 	double bound = std::numeric_limits<double>::infinity();
 	for (int iteration = 0; iteration < ITERATIONS; ++iteration) {
 		std::fill(image.begin(), image.end(), 0.0);
-		for (const Spring2D &spring : springs_) {
-			const double sum = double(spring.*coefficient) * (x[spring.a] + x[spring.b]);
-			image[spring.a] += sum;
-			image[spring.b] += sum;
-		}
+		apply(x, image);
 		double largest = 0;
 		for (std::size_t i = 0; i < image.size(); ++i) {
 			image[i] /= masses_[i];
@@ -211,6 +245,103 @@ double SoftBodyShape::largest_rate(Real Spring2D::*coefficient) const {
 		}
 	}
 	return bound;
+}
+
+double SoftBodyShape::largest_rate(Real Spring2D::*coefficient) const {
+	return largest_eigenvalue([&](const std::vector<double> &x, std::vector<double> &image) {
+		for (const Spring2D &spring : springs_) {
+			const double sum = double(spring.*coefficient) * (x[spring.a] + x[spring.b]);
+			image[spring.a] += sum;
+			image[spring.b] += sum;
+		}
+	});
+}
+
+namespace {
+
+// What two coordinates of one point have to do with two of another: a 2 x 2 block of a Hessian.
+struct Block {
+	std::array<std::array<double, 2>, 2> entries{};
+
+	/// Adds factor · p qᵀ.
+	void add(Vec2 p, Vec2 q, double factor) {
+		entries[0][0] += factor * p.x * q.x;
+		entries[0][1] += factor * p.x * q.y;
+		entries[1][0] += factor * p.y * q.x;
+		entries[1][1] += factor * p.y * q.y;
+	}
+	/// Its largest singular value.
+	double norm() const {
+		const auto [top, bottom] = entries;
+		return (std::hypot(top[0] + bottom[1], bottom[0] - top[1]) + std::hypot(top[0] - bottom[1], bottom[0] + top[1])) / 2;
+	}
+};
+
+struct Coupling {
+	std::uint32_t a, b; ///< points, a <= b
+	Block shear;
+	Block dilation;
+};
+
+// The Hessians, over μ and over K, of shear and of dilation at rest, by pairs of points. With g the gradient of a corner's linear
+// function, u has the derivative (g.x, -g.y) and v has (g.y, g.x), while dJ has g.
+std::vector<Coupling> couplings_of(const ElasticTriangles &mesh) {
+	std::vector<Coupling> parts;
+	for (const ElasticTriangle &triangle : mesh.triangles) {
+		const auto [g1, g2] = triangle.gradients;
+		const std::array<Vec2, 3> gradients = { -(g1 + g2), g1, g2 };
+		for (std::size_t k = 0; k < 3; ++k) {
+			for (std::size_t l = 0; l < 3; ++l) {
+				if (triangle.corners[k] > triangle.corners[l]) {
+					continue;
+				}
+				const Vec2 p = gradients[k];
+				const Vec2 q = gradients[l];
+				Coupling part{ triangle.corners[k], triangle.corners[l], {}, {} };
+				part.shear.add({ p.x, -p.y }, { q.x, -q.y }, triangle.area);
+				part.shear.add({ p.y, p.x }, { q.y, q.x }, triangle.area);
+				part.dilation.add(p, q, triangle.area);
+				parts.push_back(part);
+			}
+		}
+	}
+	std::ranges::sort(parts, {}, [](const Coupling &c) { return std::pair(c.a, c.b); });
+	std::vector<Coupling> couplings;
+	for (const Coupling &part : parts) {
+		if (couplings.empty() || couplings.back().a != part.a || couplings.back().b != part.b) {
+			couplings.push_back(part);
+			continue;
+		}
+		for (std::size_t row = 0; row < 2; ++row) {
+			for (std::size_t column = 0; column < 2; ++column) {
+				couplings.back().shear.entries[row][column] += part.shear.entries[row][column];
+				couplings.back().dilation.entries[row][column] += part.dilation.entries[row][column];
+			}
+		}
+	}
+	return couplings;
+}
+
+} // namespace
+
+// Shear, then dilation.
+std::array<double, 2> SoftBodyShape::largest_triangle_mobilities() const {
+	if (triangles_ == nullptr) {
+		return { 0, 0 };
+	}
+	const std::vector<Coupling> couplings = couplings_of(*triangles_);
+	const auto bound_of = [&](Block Coupling::*block) {
+		return largest_eigenvalue([&](const std::vector<double> &x, std::vector<double> &image) {
+			for (const Coupling &coupling : couplings) {
+				const double norm = (coupling.*block).norm();
+				image[coupling.a] += norm * x[coupling.b];
+				if (coupling.a != coupling.b) {
+					image[coupling.b] += norm * x[coupling.a];
+				}
+			}
+		});
+	};
+	return { bound_of(&Coupling::shear), bound_of(&Coupling::dilation) };
 }
 
 Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::with_spring_values(Real stiffness, Real damping) const {

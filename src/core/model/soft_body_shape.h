@@ -5,8 +5,10 @@
 #include "core/base/error.h"
 #include "core/base/vec2.h"
 #include "core/model/elastic_modes.h"
+#include "core/model/elastic_triangles.h"
 #include "core/model/spring2d.h"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -28,12 +30,15 @@ public:
 		std::vector<Spring2D> springs;
 		/// For exactly these points and mass shares; null: none.
 		std::shared_ptr<const ElasticModes> modes = nullptr;
+		/// With these points as corners; null: none. A shape has modes, triangles or neither.
+		std::shared_ptr<const ElasticTriangles> triangles = nullptr;
 	};
 
 	/// Checks everything and builds the shape. Refuses: a bad hull (see `check_hull`) or one of
 	/// negative winding, sizes that do not match, non-finite points, masses <= 0, springs whose
 	/// index is out of range, whose ends are the same point or repeat an earlier spring, whose rest
-	/// length is not > 0, or whose stiffness or damping is negative or not finite; modes of another number of points; and sizes and masses whose area, inertia,
+	/// length is not > 0, or whose stiffness or damping is negative or not finite; modes of another number of points; triangles
+	/// beside modes, with corners out of range or without area; and sizes and masses whose area, inertia,
 	/// inverse or frequency leaves the range of numbers. O(points² + springs).
 	static Result<std::shared_ptr<const SoftBodyShape>> create(Description description);
 
@@ -44,6 +49,8 @@ public:
 	std::span<const Spring2D> springs() const { return springs_; }
 	/// How the body deforms as an elastic solid, or null (BodySettings::shear_modulus).
 	const ElasticModes *modes() const { return modes_.get(); }
+	/// Finite elements of an elastic solid that fill the hull, or null (BodySettings::shear_modulus).
+	const ElasticTriangles *triangles() const { return triangles_.get(); }
 	std::size_t point_count() const { return rest_positions_.size(); }
 	std::size_t hull_count() const { return hull_count_; }
 
@@ -65,6 +72,13 @@ public:
 	/// The same sum over damping coefficients: upper bound of the springs' damping rate [1/s].
 	Real spring_damping_rate() const { return spring_damping_rate_; }
 
+	/// Upper bound of the highest squared angular frequency of the triangles' resistance to shear, over the shear modulus
+	/// [1/mass]; 0 without triangles. Its Hessian is the same in every configuration (see `add_triangle_forces`). By blocks of
+	/// two coordinates, its norms are a non-negative matrix, bounded as `spring_frequency_squared`.
+	Real triangle_shear_mobility() const { return triangle_shear_mobility_; }
+	/// The same for their resistance to a change of area at rest, over the bulk modulus [1/mass].
+	Real triangle_dilation_mobility() const { return triangle_dilation_mobility_; }
+
 	/// Sum over the hull of |∂A/∂x_i|²/m_i at rest [length²/mass]: what the pressure's frequency bound needs.
 	Real area_mobility() const { return area_mobility_; }
 	Real least_hull_mass() const { return least_hull_mass_; } ///< [mass]
@@ -80,12 +94,16 @@ private:
 	Status derive();
 	Status check_derived() const;
 	double largest_rate(Real Spring2D::*coefficient) const;
+	std::array<double, 2> largest_triangle_mobilities() const;
+	template <class Apply>
+	double largest_eigenvalue(const Apply &apply) const;
 
 	std::vector<Vec2> rest_positions_;
 	std::vector<Real> masses_;
 	std::vector<Real> inverse_masses_;
 	std::vector<Spring2D> springs_;
 	std::shared_ptr<const ElasticModes> modes_;
+	std::shared_ptr<const ElasticTriangles> triangles_;
 	std::size_t hull_count_ = 0;
 	Vec2 origin_offset_;
 	Real total_mass_ = 0;
@@ -95,6 +113,8 @@ private:
 	Real width_ = 0;
 	Real spring_frequency_squared_ = 0;
 	Real spring_damping_rate_ = 0;
+	Real triangle_shear_mobility_ = 0;
+	Real triangle_dilation_mobility_ = 0;
 	Real area_mobility_ = 0;
 	Real least_hull_mass_ = 0;
 	Real shortest_hull_edge_ = 0;

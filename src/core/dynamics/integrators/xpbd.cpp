@@ -7,6 +7,7 @@
 #include "core/dynamics/energy.h"
 #include "core/dynamics/forces.h"
 #include "core/dynamics/pressure.h"
+#include "core/dynamics/triangle_lanes.h"
 #include "core/model/body_frame.h"
 
 #include <algorithm>
@@ -130,6 +131,58 @@ void solve_modes(const SoftBodyData &body, std::span<const Vec2> before, Real h,
 			back += mode[j] * (amplitudes[j] * per_share);
 		}
 		x[i] -= frame.rotation.apply(back);
+	}
+}
+
+// The shear of a triangle as two constraints u = 0 and v = 0 of compliance 1/(μ A0), see triangle_lanes.h. They are linear,
+// and their gradients are orthogonal and of one length at each corner, so that both have one mobility and are solved at once.
+void solve_shear(const ElasticTriangle &triangle, const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x) {
+	const std::span<const Real> w = body.inverse_masses();
+	const auto [a, b, c] = triangle.corners;
+	const auto [g1, g2] = triangle.gradients;
+	const Vec2 e1 = x[b] - x[a];
+	const Vec2 e2 = x[c] - x[a];
+	const TriangleShear<Real> shear = triangle_shear<Real>(triangle, e1, e2);
+	const TriangleShear<Real> way = triangle_shear<Real>(triangle, e1 - (before[b] - before[a]), e2 - (before[c] - before[a]));
+	const Real elastic = body.settings().shear_modulus * triangle.area * h * h;
+	const Real viscous = body.settings().shear_modulus * triangle.area * body.settings().elastic_damping_time * h;
+	const Real mobility = w[a] * length_squared(g1 + g2) + w[b] * length_squared(g1) + w[c] * length_squared(g2);
+	const Real share = 1 / (1 + (elastic + viscous) * mobility);
+	const TriangleShear<Real> impulse = { (elastic * shear.u + viscous * way.u) * share, (elastic * shear.v + viscous * way.v) * share };
+	const Vec2 on_b = shear_derivative<Real>(impulse, g1);
+	const Vec2 on_c = shear_derivative<Real>(impulse, g2);
+	x[a] += (on_b + on_c) * w[a];
+	x[b] -= on_b * w[b];
+	x[c] -= on_c * w[c];
+}
+
+// Its area as the constraint C of compliance 1/(K A0), where h is quadratic; beyond, with the pressure that it has there.
+void solve_dilation(const ElasticTriangle &triangle, const SoftBodyData &body, Real h, std::span<Vec2> x) {
+	const BodySettings &settings = body.settings();
+	const std::span<const Real> w = body.inverse_masses();
+	const auto [a, b, c] = triangle.corners;
+	const Vec2 e1 = x[b] - x[a];
+	const Vec2 e2 = x[c] - x[a];
+	const Real ratio = cross(e1, e2) / (2 * triangle.area);
+	const TriangleShear<Real> shear = triangle_shear<Real>(triangle, e1, e2);
+	const TriangleDilation<Real> dilation = triangle_dilation<Real>(settings, ratio, shear);
+	// As in the forces: a corner's part of K h(C) A0 by J and by u² + v².
+	const TriangleShear<Real> stress = { -shear.u * dilation.softening * triangle.area, -shear.v * dilation.softening * triangle.area };
+	const Vec2 on_b = shear_derivative<Real>(stress, triangle.gradients[0]) - perpendicular(e2) * (dilation.pressure / 2);
+	const Vec2 on_c = shear_derivative<Real>(stress, triangle.gradients[1]) + perpendicular(e1) * (dilation.pressure / 2);
+	const Real mobility = w[a] * length_squared(on_b + on_c) + w[b] * length_squared(on_b) + w[c] * length_squared(on_c);
+	// These are K A0 h'(C) ∂C/∂x, and the constraint's gradient is that without K A0 h'(C).
+	const Real scale = settings.area_stiffness * triangle.area * dilation.slope * dilation.slope;
+	const Real share = scale > 0 ? h * h / (1 + h * h * mobility / scale) : Real(0);
+	x[a] += (on_b + on_c) * (share * w[a]);
+	x[b] -= on_b * (share * w[b]);
+	x[c] -= on_c * (share * w[c]);
+}
+
+void solve_triangles(const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x) {
+	for (const ElasticTriangle &triangle : body.shape().triangles()->triangles) {
+		solve_shear(triangle, body, before, h, x);
+		solve_dilation(triangle, body, h, x);
 	}
 }
 
@@ -280,6 +333,9 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 	}
 	if (body.settings().is_elastic() && body.shape().modes() != nullptr) {
 		solve_modes(body, before, input.h, x, scratch);
+	}
+	if (has_triangles(body.shape(), body.settings())) {
+		solve_triangles(body, before, input.h, x);
 	}
 	for (std::size_t i = 0; i < x.size(); ++i) {
 		// Not (x - before)/h: at small h that is the rounding of x, magnified, even where nothing was corrected.
