@@ -500,7 +500,7 @@ json model(const Options &options) {
 	json expected = json::array(); // what the automatic choice of a model goes by
 	for (const ModelChoice &choice : elastic_models()) {
 		for (const int points : counts) {
-			if (!choice.is_old_network && choice.model <= softbody::ElasticModel::MODES) {
+			if (!choice.is_old_network && choice.inner_points < 2) {
 				const double error = softbody::expected_error(choice.model, std::size_t(points));
 				expected.push_back({ { "model", choice.name }, { "points", points }, { "expected_percent", 100 * error } });
 			}

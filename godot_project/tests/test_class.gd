@@ -9,7 +9,7 @@ const PROPERTIES := {
 	"youngs_modulus": [TYPE_FLOAT, "exp,suffix:N/m"],
 	"poisson_ratio": [TYPE_FLOAT, "0,0.49"],
 	"damping_ratio": [TYPE_FLOAT, ""],
-	"elastic_model": [TYPE_INT, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes"],
+	"elastic_model": [TYPE_INT, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes,Triangles"],
 	"least_area": [TYPE_FLOAT, "0,1"],
 	"least_stretch": [TYPE_FLOAT, "0,1"],
 	"most_stretch": [TYPE_FLOAT, "1,"],

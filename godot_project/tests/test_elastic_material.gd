@@ -233,7 +233,7 @@ func test_values_out_of_range_are_refused_by_name_and_the_old_one_stays() -> voi
 			check_equal(body.get(name), old, name + " after a refused value")
 			check(name in "\n".join(body.get_warnings()), "no warning of the refused %s" % name)
 		body.set(name, old)
-	for bad: int in [-1, 6, 99]:
+	for bad: int in [-1, 7, 99]:
 		check_refused(func() -> void: body.set("elastic_model", bad), ["Jelly", "elastic_model"], "elastic_model = %d" % bad)
 		check_equal(body.elastic_model, SoftBody2D.ELASTIC_MODEL_AUTOMATIC, "elastic_model after a refused value")
 	check_refused(func() -> void: body.set("preset", 6), ["Jelly", "preset"], "preset = 6")
@@ -426,3 +426,46 @@ func test_a_body_goes_on_as_it_moves_when_its_model_changes() -> void:
 		await ticks(1)
 		check_near(body.global_position, place + Vector2(2, 0), 0.05, "place a tick after the change to %d" % model)
 		check_near(body.linear_velocity, Vector2(120, 0), 0.1, "velocity after it")
+
+
+func test_triangles_can_be_chosen_before_and_while_the_body_moves() -> void:
+	add_floor(80)
+	var model := SoftBody2D.ELASTIC_MODEL_TRIANGLES
+	var body := add_body(Vector2(-300, 0), {"elastic_model": model})
+	var switched := add_body(Vector2(300, 0))
+	check_equal([body.get_elastic_model_in_use(), body.get_substep_plan()["elastic_reason"]], [model, "chosen"], "model and reason")
+	check_equal(body.get_point_count(), 16 + 24, "points, with those inside")
+	check_equal(switched.get_point_count(), 17, "points of elastic modes")
+	switched.linear_velocity = Vector2(0, 50)
+	await ticks(5)
+	var speed := switched.linear_velocity
+	switched.elastic_model = model
+	check_equal([switched.get_elastic_model_in_use(), switched.get_point_count()], [model, 40], "model and points after the switch")
+	check(switched.linear_velocity.is_equal_approx(speed), "the switch changed the velocity from %s to %s" % [speed, switched.linear_velocity])
+	for copy: SoftBody2D in [body.duplicate()]:
+		stage.add_child(copy)
+		check_equal([copy.get_elastic_model_in_use(), copy.get_point_count()], [model, 40], "model and points of a copy")
+		copy.free()
+	await seconds(3)
+	for each: SoftBody2D in [body, switched]:
+		check_near(each.get_area() / each.get_rest_area(), 0.99, 0.02, "area at rest")
+		check(all_finite(each.get_point_positions()), "a point is not finite")
+		var state := each.get_state()
+		each.apply_central_impulse(Vector2(0, -300))
+		await ticks(10)
+		each.set_state(state)
+		check_equal(each.get_state(), state, "state put back")
+	body.youngs_modulus = 600.0
+	var built := SoftBodyServer2D.get_built_shape_count()
+	body.youngs_modulus = 500.0
+	check_equal(SoftBodyServer2D.get_built_shape_count(), built, "shapes built for another stiffness")
+	body.elastic_model = MODES
+	check_equal(body.get_point_count(), 17, "points of elastic modes again")
+	await ticks(5)
+	check(all_finite(body.get_point_positions()), "a point is not finite")
+	var concave := add_body(Vector2(0, -200), {"elastic_model": model, "hull": PackedVector2Array([Vector2(-40, -40), Vector2(0, -40),
+			Vector2(0, 5), Vector2(40, 5), Vector2(40, 40), Vector2(-40, 40)]), "mass": 2.0})
+	check_equal(concave.get_elastic_model_in_use(), model, "model of an L")
+	check_near(concave.get_total_mass(), 2.0, 1e-6, "mass of an L")
+	await seconds(2)
+	check_near(concave.get_area() / concave.get_rest_area(), 1.0, 0.08, "area of an L at rest")

@@ -175,7 +175,7 @@ void SoftBody2D::bind_network() {
 	ClassDB::bind_method(D_METHOD("get_elastic_model"), &SoftBody2D::get_elastic_model);
 	ClassDB::bind_method(D_METHOD("get_elastic_model_in_use"), &SoftBody2D::get_elastic_model_in_use);
 
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "elastic_model", PROPERTY_HINT_ENUM, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes"), "set_elastic_model", "get_elastic_model");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "elastic_model", PROPERTY_HINT_ENUM, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes,Triangles"), "set_elastic_model", "get_elastic_model");
 	ADD_GROUP("Network", "");
 	softbody::bind_network_values<SoftBody2D>();
 	bind_springs();
@@ -186,6 +186,7 @@ void SoftBody2D::bind_network() {
 	BIND_ENUM_CONSTANT(ELASTIC_MODEL_SPRINGS_AND_SHAPE);
 	BIND_ENUM_CONSTANT(ELASTIC_MODEL_SPRINGS_SHAPE_AND_AREA);
 	BIND_ENUM_CONSTANT(ELASTIC_MODEL_MODES);
+	BIND_ENUM_CONSTANT(ELASTIC_MODEL_TRIANGLES);
 }
 
 } // namespace godot

@@ -36,6 +36,11 @@ bool SoftBody2D::check_index(int p_index) const {
 }
 
 int SoftBody2D::get_point_count() const {
+	if (choose_model().model == ELASTIC_MODEL_TRIANGLES) { // it has points of its own inside
+		if (const Design *found = design()) {
+			return int(found->shape->point_count());
+		}
+	}
 	return int(hull_.size() + inner_points_.size()) + (center_point_ ? 1 : 0);
 }
 

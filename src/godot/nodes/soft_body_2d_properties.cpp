@@ -155,14 +155,15 @@ softbody::Status SoftBody2D::apply_elasticity(const Design &p_design, softbody::
 	const softbody::MaterialValues &material = material_values();
 	const softbody::SoftBodyShape &shape = *p_design.shape;
 	if (p_design.used.model == ELASTIC_MODEL_NETWORK) {
-		const double point_mass = p_design.mass / get_point_count();
+		const double point_mass = p_design.mass / double(shape.point_count());
 		const double shape_stiffness = material.shape_matching * material.stiffness;
 		r_settings.spring_stiffness_scale = softbody::Real(material.stiffness);
 		r_settings.spring_damping_scale = softbody::Real(material.damping);
 		r_settings.shape_stiffness = softbody::Real(shape_stiffness);
 		// The shape-matching oscillator of one point has the frequency sqrt(k_s/m): c = 2 ζ sqrt(k_s m).
 		r_settings.shape_damping = softbody::Real(2 * material.shape_damping * std::sqrt(shape_stiffness * point_mass));
-	} else if (p_design.used.model == ELASTIC_MODEL_MODES && shape.modes() == nullptr) { // of a draft
+	} else if ((p_design.used.model == ELASTIC_MODEL_MODES && shape.modes() == nullptr) ||
+			(p_design.used.model == ELASTIC_MODEL_TRIANGLES && shape.triangles() == nullptr)) { // of a draft
 		return softbody::check_material(softbody::to_material(material));
 	} else {
 		const auto model = softbody::ElasticModel(p_design.used.model - ELASTIC_MODEL_SPRINGS);
@@ -238,9 +239,14 @@ void SoftBody2D::apply_settings() {
 	update_configuration_warnings();
 }
 
-// Hands the accepted design on. It has the body's scale, and as many points.
+// Hands the accepted design on. It has the body's scale. Where it has other points, the body takes its rest shape.
 void SoftBody2D::apply_shape() {
 	softbody::SoftBodyData *found = body();
+	if (found != nullptr && design() != nullptr && found->point_count() != design_->shape->point_count()) {
+		rebuild_body(true);
+		update_configuration_warnings();
+		return;
+	}
 	if (found != nullptr && design() != nullptr && found->shared_shape() != design_->shape) {
 		accept("shape", found->set_shape(design_->shape));
 	}

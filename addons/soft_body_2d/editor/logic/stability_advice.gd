@@ -14,7 +14,8 @@ const FAIR_SAG := 0.1
 const FAIR_MARGIN := 1.5
 const XPBD := 7
 ## As SoftBody2D.ELASTIC_MODEL_*.
-const MODEL_NAMES: Array[String] = ["", "spring network", "springs", "springs, shape", "springs, shape, area", "elastic modes"]
+const MODEL_NAMES: Array[String] = ["", "spring network", "springs", "springs, shape", "springs, shape, area", "elastic modes",
+	"elastic triangles"]
 
 
 ## One figure of the panel.
