@@ -6,11 +6,11 @@ namespace softbody::testing {
 
 namespace {
 
+// Bodies that have their shape may still roll off one another.
 void judge_parted(const WorldData &world, const StressLog &, StressVerdict &verdict) {
 	verdict.at_least("area", least_area_share(world), 0.6);
 	verdict.at_most("overlap", worst_overlap(world), 2 * VISIBLE);
 	verdict.at_most("penetration", worst_penetration(world), VISIBLE);
-	verdict.rests("speed", worst_speed(world), 50);
 }
 
 // As a game does that makes bodies faster than it moves them away.
