@@ -31,6 +31,13 @@ std::shared_ptr<const SoftBodyShape> elastic(std::span<const Vec2> hull, Real ma
 	return SoftBodyCreator::create_polygon(hull, options).value();
 }
 
+std::shared_ptr<const SoftBodyShape> of_triangles(std::span<const Vec2> hull, Real mass) {
+	StructureOptions options{ mass, 1, 1, false };
+	options.elastic_triangles = true;
+	options.triangle_points = 5;
+	return SoftBodyCreator::create_polygon(hull, options).value();
+}
+
 // Two of each number of points, so that one can take the other's place.
 const std::vector<std::shared_ptr<const SoftBodyShape>> &shapes() {
 	static const std::vector<std::shared_ptr<const SoftBodyShape>> all = [] {
@@ -41,7 +48,7 @@ const std::vector<std::shared_ptr<const SoftBodyShape>> &shapes() {
 			SoftBodyCreator::create_polygon(triangle, { Real(1e-3), 1000, 0, false }).value(),
 			SoftBodyCreator::create_polygon(dented, { 1, 200, 1, false }).value(),
 			SoftBodyCreator::create_polygon(dented, { 100, 0, 0, false }).value(), elastic(dented, 1), elastic(dented, 50),
-			elastic(circle_hull(Real(0.5), 8).value(), 1) };
+			elastic(circle_hull(Real(0.5), 8).value(), 1), of_triangles(dented, 1), of_triangles(circle_hull(Real(0.5), 8).value(), 5) };
 	}();
 	return all;
 }
