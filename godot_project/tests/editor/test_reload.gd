@@ -21,8 +21,7 @@ var body_values := {
 	"pinned_points": PackedInt32Array([3, 8]), "pin_targets": [^"..", ^"../Joint"] as Array[NodePath],
 	"youngs_modulus": 480.0, "poisson_ratio": 0.25, "damping_ratio": 0.5, "elastic_model": SoftBody2D.ELASTIC_MODEL_SPRINGS,
 	"least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0,
-	"mass": 2.5, "stiffness": 640.0, "damping": 0.5, "shape_matching": 0.75, "shape_damping": 0.5, "pressure": 12.0,
-	"network_values_set": true,
+	"network_values_set": true, "mass": 2.5, "stiffness": 640.0, "damping": 0.5, "shape_matching": 0.75, "shape_damping": 0.5, "pressure": 12.0,
 	"inflation": 1.125, "friction": 0.25, "bounce": 0.125, "rolling_resistance": 0.0625, "gravity_scale": 1.25,
 	"linear_damp_mode": 1, "linear_damp": 0.25, "angular_damp_mode": 1, "angular_damp": 0.5,
 	"linear_velocity": Vector2(30, 20), "angular_velocity": 0.5, "constant_force": Vector2(4, 0), "constant_torque": 8.0,
@@ -45,7 +44,7 @@ var joint_values := {
 var attachment_values := { "follow_rotation": false, "position": Vector2(10, 12), "rotation": 0.5 }
 var material_values := {
 	"youngs_modulus": 240.0, "poisson_ratio": 0.125, "damping_ratio": 0.75,
-	"stiffness": 320.0, "damping": 0.75, "shape_matching": 0.5, "shape_damping": 0.375, "pressure": 3.0, "network_values_set": true, "inflation": 1.25,
+	"network_values_set": true, "stiffness": 320.0, "damping": 0.75, "shape_matching": 0.5, "shape_damping": 0.375, "pressure": 3.0, "inflation": 1.25,
 	"friction": 0.5, "bounce": 0.25, "rolling_resistance": 0.125, "density": 2.0,
 }
 
