@@ -203,7 +203,7 @@ json judge(Seed seed, int bodies) {
 
 json safety(Integrator integrator, double least_damping, int bodies) {
 	constexpr std::uint64_t seed = 77;
-	constexpr double nudge = 1e-3; // of each point's distance from the centre
+	constexpr double nudge = 1e-3; // of each point's distance from the center
 	Random random(seed);
 	int safe = 0;
 	int failed_near_rest = 0;

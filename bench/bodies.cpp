@@ -45,7 +45,7 @@ void add_spring(std::vector<Spring2D> &springs, const Points &points, std::size_
 	springs.push_back({ std::uint32_t(a), std::uint32_t(b), length(points[b] - points[a]), 1, 0 });
 }
 
-// Neighbours, centre, and for half of the bodies about a chord a point.
+// Neighbors, center, and for half of the bodies about a chord a point.
 std::vector<Spring2D> random_springs(const Points &points, std::size_t hull_count, Random &random) {
 	std::vector<Spring2D> springs;
 	for (std::size_t i = 0; i < hull_count; ++i) {
@@ -88,13 +88,13 @@ int Random::integer(int low, int high) {
 	return low + int(next() % std::uint64_t(high - low + 1));
 }
 
-Shape circle_shape(int hull_points, bool centre_point, double stiffness, double damping_ratio) {
+Shape circle_shape(int hull_points, bool center_point, double stiffness, double damping_ratio) {
 	softbody::StructureOptions options;
 	options.mass = 1;
 	options.stiffness = Real(stiffness);
-	options.centre_point = centre_point;
+	options.center_point = center_point;
 	options.damping = softbody::damping_for_ratio(
-			Real(damping_ratio), options.stiffness, options.mass, std::size_t(hull_points + (centre_point ? 1 : 0)));
+			Real(damping_ratio), options.stiffness, options.mass, std::size_t(hull_points + (center_point ? 1 : 0)));
 	return take(softbody::SoftBodyCreator::create_circle(Real(0.5), hull_points, options));
 }
 
@@ -119,7 +119,7 @@ Points deformed(const SoftBodyShape &shape, Deformation deformation, Random &ran
 			along_random_direction(points, random, [=](Vec2 p) { return Vec2{ p.x * stretch, p.y * squeeze }; });
 			break;
 		}
-		case Deformation::POINT_THROUGH_CENTRE: {
+		case Deformation::POINT_THROUGH_CENTER: {
 			const auto point = std::size_t(random.integer(0, int(shape.hull_count()) - 1));
 			points[point] *= -Real(random.uniform(0.3, 1.2));
 			break;

@@ -42,9 +42,9 @@ T take(softbody::Result<T> result) {
 using Shape = std::shared_ptr<const softbody::SoftBodyShape>;
 using Points = std::vector<softbody::Vec2>;
 
-/// `hull_points` on a circle of radius 0.5, with or without a centre point, 1 kg in equal shares, every spring of
-/// stiffness k and damping c = damping_ratio sqrt(k m). Eight points and the centre are the thesis's test body.
-Shape circle_shape(int hull_points, bool centre_point, double stiffness, double damping_ratio);
+/// `hull_points` on a circle of radius 0.5, with or without a center point, 1 kg in equal shares, every spring of
+/// stiffness k and damping c = damping_ratio sqrt(k m). Eight points and the center are the thesis's test body.
+Shape circle_shape(int hull_points, bool center_point, double stiffness, double damping_ratio);
 
 /// k_s and its damping as a fraction of the springs' k: 2·0.25 sqrt(k_s m), a quarter of the critical damping.
 void set_shape_matching(softbody::BodySettings &settings, const softbody::SoftBodyShape &shape, double stiffness);
@@ -52,12 +52,12 @@ void set_shape_matching(softbody::BodySettings &settings, const softbody::SoftBo
 /// Ways to ruin a shape.
 enum class Deformation {
 	FLATTENED, ///< squeezed to 0..10 % along a random direction, stretched up to 30 % across it
-	POINT_THROUGH_CENTRE, ///< one hull point pulled through the centre to the far side, 0.3..1.2 of the way
+	POINT_THROUGH_CENTER, ///< one hull point pulled through the center to the far side, 0.3..1.2 of the way
 	FOLDED, ///< the part beyond a random line reflected onto the rest
 	CRUMPLED, ///< every point anywhere in the disk of the body's radius
 	MIRRORED, ///< turned over, with 2 % of noise
 };
-inline constexpr std::array<Deformation, 5> DEFORMATIONS = { Deformation::FLATTENED, Deformation::POINT_THROUGH_CENTRE,
+inline constexpr std::array<Deformation, 5> DEFORMATIONS = { Deformation::FLATTENED, Deformation::POINT_THROUGH_CENTER,
 	Deformation::FOLDED, Deformation::CRUMPLED, Deformation::MIRRORED };
 const char *deformation_name(Deformation deformation);
 
@@ -72,7 +72,7 @@ enum class Model { SPRINGS, SHAPE_MATCHING, PRESSURE, BOTH };
 inline constexpr std::array<Model, 4> MODELS = { Model::SPRINGS, Model::SHAPE_MATCHING, Model::PRESSURE, Model::BOTH };
 const char *model_name(Model model);
 
-/// A random structure: a star-shaped hull of 3..64 points, a centre point in three of four, chords in half; masses
+/// A random structure: a star-shaped hull of 3..64 points, a center point in three of four, chords in half; masses
 /// of a ratio up to 1e4 and spring stiffnesses of a ratio up to 1e6 within the body, both drawn anew for each body,
 /// on a scale from jelly to rubber (mean k 10..1e5 N/m at 1 kg). Each spring has c = r sqrt(k min(m_a, m_b)) with one r
 /// of `least_damping`..0.3 a body.

@@ -22,7 +22,7 @@ import work_precision
 ROOT = Path(__file__).resolve().parent.parent
 CHARTS = ROOT / "docs" / "charts"
 
-# Colours of Okabe and Ito, told apart by everybody; shapes and dashes besides, for prints without colour.
+# Colors of Okabe and Ito, told apart by everybody; shapes and dashes besides, for prints without color.
 STYLES = {
     "explicit_euler": {"label": "explicit Euler", "color": "#D55E00", "marker": "v", "ls": "-"},
     "semi_implicit_euler": {"label": "semi-implicit Euler (default)", "color": "#0072B2", "marker": "o", "ls": "-"},
@@ -118,7 +118,7 @@ def draw_runs(axes, curve, name, x, **look):
               color=style["color"], zorder=3)
 
 
-def finish_error_axes(axes, labelled):
+def finish_error_axes(axes, labeled):
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_ylim(LOWEST, STRIP)
@@ -126,7 +126,7 @@ def finish_error_axes(axes, labelled):
     axes.axhline(1e-2, color="#999999", lw=0.8, ls=(0, (2, 2)), zorder=1)
     ticks = [10.0**exponent for exponent in range(-12, 1, 3)]
     blown = math.sqrt(HIGHEST * STRIP)
-    axes.set_yticks(ticks + [blown], [power_of_ten(tick) for tick in ticks] + ["blown\nup"] if labelled else [""] * 6)
+    axes.set_yticks(ticks + [blown], [power_of_ten(tick) for tick in ticks] + ["blown\nup"] if labeled else [""] * 6)
     axes.minorticks_off()
 
 
@@ -168,7 +168,7 @@ def chart_work_precision(section):
     names = {key[2] for key in curves}
     star = Line2D([], [], ls="", marker="*", ms=14, mfc="#FFD700", mec=STYLES[DEFAULTS[0]]["color"],
                   label="what the automatic rule picks (rim: the method)")
-    cross = Line2D([], [], ls="", marker="x", color="#333333", label="blew up: grey strip, one row a method")
+    cross = Line2D([], [], ls="", marker="x", color="#333333", label="blew up: gray strip, one row a method")
     dotted = Line2D([], [], ls=(0, (2, 2)), color="#999999", lw=1, label="1 % of the radius")
     figure.legend(handles=[*method_handles(names), star, cross, dotted], loc="outside upper center", ncols=4,
                   title="Work and precision in double: lower and further left is better")
@@ -216,7 +216,7 @@ def chart_rounding(section):
 
 # --- Stability
 
-# By how much a step multiplies the motion: colour and words up to each bound, the first of which is no growth at all.
+# By how much a step multiplies the motion: color and words up to each bound, the first of which is no growth at all.
 GROWTH = (
     (None, "#CCE3F2", "does not grow (below 0.1 % a step)"),
     (1.1, "#FEE08B", "grows by up to a tenth a step"),
@@ -233,7 +233,7 @@ def growth_class(cell):
 
 
 def chart_stability(section):
-    """One column a damping ratio, coloured by measured steps; the limit by theory as a bar across its column."""
+    """One column a damping ratio, colored by measured steps; the limit by theory as a bar across its column."""
     names = [name for name in STYLES if any(cell["integrator"] == name for cell in section["map"])]
     zetas = sorted({cell["zeta"] for cell in section["map"]})
     steps = sorted({cell["h_omega"] for cell in section["map"]})
@@ -247,7 +247,7 @@ def chart_stability(section):
         for x, zeta in enumerate(zetas):
             column = sorted((c for c in section["map"] if (c["integrator"], c["zeta"]) == (name, zeta)),
                             key=lambda cell: cell["h_omega"])
-            # Neighbours of one class are drawn as one rectangle.
+            # Neighbors of one class are drawn as one rectangle.
             for kind, run in itertools.groupby(column, key=growth_class):
                 run = list(run)
                 bottom = run[0]["h_omega"] - half
@@ -272,7 +272,7 @@ def chart_stability(section):
         elif i + columns >= len(names):
             axes.set_xlabel("damping ratio ζ")
             axes.tick_params(labelbottom=True)
-    key = [Patch(color=colour, label=words) for _, colour, words in GROWTH]
+    key = [Patch(color=color, label=words) for _, color, words in GROWTH]
     key.append(Line2D([], [], color="black", lw=2.6, label="limit by theory"))
     figure.legend(handles=key, loc="outside upper center", ncols=5,
                   title="Stability of a damped oscillator, measured in the simulator, with theory drawn over it")
@@ -333,14 +333,14 @@ def chart_recovery(section):
     rows = section["rows"]
     models = list(dict.fromkeys(row["model"] for row in rows))
     counts = sorted({row["hull_points"] for row in rows})
-    colours = dict(zip(counts, ("#B5DDF5", "#56B4E9", "#0072B2", "#003554")))
+    colors = dict(zip(counts, ("#B5DDF5", "#56B4E9", "#0072B2", "#003554")))
     figure, axes = plt.subplots(figsize=(11, 0.2 * len(models) * len(counts) + 1.4),
                                 layout="constrained")
     thickness = 0.8 / len(counts)
     for row in rows:
         place = models.index(row["model"]) + (counts.index(row["hull_points"]) - (len(counts) - 1) / 2) * thickness
         share = 100 * row["recovered"] / row["starts"]
-        axes.barh(place, share, height=thickness * 0.92, color=colours[row["hull_points"]])
+        axes.barh(place, share, height=thickness * 0.92, color=colors[row["hull_points"]])
         axes.text(share + 0.6, place, f"{row['recovered']} of {row['starts']}", va="center", fontsize=8)
     default = section.get("default_model")
     axes.set_yticks(range(len(models)), [f"{model}  (default)" if model == default else model for model in models])
@@ -351,7 +351,7 @@ def chart_recovery(section):
     axes.set_xlim(0, 112)
     axes.set_xticks(range(0, 101, 20))
     axes.set_xlabel("bodies that found back to their shape [%]")
-    figure.legend(handles=[Patch(color=colours[count], label=f"{count} hull points") for count in counts],
+    figure.legend(handles=[Patch(color=colors[count], label=f"{count} hull points") for count in counts],
                   loc="outside upper center", ncols=len(counts), title="Recovery from strong deformations, by model")
     source_note(figure, section)
     save(figure, "recovery")

@@ -50,7 +50,7 @@ def failed(row):
     return row["error_percent"] is None or row["error_percent"] > HIGHEST or is_unsettled(row)
 
 
-def draw_model(axes, curve, look, labelled):
+def draw_model(axes, curve, look, labeled):
     """One model's points, joined where they are good; what failed stands in the strip above."""
     times = [row["us_per_tick"] for row in curve]
     heights = [(HIGHEST * STRIP) ** 0.5 if failed(row) else max(row["error_percent"], LOWEST) for row in curve]
@@ -61,7 +61,7 @@ def draw_model(axes, curve, look, labelled):
     for row, time, height in zip(curve, times, heights):
         marker = "x" if failed(row) else look["marker"]
         axes.plot(time, height, ls="", marker=marker, ms=5, color=look["color"], zorder=look["zorder"])
-        if labelled and row["points"] in NAMED and not failed(row):
+        if labeled and row["points"] in NAMED and not failed(row):
             axes.annotate(f"{row['points']}", (time, height), xytext=(0, -11), textcoords="offset points", fontsize=7,
                           color=look["color"], ha="center")
 

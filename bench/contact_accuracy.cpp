@@ -41,7 +41,7 @@ const char *ground_name(Ground ground) {
 }
 
 struct Body {
-	Vec2 centre; ///< of mass
+	Vec2 center; ///< of mass
 	Vec2 velocity;
 	double mass = 0;
 	double spin = 0; ///< angular momentum about the origin
@@ -61,7 +61,7 @@ Body measure(const SoftBodyData &body) {
 		vy += mass * double(v.y);
 		result.spin += mass * (double(p.x) * double(v.y) - double(p.y) * double(v.x));
 	}
-	result.centre = { Real(x / result.mass), Real(y / result.mass) };
+	result.center = { Real(x / result.mass), Real(y / result.mass) };
 	result.velocity = { Real(vx / result.mass), Real(vy / result.mass) };
 	return result;
 }
@@ -87,7 +87,7 @@ void add_ground(softbody::WorldData &world, Ground ground, double friction) {
 	world.add_soft_body(std::move(body));
 }
 
-// A square block of a metre, three points a side, standing on the ground with its middle at x = 0.
+// A square block of a meter, three points a side, standing on the ground with its middle at x = 0.
 SoftBodyData block(double friction) {
 	std::vector<Vec2> outline;
 	const std::array<Vec2, 4> corners = { { { -0.5, 0 }, { 0.5, 0 }, { 0.5, 1 }, { -0.5, 1 } } };
@@ -128,7 +128,7 @@ double slide(Ground ground, double friction, double angle, double *acceleration 
 	if (acceleration != nullptr) {
 		*acceleration = double(after.velocity.x - before.velocity.x);
 	}
-	return double(after.centre.x - before.centre.x);
+	return double(after.center.x - before.center.x);
 }
 
 json slopes(bool quick) {
@@ -155,7 +155,7 @@ json slopes(bool quick) {
 	return rows;
 }
 
-SoftBodyData ball(double mass, double restitution, double friction, Vec2 centre, Vec2 velocity) {
+SoftBodyData ball(double mass, double restitution, double friction, Vec2 center, Vec2 velocity) {
 	softbody::StructureOptions options;
 	options.mass = Real(mass);
 	options.stiffness = Real(STIFFNESS);
@@ -166,7 +166,7 @@ SoftBodyData ball(double mass, double restitution, double friction, Vec2 centre,
 	settings.friction = Real(friction);
 	set_shape_matching(settings, *shape, 0.4 * STIFFNESS);
 	// A flat side, not a corner, faces along the axes.
-	const softbody::Pose pose{ centre, softbody::Rotation::from_angle(Real(std::numbers::pi / 8)) };
+	const softbody::Pose pose{ center, softbody::Rotation::from_angle(Real(std::numbers::pi / 8)) };
 	SoftBodyData body = take(SoftBodyData::create(shape, settings, pose));
 	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
 		if (body.set_point(i, body.positions()[i], velocity)) {
@@ -186,7 +186,7 @@ json restitutions() {
 			softbody::Simulator simulator(world);
 			world.set_gravity({ 0, -Real(GRAVITY) });
 			add_ground(world, ground, 0.4);
-			const double rest = 0.5 * std::cos(std::numbers::pi / 8); // height of the centre of a body on its flat side
+			const double rest = 0.5 * std::cos(std::numbers::pi / 8); // height of the center of a body on its flat side
 			const softbody::BodyId id = world.add_soft_body(ball(1, restitution, 0.4, { 0, Real(rest + DROP) }, {}));
 			double highest = 0;
 			bool has_hit = false;
@@ -194,11 +194,11 @@ json restitutions() {
 			for (int i = 0; i < 2 * RATE; ++i) {
 				simulator.simulate(STEP);
 				const Body body = measure(*world.find(id));
-				has_hit = has_hit || double(body.centre.y) < rest + 0.05 * DROP;
+				has_hit = has_hit || double(body.center.y) < rest + 0.05 * DROP;
 				rises = has_hit && (rises || body.velocity.y > 0);
 				if (rises) {
-					highest = std::max(highest, double(body.centre.y) - rest);
-					if (body.velocity.y < 0 && double(body.centre.y) > rest) {
+					highest = std::max(highest, double(body.center.y) - rest);
+					if (body.velocity.y < 0 && double(body.center.y) > rest) {
 						break;
 					}
 				}
@@ -215,7 +215,7 @@ json bounces() {
 	constexpr double SPEED = 2; // m/s each
 	json rows = json::array();
 	for (const double mass : { 1.0, 4.0 }) {
-		for (const double offset : { 0.0, 0.25 }) { // of the centres across the motion [m]
+		for (const double offset : { 0.0, 0.25 }) { // of the centers across the motion [m]
 			for (const double restitution : { 0.0, 0.5, 1.0 }) {
 				softbody::WorldData world;
 				world.set_sleeping(false);
@@ -256,7 +256,7 @@ json bounces() {
 
 // A pile that falls and settles, with its contacts looked for so many times a step.
 json penetration_run(Integrator integrator, int substeps, std::size_t count, int seconds) {
-	const PileScene scene = centred(pile_scene(count));
+	const PileScene scene = centered(pile_scene(count));
 	SoftPileSettings settings = default_settings(carrying_stiffness(scene));
 	settings.integrator = integrator;
 	settings.contact_substeps = substeps;
@@ -358,7 +358,7 @@ json response_bounce(ContactResponse response, double offset, int substeps) {
 }
 
 json response_pile(ContactResponse response, std::size_t count, int seconds) {
-	const PileScene scene = centred(pile_scene(count));
+	const PileScene scene = centered(pile_scene(count));
 	SoftPileSettings settings = default_settings(carrying_stiffness(scene));
 	settings.response = response;
 	SoftPile pile(scene, settings);

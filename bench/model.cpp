@@ -112,7 +112,7 @@ public:
 	void set_floor(double y) { check(world_.add_border(horizontal(y, -1))); }
 	/// Plates at ± half.
 	void set_plates(double half) {
-		world_.clear_surroundings();
+		world_.clear_environment();
 		check(world_.add_border(horizontal(half, -1)));
 		check(world_.add_border(horizontal(-half, 1)));
 	}
@@ -150,20 +150,20 @@ double wobble_speed(const SoftBodyData &body) {
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
 		velocities[i] = (body.positions()[i] - body.previous_positions()[i]) * Real(RATE);
 	}
-	const Vec2 centre = mean(body, body.positions());
+	const Vec2 center = mean(body, body.positions());
 	const Vec2 drift = mean(body, velocities);
 	double momentum = 0;
 	double inertia = 0;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
 		const double mass = double(body.shape().masses()[i]);
-		const Vec2 arm = body.positions()[i] - centre;
+		const Vec2 arm = body.positions()[i] - center;
 		momentum += mass * double(cross(arm, velocities[i] - drift));
 		inertia += mass * double(length_squared(arm));
 	}
 	const Real spin = body.has_pins() ? Real(0) : Real(momentum / inertia);
 	double square = 0;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		const Vec2 rigid = body.has_pins() ? Vec2{} : drift + perpendicular(body.positions()[i] - centre) * spin;
+		const Vec2 rigid = body.has_pins() ? Vec2{} : drift + perpendicular(body.positions()[i] - center) * spin;
 		square += double(length_squared(velocities[i] - rigid)) / double(body.point_count());
 	}
 	return std::sqrt(square);

@@ -20,7 +20,7 @@ PhaseClock::Phase phase_of(std::string_view name) {
 	if (is("find_all_pairs") || is("PairContacts10begin_step")) {
 		return PhaseClock::BROAD_PHASE;
 	}
-	return is("advance_crews") || is("for_crews") ? PhaseClock::FORCES : PhaseClock::OTHER;
+	return is("advance_batches") || is("for_batches") ? PhaseClock::FORCES : PhaseClock::OTHER;
 }
 
 } // namespace

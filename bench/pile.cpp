@@ -38,7 +38,7 @@ SoftPileSettings settings_of(const Case &c, const PileScene &scene) {
 
 // The same pile once more, in which bodies may fall asleep: after what time most have, and what a step then costs.
 json run_to_sleep(const Case &c) {
-	const PileScene scene = centred(pile_scene(c.bodies, c.rows));
+	const PileScene scene = centered(pile_scene(c.bodies, c.rows));
 	SoftPileSettings settings = settings_of(c, scene);
 	settings.may_sleep = true;
 	SoftPile pile(scene, settings);
@@ -56,7 +56,7 @@ json run_to_sleep(const Case &c) {
 }
 
 json run_case(const Case &c) {
-	const PileScene scene = centred(pile_scene(c.bodies, c.rows));
+	const PileScene scene = centered(pile_scene(c.bodies, c.rows));
 	const SoftPileSettings settings = settings_of(c, scene);
 	SoftPile pile(scene, settings);
 	std::vector<Duration> times;
@@ -90,13 +90,13 @@ json run_case(const Case &c) {
 
 // One light body in a shaft that just holds it, a heavy one on top, at a stiffness that can carry it.
 json run_heavy_on_light(double ratio) {
-	PileScene scene = centred(pile_scene(2, 2));
+	PileScene scene = centered(pile_scene(2, 2));
 	SoftPileSettings settings = default_settings(carrying_stiffness(pile_scene(1, 1), ratio));
 	settings.top = ratio;
 	SoftPile pile(scene, settings);
 	double fastest = 0;
 	double deepest = 0;
-	double least_distance = 1e30; // of the upper centre above the lower one, over R
+	double least_distance = 1e30; // of the upper center above the lower one, over R
 	double highest = 0; // point of either [m]
 	bool folded = false;
 	for (int i = 0; i < 10 * RATE; ++i) {

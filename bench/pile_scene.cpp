@@ -21,11 +21,11 @@ using softbody::Real;
 using softbody::Vec2;
 
 constexpr std::uint64_t SEED = 20150703;
-constexpr double GAP = 0.05; // between neighbours at the start, over R; a body is out of place by a sixth of it at most, in x and y
+constexpr double GAP = 0.05; // between neighbors at the start, over R; a body is out of place by a sixth of it at most, in x and y
 constexpr double OVERLAP_LIMIT = 0.05; // over R
 constexpr int TURN = 20; // steps of one engine before the next has its turn
 
-double depth_in_surroundings(const PileScene &scene, const Hull &hull) {
+double depth_in_environment(const PileScene &scene, const Hull &hull) {
 	double depth = 0;
 	for (const Vec2 p : hull) {
 		depth = std::max(depth, -double(p.y));
@@ -96,15 +96,15 @@ PileQuality judge_pile(const PileScene &scene, const std::vector<Hull> &hulls) {
 	const double whole_area = n / 2 * scene.radius * scene.radius * std::sin(2 * std::numbers::pi / n);
 	for (const Hull &hull : hulls) {
 		const double area = double(softbody::signed_area(hull));
-		const Vec2 centre = softbody::area_centroid(hull);
-		const bool between = double(centre.x) >= scene.left && double(centre.x) <= scene.left + scene.width;
-		const bool inside = centre.y >= 0 && (between || (!scene.has_walls && std::isfinite(centre.x)));
+		const Vec2 center = softbody::area_centroid(hull);
+		const bool between = double(center.x) >= scene.left && double(center.x) <= scene.left + scene.width;
+		const bool inside = center.y >= 0 && (between || (!scene.has_walls && std::isfinite(center.x)));
 		quality.escaped += inside ? 0 : 1; // one that is not finite is not inside either
 		quality.folded += softbody::is_folded(hull) ? 1 : 0;
 		quality.mean_area += area / whole_area / double(hulls.size());
 		boxes.push_back(softbody::bounding_box(hull));
 		quality.height = std::max(quality.height, double(boxes.back().max.y));
-		deepest.push_back(depth_in_surroundings(scene, hull));
+		deepest.push_back(depth_in_environment(scene, hull));
 	}
 	for_each_near_pair(boxes, [&](std::size_t a, std::size_t b) {
 		const double depth = softbody::penetration_depth(hulls[a], hulls[b]);

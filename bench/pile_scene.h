@@ -13,17 +13,17 @@
 
 namespace bench {
 
-/// Bodies over a ground at y = 0 between upright walls at x = `left` and `left + width`, y up; all in metres, kilogrammes
+/// Bodies over a ground at y = 0 between upright walls at x = `left` and `left + width`, y up; all in meters, kilogrammes
 /// and seconds. They start apart, in `rows` rows that fall a little, every second row shifted by half a body, each body
 /// turned by an angle of its own and a little out of its place, as nothing that is perfectly straight tells much.
 struct PileScene {
 	struct Place {
-		softbody::Vec2 centre;
+		softbody::Vec2 center;
 		double angle = 0;
 	};
 
-	double radius = 0.5; // of a body, its hull points are that far from its centre
-	int hull_points = 8; // and a centre point; hull springs join neighbours, centre springs all with the centre
+	double radius = 0.5; // of a body, its hull points are that far from its center
+	int hull_points = 8; // and a center point; hull springs join neighbors, centre springs all with the center
 	double mass = 1; // of a body, a ninth on every point
 	double gravity = 9.81; // downwards
 	double friction = 0.4;
@@ -57,7 +57,7 @@ public:
 struct PileQuality {
 	std::size_t folded = 0; ///< bodies turned over, flat, or whose outline meets itself
 	std::size_t overlapping = 0; ///< pairs deeper in each other than 5 % of R
-	std::size_t escaped = 0; ///< bodies whose centre is behind the ground or a wall, or not finite
+	std::size_t escaped = 0; ///< bodies whose center is behind the ground or a wall, or not finite
 	double mean_penetration = 0; ///< over bodies, of the deepest each is in another, the ground or a wall; over R
 	double worst_penetration = 0; ///< of any body, over R
 	double mean_area = 0; ///< over that of the regular outline of R

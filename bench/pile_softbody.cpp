@@ -50,7 +50,7 @@ public:
 		settings.friction = Real(scene.friction);
 		set_shape_matching(settings, *shape, softbody::DEFAULT_SHAPE_MATCHING * k);
 		for (const PileScene::Place &place : scene.bodies) {
-			const softbody::Pose pose{ place.centre, softbody::Rotation::from_angle(Real(place.angle)) };
+			const softbody::Pose pose{ place.center, softbody::Rotation::from_angle(Real(place.angle)) };
 			world_.add_soft_body(take(softbody::SoftBodyData::create(shape, settings, pose)));
 		}
 	}

@@ -27,7 +27,7 @@ constexpr std::uint64_t SEED = 20150701;
 
 struct ModelCase {
 	std::string name;
-	bool centre_springs = true;
+	bool center_springs = true;
 	double pressure = 0; // over k
 	double shape_matching = 0; // over k
 };
@@ -53,12 +53,12 @@ constexpr const char *DEFAULT_MODEL = "centre springs + shape matching 0.4 k";
 // with points as complex numbers; mirroring replaces q* by q.
 double distance_from_rest(const softbody::SoftBodyData &body, bool mirrored) {
 	const auto rest = body.shape().rest_positions();
-	const Vec2 centre = softbody::measure_frame(body).centre;
+	const Vec2 center = softbody::measure_frame(body).center;
 	double squares = 0;
 	double real = 0;
 	double imaginary = 0;
 	for (std::size_t i = 0; i < rest.size(); ++i) {
-		const Vec2 p = body.positions()[i] - centre;
+		const Vec2 p = body.positions()[i] - center;
 		const double qx = rest[i].x;
 		const double qy = mirrored ? -rest[i].y : rest[i].y;
 		squares += double(length_squared(p)) + qx * qx + qy * qy;
@@ -103,7 +103,7 @@ RunResult run(softbody::SoftBodyData start, int rate) {
 
 json measure(const ModelCase &model, int hull_points, int starts, softbody::Integrator integrator) {
 	constexpr int rate = 60;
-	const Shape shape = circle_shape(hull_points, model.centre_springs, STIFFNESS, DAMPING_RATIO);
+	const Shape shape = circle_shape(hull_points, model.center_springs, STIFFNESS, DAMPING_RATIO);
 	softbody::BodySettings settings;
 	settings.integrator = integrator;
 	settings.pressure_stiffness = Real(model.pressure * STIFFNESS);

@@ -40,7 +40,7 @@ class Network:
         rest = np.array(description["rest_positions"], dtype=float)
         self.rest_area = self.area(rest[: self.hull_count])
         self.rest = rest - (self.masses * rest).sum(axis=0) / self.total_mass
-        # A point of mass m is drawn to its goal with k_s m / mean(m): an acceleration of k_s / mean(m) a metre.
+        # A point of mass m is drawn to its goal with k_s m / mean(m): an acceleration of k_s / mean(m) a meter.
         mean = self.total_mass / count
         self.shape_rate = description["shape_stiffness"] / mean
         self.shape_damping_rate = description["shape_damping"] / mean
@@ -70,9 +70,9 @@ class Network:
 
     def shape_accelerations(self, x, v):
         """Towards the rigid copy of the rest shape that fits best, and against motion relative to a rigid one."""
-        centre = (self.masses * x).sum(axis=0) / self.total_mass
+        center = (self.masses * x).sum(axis=0) / self.total_mass
         drift = (self.masses * v).sum(axis=0) / self.total_mass
-        arms = x - centre
+        arms = x - center
         # As complex numbers the best rotation is the phase of sum m conj(rest) arm.
         rest, arm, motion = (np.ascontiguousarray(a).view(complex)[:, 0] for a in (self.rest, arms, v - drift))
         weights = self.masses[:, 0]

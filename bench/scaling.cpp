@@ -5,7 +5,7 @@
 #include "soft_pile.h"
 
 #include "core/collision/broad_phase.h"
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 #include "core/creator/soft_body_creator.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ private:
 };
 
 std::unique_ptr<SoftPile> settled_pile(std::size_t bodies, const softbody::ParallelFor &parallel_for) {
-	PileScene scene = centred(pile_scene(bodies));
+	PileScene scene = centered(pile_scene(bodies));
 	const SoftPileSettings settings = default_settings(carrying_stiffness(scene));
 	auto pile = std::make_unique<SoftPile>(std::move(scene), settings, parallel_for);
 	pile->run(SETTLE_STEPS);

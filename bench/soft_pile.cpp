@@ -62,11 +62,11 @@ double carrying_stiffness(const PileScene &scene, double mean_mass) {
 	return 10 * scene.load() * mean_mass / scene.radius;
 }
 
-PileScene centred(PileScene scene) {
+PileScene centered(PileScene scene) {
 	const double shift = -scene.width / 2 - scene.left;
 	scene.left += shift;
 	for (PileScene::Place &place : scene.bodies) {
-		place.centre.x = Real(double(place.centre.x) + shift);
+		place.center.x = Real(double(place.center.x) + shift);
 	}
 	return scene;
 }
@@ -133,7 +133,7 @@ SoftPile::SoftPile(PileScene scene, const SoftPileSettings &settings, softbody::
 			shape = body_shape(scene_, settings, scene_.mass * factor);
 		}
 		const PileScene::Place &place = scene_.bodies[i];
-		const softbody::Pose pose{ place.centre, softbody::Rotation::from_angle(Real(place.angle)) };
+		const softbody::Pose pose{ place.center, softbody::Rotation::from_angle(Real(place.angle)) };
 		world_.add_soft_body(take(softbody::SoftBodyData::create(shape, body, pose)));
 	}
 }

@@ -42,7 +42,7 @@ SoftPileSettings explicit_euler_settings(double stiffness, double h);
 double carrying_stiffness(const PileScene &scene, double mean_mass = 1);
 
 /// The scene with its middle at x = 0: far from there, floats resolve less.
-PileScene centred(PileScene scene);
+PileScene centered(PileScene scene);
 
 /// How long something took [s]: by the clock, and as processor time of the calling thread, which does not count while
 /// another program has the processor.
@@ -87,7 +87,7 @@ public:
 	PileQuality quality() const;
 	/// Mean over bodies [J].
 	double kinetic_energy() const;
-	/// Share of bodies whose centre of mass moves slower than that [m/s].
+	/// Share of bodies whose center of mass moves slower than that [m/s].
 	double share_slower(double speed) const;
 
 	const PileScene &scene() const { return scene_; }

@@ -145,7 +145,7 @@ public:
 		description.points = { { -1, 0 }, { 0, -1 }, { 1, 0 }, { 0, 1 } };
 		description.hull_count = 4;
 		description.masses = { MASSES[0], 1, MASSES[1], 1 };
-		description.springs = { { 0, 2, 2, Real(omega_ * omega_ / mobility()), Real(2 * zeta * omega_ / mobility()) } };
+		description.springs = { { 0, 2, 2, Real(omega_ * omega_ / inverse_mass()), Real(2 * zeta * omega_ / inverse_mass()) } };
 		softbody::BodySettings settings;
 		settings.integrator = integrator;
 		settings.substeps = tick;
@@ -155,7 +155,7 @@ public:
 	}
 	Oscillator(const Oscillator &) = delete;
 
-	static double mobility() { return 1 / double(MASSES[0]) + 1 / double(MASSES[1]); }
+	static double inverse_mass() { return 1 / double(MASSES[0]) + 1 / double(MASSES[1]); }
 
 	// Mean logarithm of the growth a substep, in the energy norm sqrt(v² + ω²x²) of the spring's length. The norm
 	// itself swings within each oscillation, so the tops of two stretches of the run are compared.
@@ -197,13 +197,13 @@ private:
 	double length() { return double(body().positions()[2].x) - double(body().positions()[0].x); }
 	double speed() { return double(body().velocities()[2].x) - double(body().velocities()[0].x); }
 
-	// Sets the spring's stretch and its rate, about the resting centre of mass.
+	// Sets the spring's stretch and its rate, about the resting center of mass.
 	void place(double stretch, double rate) {
 		const auto positions = body().mutable_positions();
 		const auto velocities = body().mutable_velocities();
 		const auto rest = body().shape().rest_positions();
 		for (const std::size_t end : { std::size_t(0), std::size_t(2) }) {
-			const double share = (end == 0 ? -1 : 1) / double(MASSES[end / 2]) / mobility();
+			const double share = (end == 0 ? -1 : 1) / double(MASSES[end / 2]) / inverse_mass();
 			positions[end] = { rest[end].x + Real(stretch * share), rest[end].y };
 			velocities[end] = { Real(rate * share), 0 };
 		}
@@ -309,7 +309,7 @@ json stability(const Options &options) {
 		}
 		for (const int rate : { 60, 240, 960 }) {
 			const double dt = 1.0 / rate;
-			const auto stiffness = [&](double z) { return z * z / (dt * dt * Oscillator::mobility()); };
+			const auto stiffness = [&](double z) { return z * z / (dt * dt * Oscillator::inverse_mass()); };
 			const double limit = theoretical_limit(integrator, 0, LOWEST);
 			const double measured = measured_limit(integrator, 0, dt, LOWEST, steps);
 			result["limits"].push_back({ { "integrator", name }, { "dt", dt },

@@ -71,7 +71,7 @@ SoftPileSettings settings_without(const std::string &name) {
 	return settings;
 }
 
-// Nothing keeps bodies apart that ignore each other. Strewn over a kilometre, as floats far out resolve little.
+// Nothing keeps bodies apart that ignore each other. Strewn over a kilometer, as floats far out resolve little.
 PileScene strewn_scene(std::size_t bodies) {
 	PileScene scene;
 	scene.has_walls = false;
@@ -106,7 +106,7 @@ PileScene open_pile_scene(std::size_t bodies) {
 		}
 	}
 	scene.bodies = std::move(heap);
-	return centred(scene);
+	return centered(scene);
 }
 
 struct Measured {

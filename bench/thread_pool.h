@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/parallel_for.h"
-#include "core/base/work_team.h"
+#include "core/base/task_scheduler.h"
 
 #include <cstddef>
 #include <thread>
@@ -25,7 +25,7 @@ public:
 	void set_in_use(bool in_use) { in_use_ = in_use; }
 
 private:
-	softbody::WorkTeam team_;
+	softbody::TaskScheduler team_;
 	std::vector<std::thread> helpers_;
 	bool in_use_ = true;
 };

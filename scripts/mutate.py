@@ -34,7 +34,7 @@ EXPLAINED = ROOT / "scripts" / "mutate_equivalents.json"
 FLAGS = "-std=c++20 -O1 -ffp-contract=off -fno-math-errno -Wno-psabi -pthread".split()
 MOST_OBJECTS = 40  # Headers that more objects use hold declarations, vectors and state: each fault there builds most tests anew.
 # No test depends on a clock, so none can notice what changes nothing but the time that a step takes.
-SPEED_ONLY = ("src/core/dynamics/state_ahead.h",)
+SPEED_ONLY = ("src/core/dynamics/state_prefetch.h",)
 HASH_TEST = "a mixed scene ends in the bits that it always has ended in"
 # s of the processor; tests that take longer than the second come after the others, those above the third after the hashes.
 CHEAP_TEST, SLOW_TEST, DEAR_TEST = 0.1, 1.0, 6.0

@@ -73,12 +73,12 @@ test_quick() {
 	test_determinism
 }
 
-# The same program by every compiler and at every level of optimisation: what they print must be alike.
+# The same program by every compiler and at every level of optimization: what they print must be alike.
 test_determinism() {
 	local variants=(g++-O2 g++-O0 g++-O3 clang++-O0 clang++-O2 clang++-O3) variant name first= status
 	need_packages scons g++ clang || return 1
 	if [[ -n $QUICK ]]; then
-		variants=(g++-O0 clang++-O3) # each compiler, and both ends of optimisation; tests/dynamics/test_golden.cpp adds g++ -O2
+		variants=(g++-O0 clang++-O3) # each compiler, and both ends of optimization; tests/dynamics/test_golden.cpp adds g++ -O2
 		echo "note: g++ -O2 and -O3 and clang++ -O0 and -O2 are left out; scripts/test.sh determinism has them"
 	fi
 	for variant in "${variants[@]}"; do

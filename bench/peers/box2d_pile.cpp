@@ -9,7 +9,7 @@
 //   5/1 leave one folded or a few inside each other; with 2/1 dozens are.
 // - Continuous collision costs a twentieth and is not needed here: nothing is fast.
 // - Its margins are made for bodies of 0.1 to 10 m; that around a moving circle is as wide as the circle. At 2 units a
-//   metre fewer pairs are looked at, a tenth is saved; at 4 and 10 the pile gets worse.
+//   meter fewer pairs are looked at, a tenth is saved; at 4 and 10 the pile gets worse.
 // - Joints with a least and a greatest length, particles of one body that collide: dearer, not better.
 // - The Debian package is built with assertions; a build of the same version without was as fast to 1 %.
 #include "peers.h"
@@ -41,7 +41,7 @@ public:
 			hull_points_(std::size_t(scene.hull_points)) {
 		world_.SetAllowSleeping(false);
 		world_.SetContinuousPhysics(settings.continuous);
-		add_surroundings(scene);
+		add_environment(scene);
 		for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
 			add_body(scene, scene.bodies[i], i);
 		}
@@ -54,18 +54,18 @@ public:
 	std::vector<Hull> hulls() const override {
 		std::vector<Hull> hulls;
 		for (std::size_t i = 0; i < particles_.size(); i += hull_points_) {
-			std::vector<Vec2> centres;
+			std::vector<Vec2> centers;
 			for (std::size_t k = 0; k < hull_points_; ++k) {
 				const b2Vec2 p = particles_[i + k]->GetPosition();
-				centres.push_back({ Real(p.x / scale_), Real(p.y / scale_) });
+				centers.push_back({ Real(p.x / scale_), Real(p.y / scale_) });
 			}
-			hulls.push_back(ring_.outline(centres));
+			hulls.push_back(ring_.outline(centers));
 		}
 		return hulls;
 	}
 
 private:
-	void add_surroundings(const PileScene &scene) {
+	void add_environment(const PileScene &scene) {
 		const b2BodyDef definition;
 		b2Body *ground = world_.CreateBody(&definition);
 		const float width = float(scene.width) * scale_;
@@ -112,14 +112,14 @@ private:
 	}
 
 	void add_body(const PileScene &scene, const PileScene::Place &place, std::size_t index) {
-		const b2Vec2 centre{ float(place.centre.x), float(place.centre.y) };
+		const b2Vec2 center{ float(place.center.x), float(place.center.y) };
 		const std::size_t first = particles_.size();
 		for (std::size_t k = 0; k < hull_points_; ++k) {
 			const double angle = place.angle + 2 * std::numbers::pi * double(k) / double(hull_points_);
 			const b2Vec2 arm{ float(ring_.ring_radius * std::cos(angle)), float(ring_.ring_radius * std::sin(angle)) };
-			particles_.push_back(add_particle(scene, centre + arm, true, index));
+			particles_.push_back(add_particle(scene, center + arm, true, index));
 		}
-		b2Body *middle = add_particle(scene, centre, false, index);
+		b2Body *middle = add_particle(scene, center, false, index);
 		for (std::size_t k = 0; k < hull_points_; ++k) {
 			join(particles_[first + k], particles_[first + (k + 1) % hull_points_]);
 			join(particles_[first + k], middle);
@@ -149,13 +149,13 @@ std::vector<PeerSettings> box2d_settings() {
 	recommended.iterations = 8;
 	recommended.position_iterations = 3;
 	PeerSettings fast;
-	fast.name = "fast: 6/1 iterations, 2 units a metre, not continuous";
+	fast.name = "fast: 6/1 iterations, 2 units a meter, not continuous";
 	fast.iterations = 6;
 	fast.position_iterations = 1;
 	fast.scale = 2;
 	fast.continuous = false;
 	PeerSettings faster = fast;
-	faster.name = "faster: 5/1 iterations, 2 units a metre, not continuous";
+	faster.name = "faster: 5/1 iterations, 2 units a meter, not continuous";
 	faster.iterations = 5;
 	return { recommended, fast, faster };
 }

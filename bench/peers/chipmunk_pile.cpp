@@ -50,7 +50,7 @@ public:
 			// As its manual advises: cells a little larger than the shapes, ten times as many as there are shapes.
 			cpSpaceUseSpatialHash(space_, 2.2 * ring_.particle_radius, int(10 * scene.bodies.size() * hull_points_));
 		}
-		add_surroundings(scene);
+		add_environment(scene);
 		for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
 			add_body(scene, scene.bodies[i], i);
 		}
@@ -76,18 +76,18 @@ public:
 	std::vector<Hull> hulls() const override {
 		std::vector<Hull> hulls;
 		for (std::size_t i = 0; i < particles_.size(); i += hull_points_) {
-			std::vector<Vec2> centres;
+			std::vector<Vec2> centers;
 			for (std::size_t k = 0; k < hull_points_; ++k) {
 				const cpVect p = cpBodyGetPosition(particles_[i + k]);
-				centres.push_back({ Real(p.x), Real(p.y) });
+				centers.push_back({ Real(p.x), Real(p.y) });
 			}
-			hulls.push_back(ring_.outline(centres));
+			hulls.push_back(ring_.outline(centers));
 		}
 		return hulls;
 	}
 
 private:
-	void add_surroundings(const PileScene &scene) {
+	void add_environment(const PileScene &scene) {
 		const double height = 100;
 		// Thick, with their inner side on the line: it knows no continuous collision.
 		const double thick = 1;
@@ -117,11 +117,11 @@ private:
 	}
 
 	void add_body(const PileScene &scene, const PileScene::Place &place, std::size_t index) {
-		const cpVect centre = cpv(place.centre.x, place.centre.y);
+		const cpVect center = cpv(place.center.x, place.center.y);
 		const std::size_t first = particles_.size();
 		for (std::size_t k = 0; k < hull_points_; ++k) {
 			const double angle = place.angle + 2 * std::numbers::pi * double(k) / double(hull_points_);
-			cpBody *particle = add_particle(scene, cpvadd(centre, cpvmult(cpvforangle(angle), ring_.ring_radius)));
+			cpBody *particle = add_particle(scene, cpvadd(center, cpvmult(cpvforangle(angle), ring_.ring_radius)));
 			particles_.push_back(particle);
 			cpShape *circle = cpSpaceAddShape(space_, cpCircleShapeNew(particle, ring_.particle_radius, cpvzero));
 			// Chipmunk multiplies frictions; this gives the scene's.
@@ -129,7 +129,7 @@ private:
 			// Those of one body never collide.
 			cpShapeSetFilter(circle, cpShapeFilterNew(index + 1, CP_ALL_CATEGORIES, CP_ALL_CATEGORIES));
 		}
-		cpBody *middle = add_particle(scene, centre);
+		cpBody *middle = add_particle(scene, center);
 		middles_.push_back(middle);
 		for (std::size_t k = 0; k < hull_points_; ++k) {
 			join(particles_[first + k], particles_[first + (k + 1) % hull_points_]);

@@ -10,19 +10,19 @@
 
 namespace bench {
 
-/// Where the particles lie that stand for the hull points of a body: circles in a ring, that touch their neighbours and
+/// Where the particles lie that stand for the hull points of a body: circles in a ring, that touch their neighbors and
 /// whose rims reach out to R. This is how soft bodies are commonly made in both engines. Smaller circles let those of
 /// other bodies in between; larger ones were no faster. All particles weigh a ninth of the body, like our points.
 struct ParticleRing {
 	double particle_radius = 0;
-	double ring_radius = 0; ///< of the particles' centres
+	double ring_radius = 0; ///< of the particles' centers
 
-	/// The outline by which a body touches others, from its particles' centres. In the polygon through the rims, a
+	/// The outline by which a body touches others, from its particles' centers. In the polygon through the rims, a
 	/// particle that lies in the dip between two of another body would count as 7 % of R deep in that body, although the
 	/// engine keeps apart all that it is asked to. So each corner is moved in by half of that dip; then such a pair just
 	/// touches. It is the lenient choice: particles that face each other rim to rim may be pressed in by the whole dip
 	/// before that shows.
-	Hull outline(const std::vector<softbody::Vec2> &centres) const;
+	Hull outline(const std::vector<softbody::Vec2> &centers) const;
 };
 ParticleRing particle_ring(const PileScene &scene);
 
@@ -31,7 +31,7 @@ struct PeerSettings {
 	std::string name; ///< of this choice, for the table
 	int iterations = 0; ///< Chipmunk: of the solver. Box2D: velocity iterations
 	int position_iterations = 0; ///< Box2D
-	double scale = 1; ///< Box2D: units of its world in a metre
+	double scale = 1; ///< Box2D: units of its world in a meter
 	bool continuous = true; ///< Box2D: continuous collision with what is fixed
 	bool spatial_hash = false; ///< Chipmunk: in place of its tree
 };

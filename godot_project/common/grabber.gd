@@ -81,8 +81,8 @@ func _physics_process(_delta: float) -> void:
 	if not is_instance_valid(_body) or not _body.is_inside_tree():
 		release()
 		return
-	var centre := _patch_centre()
-	var pull := (_reachable(centre) - centre).limit_length(longest_pull) * (_body.mass * frequency * frequency)
+	var center := _patch_center()
+	var pull := (_reachable(center) - center).limit_length(longest_pull) * (_body.mass * frequency * frequency)
 	for i in _points:
 		_body.apply_point_force(i, pull / _points.size())
 	_body.apply_central_force(_body.get_linear_velocity() * (-2 * damping_ratio * frequency * _body.mass))
@@ -96,7 +96,7 @@ func _process(_delta: float) -> void:
 func _draw() -> void:
 	if not is_instance_valid(_body):
 		return
-	var from := _patch_centre()
+	var from := _patch_center()
 	draw_line(from, target, Color(1, 1, 1, 0.85), 2.5, true)
 	draw_circle(from, 5, Color.WHITE)
 	draw_circle(target, 7, Color("ffd166"))
@@ -109,7 +109,7 @@ func _reachable(from: Vector2) -> Vector2:
 	return target if hit.is_empty() else hit["position"] as Vector2
 
 
-func _patch_centre() -> Vector2:
+func _patch_center() -> Vector2:
 	var positions := _body.get_point_positions()
 	var sum := Vector2.ZERO
 	for i in _points:

@@ -10,7 +10,7 @@ const LIGHT := Vector2(-0.5, -0.87)
 ## How directly the hull must face the light to shine: cosine of the angle between them.
 const SHINE_COSINE := 0.72
 
-## Colour of the rim; transparent for a darker shade of the body's colour.
+## Color of the rim; transparent for a darker shade of the body's color.
 @export var rim_color := Color.TRANSPARENT
 ## Width of the rim in pixels.
 @export var rim_width := 4.0

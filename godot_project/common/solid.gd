@@ -11,12 +11,12 @@ const ARC_POINTS := 24
 ## How far a world boundary, which has no end, is drawn.
 const BOUNDARY_REACH := 3000.0
 
-## Colour of the inside.
+## Color of the inside.
 @export var fill := Color("3b4072"):
 	set(value):
 		fill = value
 		queue_redraw()
-## Colour of the edge. It is drawn inside the shape, so that the outside of the line is the surface.
+## Color of the edge. It is drawn inside the shape, so that the outside of the line is the surface.
 @export var edge := Color("8b93d6"):
 	set(value):
 		edge = value

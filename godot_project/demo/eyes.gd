@@ -19,13 +19,13 @@ func _process(_delta: float) -> void:
 
 func _draw() -> void:
 	for side: float in [-1.0, 1.0]:
-		var centre := Vector2(side * half_gap, 0)
-		var look := (get_local_mouse_position() - centre) / 20
-		_draw_disc(centre, WHITE_RADIUS, Color.WHITE)
-		_draw_disc(centre + look.limit_length(PUPIL_TRAVEL), PUPIL_RADIUS, Color("20243f"))
+		var center := Vector2(side * half_gap, 0)
+		var look := (get_local_mouse_position() - center) / 20
+		_draw_disc(center, WHITE_RADIUS, Color.WHITE)
+		_draw_disc(center + look.limit_length(PUPIL_TRAVEL), PUPIL_RADIUS, Color("20243f"))
 
 
 ## A disc with a smooth rim.
-func _draw_disc(centre: Vector2, radius: float, color: Color) -> void:
-	draw_circle(centre, radius - 0.5, color)
-	draw_arc(centre, radius - 0.75, 0, TAU, 48, color, 1.5, true)
+func _draw_disc(center: Vector2, radius: float, color: Color) -> void:
+	draw_circle(center, radius - 0.5, color)
+	draw_arc(center, radius - 0.75, 0, TAU, 48, color, 1.5, true)

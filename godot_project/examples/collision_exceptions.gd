@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends Node2D
-## Makes exceptions between all bodies of one colour.
+## Makes exceptions between all bodies of one color.
 
 
 func _ready() -> void:

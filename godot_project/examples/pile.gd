@@ -5,7 +5,7 @@ extends Node2D
 const COLUMNS := 8
 const ROWS := 5
 const MOST_BODIES := 60
-const COLOURS: Array[Color] = [
+const COLORS: Array[Color] = [
 	Color("ff6b6b"), Color("ffb347"), Color("a8d86e"), Color("4ecdc4"), Color("b388eb"), Color("ffd93d"),
 ]
 
@@ -35,7 +35,7 @@ func _add(place: Vector2) -> void:
 			body.hull = SoftBody2D.make_circle_hull(42, 6)
 	body.stiffness = 400
 	body.damping = 0.3
-	body.color = COLOURS[_count % COLOURS.size()]
+	body.color = COLORS[_count % COLORS.size()]
 	body.position = place
 	body.rotation = _count * 0.7
 	_count += 1

@@ -10,7 +10,7 @@ const SCENES: Array[Dictionary] = [
 	{"title": "Laboratory", "path": "res://laboratory/laboratory.tscn", "about": "Models and methods under one load"},
 	{"title": "Stress test", "path": "res://laboratory/stress_test.tscn", "about": "How many does this machine hold?"},
 	{"title": "Crates and a lift", "path": "res://examples/crates_and_lift.tscn", "about": "Rigid bodies push and are pushed"},
-	{"title": "Looks", "path": "res://examples/looks.tscn", "about": "Outlines, textures, colours"},
+	{"title": "Looks", "path": "res://examples/looks.tscn", "about": "Outlines, textures, colors"},
 	{"title": "Pile", "path": "res://examples/pile.tscn", "about": "Many bodies on a heap"},
 	{"title": "Friction", "path": "res://examples/friction.tscn", "about": "Who slides, who holds"},
 	{"title": "Stiffness", "path": "res://examples/stiffness_comparison.tscn", "about": "From pudding to rubber"},

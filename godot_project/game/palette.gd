@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends RefCounted
-## The colours of the game, in one place: a night in indigo, what lives in it bright, what hurts in red.
+## The colors of the game, in one place: a night in indigo, what lives in it bright, what hurts in red.
 
 const SKY: Array[Color] = [Color("141433"), Color("2c2a63"), Color("6d4a8f"), Color("d98a94")]
 const HILLS: Array[Color] = [Color("4b3f80"), Color("3a3370"), Color("2b285c")]

@@ -16,7 +16,7 @@ var _samples: Array[PackedFloat32Array] = []
 var _bright := -1
 
 
-## Empties the curves; from now on there is one for each colour.
+## Empties the curves; from now on there is one for each color.
 func start(colors: PackedColorArray) -> void:
 	_colors = colors
 	_samples.clear()

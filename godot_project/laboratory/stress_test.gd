@@ -114,7 +114,7 @@ func _add_body() -> void:
 	body.hull = _hull
 	body.soft_body_material = _substance
 	body.mass = 0.03
-	# The thesis's bodies have a radius of half a metre; a metre is 22 px here, not 100.
+	# The thesis's bodies have a radius of half a meter; a meter is 22 px here, not 100.
 	body.gravity_scale = 0.22
 	body.integrator = integrator
 	body.can_sleep = false

@@ -148,7 +148,7 @@ func test_a_collider_that_is_freed_is_told_while_it_can_be_looked_at() -> void:
 	check_equal(body.get_colliding_bodies(), [] as Array[Node2D], "what it touches")
 
 
-func test_a_soft_body_that_is_freed_leaves_its_neighbour() -> void:
+func test_a_soft_body_that_is_freed_leaves_its_neighbor() -> void:
 	add_floor(100)
 	var lower := _add_watcher(Vector2(0, 45))
 	var upper := add_body(Vector2(0, -50), {"stiffness": 150.0})

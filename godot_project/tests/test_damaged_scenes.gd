@@ -62,7 +62,7 @@ func _check_damage(line: String, name: String) -> void:
 	check_equal(body.friction, 0.25, "friction beside " + line.left(80))
 	_check_sound(body, "the body with " + line.left(80))
 	var said := " ".join(take_errors()) + " ".join(body.get_warnings())
-	# A pixel or a colour that is huge harms nothing.
+	# A pixel or a color that is huge harms nothing.
 	var harmless: bool = name in ["uv", "vertex_colors"] and "e3" in line and not body.get(name).is_empty()
 	check(harmless or name in said, "nothing is said of %s: %s" % [line.left(80), said.left(300)])
 	body.free()

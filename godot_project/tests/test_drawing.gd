@@ -19,11 +19,11 @@ func _centroid(image: Image) -> Vector2:
 
 ## Direction of the long axis of what is drawn, without a sign.
 func _axis(image: Image) -> float:
-	var centre := _centroid(image)
+	var center := _centroid(image)
 	var spread := Vector3.ZERO # second moments xx, yy, xy
 	for y in range(0, SIZE, 2):
 		for x in range(0, SIZE, 2):
-			var arm := Vector2(x, y) - centre
+			var arm := Vector2(x, y) - center
 			spread += Vector3(arm.x * arm.x, arm.y * arm.y, arm.x * arm.y) * image.get_pixel(x, y).a
 	return atan2(2 * spread.z, spread.x - spread.y) / 2
 
@@ -37,7 +37,7 @@ func test_the_color_fills_the_hull_and_nothing_else() -> void:
 	for point in hull_of(body):
 		check_pixel(image, point.lerp(body.global_position, 0.1), Color.RED, "inside")
 		check_pixel(image, point.lerp(body.global_position, -0.15), Color(0, 0, 0, 0), "outside")
-	check_pixel(image, body.global_position, Color.RED, "centre")
+	check_pixel(image, body.global_position, Color.RED, "center")
 
 
 func test_a_dent_is_not_filled() -> void:
@@ -78,7 +78,7 @@ func test_the_texture_covers_the_hulls_box_and_turns_with_the_body() -> void:
 			for i in 4:
 				var local := Vector2(-60 if i % 2 == 0 else 60, -35 if i < 2 else 35)
 				check_pixel(seen, body.to_global(local), corners[i], "texture at a rotation of %s" % turn)
-				check_pixel(seen, body.to_global(local * 0.15), corners[i], "texture near the centre")
+				check_pixel(seen, body.to_global(local * 0.15), corners[i], "texture near the center")
 		body.free()
 
 

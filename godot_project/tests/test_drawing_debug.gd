@@ -27,13 +27,13 @@ func test_with_the_hint_hull_springs_and_stiffness_are_drawn() -> void:
 	fill = Color(fill.r * fill.a, fill.g * fill.a, fill.b * fill.a, fill.a)
 	check_pixel(image, body.to_global(Vector2(-60, 25)), fill, "between the springs", 0.1)
 	var spring := image.get_pixelv(Vector2i(body.to_global(Vector2(-40, -40))))
-	check_above(color_difference(spring, fill), 0.2, "colour of a spring against the fill")
-	check_pixel(image, body.to_global(Vector2(0, 0)), Color.YELLOW, "the centre of mass", 0.2)
+	check_above(color_difference(spring, fill), 0.2, "color of a spring against the fill")
+	check_pixel(image, body.to_global(Vector2(0, 0)), Color.YELLOW, "the center of mass", 0.2)
 	var bright := 0
 	for y in range(180, 200):
 		for x in range(204, 300):
 			bright += int(color_difference(image.get_pixel(x, y), Color.WHITE) < 0.15)
-	check_above(bright, 20, "white pixels of the text beside the centre")
+	check_above(bright, 20, "white pixels of the text beside the center")
 
 
 func test_stretched_springs_are_red_and_pressed_ones_blue() -> void:
@@ -50,9 +50,9 @@ func test_stretched_springs_are_red_and_pressed_ones_blue() -> void:
 	var hull := body.get_interpolated_hull()
 	var box := bounds_of(hull)
 	check_above(box.size.x / box.size.y, 1.5, "stretch")
-	var centre := box.get_center()
-	var stretched := image.get_pixelv(Vector2i(centre.lerp(Vector2(box.end.x, centre.y), 0.6)))
-	var pressed := image.get_pixelv(Vector2i(centre.lerp(Vector2(centre.x, box.end.y), 0.6)))
+	var center := box.get_center()
+	var stretched := image.get_pixelv(Vector2i(center.lerp(Vector2(box.end.x, center.y), 0.6)))
+	var pressed := image.get_pixelv(Vector2i(center.lerp(Vector2(center.x, box.end.y), 0.6)))
 	check_above(stretched.r - stretched.b, 0.3, "red of a stretched spring")
 	check_above(pressed.b - pressed.r, 0.3, "blue of a pressed spring")
 

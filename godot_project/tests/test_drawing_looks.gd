@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends "res://tests/support/picture_suite.gd"
-## Outline, colours, textures and what a CanvasItem can: seen in pixels, and beside a Polygon2D that shows the same.
+## Outline, colors, textures and what a CanvasItem can: seen in pixels, and beside a Polygon2D that shows the same.
 
 const U_SHAPE: Array[Vector2] = [Vector2(-90, -60), Vector2(-50, -60), Vector2(-40, 30), Vector2(40, 30),
 	Vector2(50, -60), Vector2(90, -60), Vector2(90, 80), Vector2(-90, 80)]
@@ -154,10 +154,10 @@ func test_vertex_colors_blend_between_the_hull_points() -> void:
 		await ticks(2)
 		var image := await picture()
 		for place: Vector2 in [Vector2(0, 0), Vector2(-70, 40), Vector2(60, -30), Vector2(30, 10)]:
-			check_pixel(image, body.to_global(place), Color((place.x + 80) / 160, (place.y + 50) / 100, 0), "blended colour")
+			check_pixel(image, body.to_global(place), Color((place.x + 80) / 160, (place.y + 50) / 100, 0), "blended color")
 		body.color = Color(0.5, 1, 1)
 		await ticks(2)
-		check_pixel(await picture(), body.to_global(Vector2(60, 0)), Color(0.5 * 140 / 160, 0.5, 0), "tinted colour")
+		check_pixel(await picture(), body.to_global(Vector2(60, 0)), Color(0.5 * 140 / 160, 0.5, 0), "tinted color")
 		body.free()
 
 
@@ -174,7 +174,7 @@ func test_vertex_colors_of_a_dented_body_look_like_those_of_a_polygon() -> void:
 			colors.reverse()
 		# Linear in the plane, so that it does not matter how the triangles are laid.
 		var body := add_to_view({ "hull": hull, "vertex_colors": colors, "rotation": 0.4, "scale": Vector2(1.2, 0.9) })
-		await _check_like_polygon(body, ["vertex_colors"], "a body with vertex colours", 0.02)
+		await _check_like_polygon(body, ["vertex_colors"], "a body with vertex colors", 0.02)
 		body.free()
 
 
@@ -184,7 +184,7 @@ func test_colors_and_coordinates_of_another_number_are_left_out_and_warned_of() 
 	var body := add_to_view({ "color": Color.RED, "vertex_colors": PackedColorArray([Color.BLUE, Color.GREEN]),
 			"uv": PackedVector2Array([Vector2.ZERO]) })
 	await ticks(2)
-	check_pixel(await picture(), body.global_position, Color.RED, "a body whose colours do not fit")
+	check_pixel(await picture(), body.global_position, Color.RED, "a body whose colors do not fit")
 	var warnings := "\n".join(body.get_warnings())
 	check("vertex_colors" in warnings and "'uv'" in warnings, "the warnings say nothing of it: " + warnings)
 	body.vertex_colors = PackedColorArray()
@@ -273,16 +273,16 @@ func test_the_texture_sticks_to_a_body_that_is_squashed() -> void:
 			await ticks(7)
 			var image := await picture()
 			var drawn := body.get_interpolated_hull()
-			var centre := Vector2.ZERO
+			var center := Vector2.ZERO
 			for point in drawn:
-				centre += point / drawn.size()
+				center += point / drawn.size()
 			var box := bounds_of(drawn)
 			squashed = squashed or box.size.x / box.size.y > 1.1
 			for i in drawn.size():
 				var rest := body.hull[i]
 				if minf(absf(rest.x), absf(rest.y)) > 15:
 					var quarter := int(rest.x > 0) + 2 * int(rest.y > 0)
-					check_pixel(image, drawn[i].lerp(centre, 0.15), corners[quarter], "the texture near hull point %d" % i)
+					check_pixel(image, drawn[i].lerp(center, 0.15), corners[quarter], "the texture near hull point %d" % i)
 		check(squashed, "the body was not squashed")
 		body.free()
 
@@ -348,7 +348,7 @@ void fragment() { COLOR = vec4(UV, place.x / 200.0 + 0.5, COLOR.a); }"""
 	var image := await picture()
 	for place: Vector2 in [Vector2(-60, 30), Vector2(20, -40), Vector2(5, 5)]:
 		var color := image.get_pixelv(Vector2i(body.to_global(place)))
-		check_near(color.a, 0.5, 0.05, "alpha that the shader took from the colour")
+		check_near(color.a, 0.5, 0.05, "alpha that the shader took from the color")
 		# The viewport's picture is multiplied by its alpha.
 		check_near(color.r / color.a, (place.x + 80) / 160, 0.05, "UV.x at %s" % place)
 		check_near(color.g / color.a, (place.y + 50) / 100, 0.05, "UV.y at %s" % place)

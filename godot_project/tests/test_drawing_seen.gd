@@ -17,12 +17,12 @@ func _wobble(body: SoftBody2D, speed := 200.0) -> void:
 ## The pixels just inside and outside of the interpolated hull.
 func _check_shows(image: Image, body: SoftBody2D, canvas: Transform2D, what: String) -> void:
 	var hull := canvas * body.get_interpolated_hull()
-	var centre := Vector2.ZERO
+	var center := Vector2.ZERO
 	for point in hull:
-		centre += point / hull.size()
+		center += point / hull.size()
 	for point in hull:
-		check_pixel(image, point.lerp(centre, 0.1), body.color, "inside of " + what)
-		check_pixel(image, point.lerp(centre, -0.1), CLEAR, "outside of " + what)
+		check_pixel(image, point.lerp(center, 0.1), body.color, "inside of " + what)
+		check_pixel(image, point.lerp(center, -0.1), CLEAR, "outside of " + what)
 
 
 func test_bodies_at_rest_are_not_updated() -> void:

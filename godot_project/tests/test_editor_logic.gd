@@ -85,7 +85,7 @@ func test_a_selection_forgets_points_that_are_gone() -> void:
 func test_a_selection_is_turned_and_scaled_about_a_place() -> void:
 	var turn := SelectionBox.rotation_about(Vector2(5, 5), Vector2(5, 0), Vector2(10, 5), false)
 	check_near(turn * Vector2(5, 0), Vector2(10, 5), 1e-4, "the handle goes with the mouse")
-	check_near(turn * Vector2(5, 5), Vector2(5, 5), 1e-4, "the centre")
+	check_near(turn * Vector2(5, 5), Vector2(5, 5), 1e-4, "the center")
 	var stepped := SelectionBox.rotation_about(Vector2.ZERO, Vector2(1, 0), Vector2.from_angle(0.3), true)
 	check_near(stepped.get_rotation(), deg_to_rad(15), 1e-5, "angle in steps")
 	var grow := SelectionBox.scale_about(Vector2.ZERO, Vector2(10, 10), Vector2(20, 5), false)
@@ -105,9 +105,9 @@ func test_places_snap_to_a_grid_with_an_offset() -> void:
 	check_equal(snapping.snapped_to_grid(Vector2(11, 11)), Vector2(13, 20), "place on the grid")
 
 
-# What springs, pins and colours become.
+# What springs, pins and colors become.
 
-func test_an_inserted_point_is_held_like_its_neighbours_and_indices_follow() -> void:
+func test_an_inserted_point_is_held_like_its_neighbors_and_indices_follow() -> void:
 	var hull := SoftBody2D.make_circle_hull(50, 8)
 	var inner: PackedVector2Array = [Vector2(10, 5)]
 	var springs: PackedInt32Array = [0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 0, 2, 8, 3, 8, 7, 9]
@@ -129,12 +129,12 @@ func test_an_inserted_point_is_held_like_its_neighbours_and_indices_follow() -> 
 	check_equal(after[&"spring_stiffness_scales"][SpringEdit.find(joined, 8, 10)], 11.0, "factor of a spring that stays")
 	check_equal(after[&"pinned_points"], PackedInt32Array([1, 6, 10]), "pinned points")
 	check_equal(after[&"pin_targets"], [^"../A", ^"", ^"../B"] as Array[NodePath], "targets")
-	check_near(after[&"vertex_colors"][3].r, place.x / 100 + 0.5, 1e-5, "colour of the new point")
+	check_near(after[&"vertex_colors"][3].r, place.x / 100 + 0.5, 1e-5, "color of the new point")
 	# Taking it out again gives what was, but for the order of the springs.
 	var back := StructureRemap.with_hull(after, hull, PackedInt32Array([0, 1, 2, 4, 5, 6, 7, 8]))
 	check_equal(back[&"pinned_points"], values[&"pinned_points"], "pinned points after the erasure")
-	check_equal(back[&"vertex_colors"], values[&"vertex_colors"], "colours after the erasure")
-	check(SpringEdit.find(back[&"springs"], 2, 3) < 0, "a spring between neighbours does not come back by itself")
+	check_equal(back[&"vertex_colors"], values[&"vertex_colors"], "colors after the erasure")
+	check(SpringEdit.find(back[&"springs"], 2, 3) < 0, "a spring between neighbors does not come back by itself")
 	_check_fits(back, "an erasure")
 
 
@@ -147,7 +147,7 @@ func test_factors_of_automatic_springs_stay_with_their_points() -> void:
 	_check_fits(after, "an insertion")
 	var springs := BodyValues.springs(after)
 	check_equal(after[&"spring_stiffness_scales"].size(), springs.size() / 2, "factors")
-	var new_of := [0, 1, 2, 3, 4, 6, 7, 8, 9] # the last is the centre
+	var new_of := [0, 1, 2, 3, 4, 6, 7, 8, 9] # the last is the center
 	for i in old_springs.size() / 2:
 		var a: int = new_of[old_springs[2 * i]]
 		var b: int = new_of[old_springs[2 * i + 1]]
@@ -188,14 +188,14 @@ func test_springs_are_added_and_taken_out_with_their_factors() -> void:
 	check_equal(SpringEdit.of_kind(BodyValues.springs(values), 6, SpringEdit.Kind.INNER).size(), 6, "inner springs")
 
 
-func test_inner_points_come_and_go_and_the_centre_point_stays_the_last() -> void:
+func test_inner_points_come_and_go_and_the_center_point_stays_the_last() -> void:
 	var values := _values(SoftBody2D.make_circle_hull(50, 6), {"pinned_points": PackedInt32Array([6, 2]),
 			"pin_targets": [^"../A", ^"../B"] as Array[NodePath]})
 	var own := SpringEdit.with_spring(values, 0, 3)
 	var more := SpringEdit.with_inner_point(own, Vector2(20, 5))
 	_check_fits(more, "an inner point")
-	check(SpringEdit.find(more[&"springs"], 7, 0) >= 0, "the centre's springs are still the centre's")
-	check_equal(more[&"pinned_points"], PackedInt32Array([7, 2]), "the centre's pin")
+	check(SpringEdit.find(more[&"springs"], 7, 0) >= 0, "the center's springs are still the center's")
+	check_equal(more[&"pinned_points"], PackedInt32Array([7, 2]), "the center's pin")
 	check_equal(more[&"springs"].size() / 2, 16, "springs, with three of the new point")
 	var back := SpringEdit.without_inner_point(more, 0)
 	_check_fits(back, "without it")
@@ -262,7 +262,7 @@ func test_what_users_read_can_be_translated() -> void:
 	check_equal(Words.say("Trace Hull"), "Trace Hull", "text after it was unloaded")
 
 
-# Brush and colours.
+# Brush and colors.
 
 func test_the_brush_is_full_in_the_middle_and_fades_evenly() -> void:
 	var brush := Brush.new()
@@ -300,7 +300,7 @@ func test_the_brush_paints_towards_its_factor_and_only_what_it_touches() -> void
 	check_equal(factors, PackedFloat32Array([1, 1]), "what was painted on")
 
 
-func test_colours_go_by_ratios_and_equal_springs_are_in_the_middle() -> void:
+func test_colors_go_by_ratios_and_equal_springs_are_in_the_middle() -> void:
 	var colors := StiffnessColors.new()
 	colors.include(100, PackedFloat32Array())
 	check_near(colors.place_of(100), 0.5, 1e-6, "place of springs that are all alike")
@@ -309,7 +309,7 @@ func test_colours_go_by_ratios_and_equal_springs_are_in_the_middle() -> void:
 	check_near(colors.place_of(10), 0.0, 1e-6, "place of the softest")
 	check_near(colors.place_of(100), 0.5, 1e-6, "place of the middle")
 	check_near(colors.place_of(1000), 1.0, 1e-6, "place of the stiffest")
-	check(colors.color_of(10) != colors.color_of(1000), "soft and stiff have colours of their own")
+	check(colors.color_of(10) != colors.color_of(1000), "soft and stiff have colors of their own")
 
 
 # Shapes.
@@ -358,7 +358,7 @@ func test_resampled_outlines_are_even_and_keep_their_length() -> void:
 			Vector2(5, 10), Vector2(0, 10), Vector2(0, 5)]), "points")
 	var circle := Outline.resampled(SoftBody2D.make_circle_hull(50, 64), 200)
 	for i in 200:
-		check_near(circle[i].distance_to(circle[(i + 1) % 200]), TAU * 50 / 200, 0.02, "distance of neighbours")
+		check_near(circle[i].distance_to(circle[(i + 1) % 200]), TAU * 50 / 200, 0.02, "distance of neighbors")
 
 
 func test_simplified_outlines_keep_what_matters() -> void:

@@ -102,12 +102,12 @@ func test_large_pictures_are_traced_as_exactly_as_it_takes_and_say_how_far_they_
 		check_equal(picture.get_size(), Vector2i(size, size), "size of the picture afterwards")
 
 
-func test_tracing_can_be_cancelled_from_outside() -> void:
+func test_tracing_can_be_canceled_from_outside() -> void:
 	var trace := TextureTrace.new()
-	trace.cancelled = true
+	trace.canceled = true
 	trace.trace(_disk(50, 20), 32)
 	check_equal(trace.outline, PackedVector2Array(), "outline")
-	check("cancelled" in trace.problem, "the message: " + trace.problem)
+	check("canceled" in trace.problem, "the message: " + trace.problem)
 
 
 func test_frames_regions_and_flips_of_a_sprite_lie_where_they_are_seen() -> void:

@@ -148,7 +148,7 @@ func test_the_lift_carries_its_rider() -> void:
 		check_near(bounds_of(hull_of(_body("Rider"))).end.y, lift.position.y - 12, 6, "lower end of the rider on the lift")
 
 
-func test_bodies_of_one_colour_pass_through_each_other() -> void:
+func test_bodies_of_one_color_pass_through_each_other() -> void:
 	_open("collision_exceptions")
 	await seconds(3)
 	var bodies := _scene.find_children("*", "SoftBody2D")
@@ -166,8 +166,8 @@ func test_bodies_of_one_colour_pass_through_each_other() -> void:
 			else:
 				overlaps += int(inside > 0)
 			exceptions += int(a.get_collision_exceptions().has(b))
-	check_equal(exceptions, 3 * 4 * 3 / 2, "pairs of one colour")
-	check_above(overlaps, 5, "bodies that lie in one of their colour")
+	check_equal(exceptions, 3 * 4 * 3 / 2, "pairs of one color")
+	check_above(overlaps, 5, "bodies that lie in one of their color")
 
 
 func test_interpolation_puts_the_ticks_back() -> void:

@@ -19,7 +19,7 @@ func test_a_circle_has_its_radius_and_count() -> void:
 	var hull := SoftBody2D.make_circle_hull(40, 24)
 	check_equal(hull.size(), 24, "number of points")
 	for point in hull:
-		check_near(point.length(), 40.0, 0.001, "distance from the centre")
+		check_near(point.length(), 40.0, 0.001, "distance from the center")
 	check_near(hull[0], Vector2(40, 0), 0.001, "first point")
 	check_near(absf(_area(hull)), 24 / 2.0 * 40 * 40 * sin(TAU / 24), 1, "area")
 
@@ -38,7 +38,7 @@ func test_a_capsule_has_its_radius_and_height() -> void:
 	var box := bounds_of(hull)
 	check_near(box.size.x, 40.0, 0.1, "width")
 	check_near(box.size.y, 100.0, 0.6, "height")
-	check_near(box.get_center(), Vector2.ZERO, 0.5, "centre")
+	check_near(box.get_center(), Vector2.ZERO, 0.5, "center")
 
 
 func test_makers_refuse_what_is_no_shape() -> void:
@@ -58,7 +58,7 @@ func test_makers_refuse_what_is_no_shape() -> void:
 			check(made.is_empty(), "a %s was made" % what), [], what)
 
 
-func test_points_are_in_the_order_of_the_hull_then_the_centre() -> void:
+func test_points_are_in_the_order_of_the_hull_then_the_center() -> void:
 	for hull: PackedVector2Array in [PackedVector2Array(DENTED), _reversed(DENTED)]:
 		var body := add_weightless_body(Vector2(300, 200), { "hull": hull, "rotation": 0.5 })
 		var expected := body.global_transform * hull
@@ -70,7 +70,7 @@ func test_points_are_in_the_order_of_the_hull_then_the_centre() -> void:
 		var mean := Vector2.ZERO
 		for point in hull_of(body):
 			mean += point / hull.size()
-		check_near(body.get_point_positions()[hull.size()], mean, 0.05, "the centre point")
+		check_near(body.get_point_positions()[hull.size()], mean, 0.05, "the center point")
 		check_points_near(body.get_interpolated_hull(1), expected, 0.01, "interpolated hull and hull")
 		body.free()
 

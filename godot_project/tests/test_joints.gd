@@ -77,7 +77,7 @@ func test_a_joint_to_a_rigid_body_pulls_both_ways() -> void:
 		var momentum := crate.linear_velocity * mass + body.linear_velocity * body.mass
 		check_near(momentum.x, 100.0 * mass, 1.0 * mass, "momentum of a pair with a crate of %s kg" % mass)
 		check_near(body.get_center_of_mass_position().x + mass * (crate.position.x - 90), 200.0 * mass, 6.0 * mass,
-				"way of the centre of mass of both, times the mass, with a crate of %s kg" % mass)
+				"way of the center of mass of both, times the mass, with a crate of %s kg" % mass)
 		check_below(joint.get_anchor_a().distance_to(joint.get_anchor_b()), 10 + 2, "gap of the joint to a crate of %s kg" % mass)
 		body.free()
 		crate.free()

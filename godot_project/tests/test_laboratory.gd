@@ -51,7 +51,7 @@ func test_models_leave_out_what_they_do_without() -> void:
 		matchings.append(_bodies[i].soft_body_material.shape_matching > 0)
 	check_equal(pressures, [false, true, false, true], "models with pressure")
 	check_equal(matchings, [false, false, true, true], "models with shape matching")
-	check_equal(_bodies[1].center_point, false, "centre point of the pressure model")
+	check_equal(_bodies[1].center_point, false, "center point of the pressure model")
 
 
 func test_all_integrators_are_there_and_run() -> void:

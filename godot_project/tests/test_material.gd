@@ -87,7 +87,7 @@ func test_values_out_of_range_are_refused_and_nobody_is_told() -> void:
 
 
 func test_density_makes_the_mass_of_the_area_and_a_scaled_body_heavier() -> void:
-	# Two by one metres.
+	# Two by one meters.
 	var hull := SoftBody2D.make_box_hull(Vector2(200, 100), 25)
 	var material := _make({"density": 3.0, "stiffness": 300.0})
 	var body := add_weightless_body(Vector2.ZERO, {"hull": hull, "mass": 5.0})

@@ -72,7 +72,7 @@ func test_a_cell_presses_itself_flat_at_the_wall() -> void:
 	Input.action_release(&"ui_right")
 	var box := bounds_of(hull_of(player))
 	check_below(box.size.x / box.size.y, 0.95, "width over height of the cell at the wall")
-	# The wall's polygon has its edges' middles at 640 cos(π/64) = 639.2 from the centre.
+	# The wall's polygon has its edges' middles at 640 cos(π/64) = 639.2 from the center.
 	check_near(box.end.x, 640.0, 2, "right end of the cell at the wall")
 	check_near(player.get_area() / player.get_rest_area(), 1.0, 0.1, "area over rest area")
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends "res://tests/support/suite.gd"
-## What a body is made of and how it is stepped: pressure, the centre point, integrators.
+## What a body is made of and how it is stepped: pressure, the center point, integrators.
 
 const RADIUS := 50.0
 const POINTS := 16
@@ -77,9 +77,9 @@ func test_pressure_keeps_the_area_of_a_body_that_its_weight_presses_flat() -> vo
 	check_above(firm_share, 0.9, "area over rest area with pressure")
 
 
-func test_the_centre_point_is_one_more_point_and_may_come_and_go() -> void:
+func test_the_center_point_is_one_more_point_and_may_come_and_go() -> void:
 	var body := add_weightless_body(Vector2(30, 40))
-	check_equal(body.get_point_count(), POINTS + 1, "points with a centre point")
+	check_equal(body.get_point_count(), POINTS + 1, "points with a center point")
 	await ticks(5)
 	for wanted: bool in [false, true, false]:
 		body.center_point = wanted
@@ -87,7 +87,7 @@ func test_the_centre_point_is_one_more_point_and_may_come_and_go() -> void:
 		var count := POINTS + 1 if wanted else POINTS
 		check_equal(body.get_point_count(), count, "points with center_point = %s" % wanted)
 		check_equal(body.get_point_positions().size(), count, "positions with center_point = %s" % wanted)
-		check_near(body.get_center_of_mass_position(), Vector2(30, 40), 0.1, "centre of mass")
+		check_near(body.get_center_of_mass_position(), Vector2(30, 40), 0.1, "center of mass")
 		check_near(body.get_area() / body.get_rest_area(), 1.0, 0.01, "area over rest area")
 
 

@@ -101,7 +101,7 @@ func test_a_force_applied_every_tick_holds_a_body_up() -> void:
 func test_a_force_at_a_point_moves_and_spins() -> void:
 	var body := add_weightless_body(Vector2.ZERO, { "stiffness": 2000.0 })
 	for i in 10:
-		body.apply_point_force(0, Vector2(0, 200)) # point 0 lies to the right of the centre
+		body.apply_point_force(0, Vector2(0, 200)) # point 0 lies to the right of the center
 		await ticks(1)
 	check_near(body.get_linear_velocity(), Vector2(0, 200 * 10 / 60.0), 0.1, "velocity")
 	check_above(body.get_angular_velocity(), 0.2, "spin")
@@ -195,11 +195,11 @@ func test_measures_agree_with_the_points() -> void:
 		sum += body.get_point_positions()[i] / 17
 		velocity += body.get_point_velocities()[i] / 17
 		energy += body.get_point_velocities()[i].length_squared() / 2 / 17
-	check_near(body.get_center_of_mass_position(), sum, 0.01, "centre of mass")
+	check_near(body.get_center_of_mass_position(), sum, 0.01, "center of mass")
 	check_near(body.get_linear_velocity(), velocity, 0.01, "velocity")
 	check_near(body.get_kinetic_energy(), energy, 0.001 * energy, "kinetic energy")
 	check_equal(body.get_nearest_point(body.get_point_positions()[5] + Vector2(1, 1)), 5, "nearest point")
-	check(body.has_point(sum), "the centre is not inside")
+	check(body.has_point(sum), "the center is not inside")
 	check(not body.has_point(sum + Vector2(80, 0)), "a place 80 px away is inside")
 
 

@@ -61,11 +61,11 @@ func test_a_move_is_seen_by_the_next_line_of_code() -> void:
 	var body := add_weightless_body()
 	await ticks(3)
 	body.global_position = Vector2(400, 0)
-	check_near(body.get_center_of_mass_position(), Vector2(400, 0), 0.1, "centre of mass right after the move")
+	check_near(body.get_center_of_mass_position(), Vector2(400, 0), 0.1, "center of mass right after the move")
 	check(body.has_point(Vector2(400, 0)), "the new place is not inside")
 	body.apply_central_impulse(Vector2(6, 0))
 	await ticks(10)
-	check_near(body.get_center_of_mass_position(), Vector2(401, 0), 0.1, "centre of mass ten ticks later")
+	check_near(body.get_center_of_mass_position(), Vector2(401, 0), 0.1, "center of mass ten ticks later")
 
 
 func test_moving_keeps_the_velocity() -> void:
@@ -100,7 +100,7 @@ func test_moving_the_parent_moves_the_body() -> void:
 	parent.position = Vector2(0, 300)
 	parent.rotation = PI / 2
 	await ticks(2)
-	check_near(body.get_center_of_mass_position(), Vector2(0, 350), 0.1, "centre of mass")
+	check_near(body.get_center_of_mass_position(), Vector2(0, 350), 0.1, "center of mass")
 	check_near(body.position, Vector2(50, 0), 0.1, "position under the parent")
 
 
@@ -171,7 +171,7 @@ func test_leaving_and_entering_the_tree_keeps_the_body() -> void:
 	body.position = Vector2(100, 50)
 	stage.add_child(body)
 	await ticks(1)
-	check_near(body.get_center_of_mass_position(), Vector2(100, 50), 8, "centre of mass after entering elsewhere")
+	check_near(body.get_center_of_mass_position(), Vector2(100, 50), 8, "center of mass after entering elsewhere")
 	check_near(body.get_area() / body.get_rest_area(), 1.0, 0.01, "area")
 	await ticks(30)
 	check_above(body.get_center_of_mass_position().y, 150, "y later")

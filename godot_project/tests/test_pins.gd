@@ -8,7 +8,7 @@ func test_a_pinned_point_stays_and_the_body_hangs_from_it() -> void:
 	var start := body.get_point_positions()[12]
 	await seconds(3)
 	check_equal(body.get_point_positions()[12], start, "the pinned point")
-	check_above(body.get_center_of_mass_position().y, start.y + 30, "y of the centre below its pin")
+	check_above(body.get_center_of_mass_position().y, start.y + 30, "y of the center below its pin")
 	check(body.is_point_pinned(12) and not body.is_point_pinned(3), "is_point_pinned tells which")
 
 

@@ -178,7 +178,7 @@ func test_a_hull_whose_middle_is_one_of_its_points_is_refused_whole() -> void:
 	var body := add_body()
 	var old := body.hull
 	var mean_on_point := PackedVector2Array([Vector2(0, 0), Vector2(60, 0), Vector2(-30, 40), Vector2(-30, -40)])
-	check_refused(func() -> void: body.hull = mean_on_point, ["hull", "centre point"], "a middle on a hull point")
+	check_refused(func() -> void: body.hull = mean_on_point, ["hull", "center point"], "a middle on a hull point")
 	check_equal(body.hull, old, "hull")
 	check_equal(body.get_point_positions().size(), old.size() + 1, "number of points")
 	take_errors()

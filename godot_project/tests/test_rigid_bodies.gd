@@ -39,8 +39,8 @@ func state_of(body: RigidBody2D) -> PhysicsDirectBodyState2D:
 func momentum_of(soft: SoftBody2D, rigid: RigidBody2D) -> Vector3:
 	var state := state_of(rigid)
 	var linear := state.linear_velocity * rigid.mass
-	var centre := state.transform.origin + state.center_of_mass
-	var angular := centre.cross(linear) + state.angular_velocity / state.inverse_inertia
+	var center := state.transform.origin + state.center_of_mass
+	var angular := center.cross(linear) + state.angular_velocity / state.inverse_inertia
 	var points := soft.get_point_positions()
 	var velocities := soft.get_point_velocities()
 	for i in points.size():
@@ -64,7 +64,7 @@ func test_a_collision_in_free_space_keeps_both_momenta() -> void:
 			var after := momentum_of(soft, rigid)
 			var what := "at %d ticks with %s kg" % [rate, mass]
 			check_above(state_of(rigid).linear_velocity.length(), 50, "speed of what was hit " + what)
-			check_above(absf(state_of(rigid).angular_velocity), 0.2, "spin of what was hit beside its centre " + what)
+			check_above(absf(state_of(rigid).angular_velocity), 0.2, "spin of what was hit beside its center " + what)
 			check_near(Vector2(after.x, after.y), Vector2(before.x, before.y), 4, "linear momentum " + what)
 			check_near(after.z, before.z, absf(before.z) * 0.01, "angular momentum " + what)
 			soft.free()
@@ -108,7 +108,7 @@ func test_gravity_acts_once_on_a_rigid_body_near_a_soft_one() -> void:
 		await ticks(2)
 
 
-## Claims that the body's centre stays within `tolerance` px for a second.
+## Claims that the body's center stays within `tolerance` px for a second.
 func check_stays(body: Node2D, tolerance: float, what: String) -> void:
 	var from := body.global_position
 	var way := 0.0
@@ -264,7 +264,7 @@ func test_a_soft_body_pushes_a_crate_along_the_floor() -> void:
 	check_above(state_of(crate).linear_velocity.x, 140, "speed of the crate")
 
 
-func test_lock_rotation_and_freeze_are_honoured() -> void:
+func test_lock_rotation_and_freeze_are_honored() -> void:
 	var locked := add_free_rigid(rectangle(80, 80), Vector2(150, 30), 1, { "lock_rotation": true })
 	var first := add_weightless_body(Vector2(0, 0))
 	var frozen := add_free_rigid(rectangle(80, 80), Vector2(150, 1030), 1, { "freeze": true })
@@ -292,7 +292,7 @@ func test_a_body_frozen_in_flight_is_a_wall_and_a_released_one_is_pushed() -> vo
 	check_above(state_of(rigid).linear_velocity.x, 50, "speed of the released body")
 
 
-func test_the_centre_of_mass_decides_how_a_body_turns() -> void:
+func test_the_center_of_mass_decides_how_a_body_turns() -> void:
 	var spins := PackedFloat64Array()
 	for offset: float in [-30.0, 0.0, 30.0]:
 		var rigid := add_free_rigid(rectangle(40, 120), Vector2(150, 0), 1,
@@ -304,10 +304,10 @@ func test_the_centre_of_mass_decides_how_a_body_turns() -> void:
 		var before := momentum_of(soft, rigid)
 		await seconds(1)
 		var after := momentum_of(soft, rigid)
-		check_near(after.z, before.z, 200 * 30 * 0.02, "angular momentum with the centre at %s" % offset)
+		check_near(after.z, before.z, 200 * 30 * 0.02, "angular momentum with the center at %s" % offset)
 		spins.append(state_of(rigid).angular_velocity)
 		soft.free()
 		rigid.free()
 		await ticks(2)
-	check_below(spins[0] * spins[2], -0.1, "product of the spins with the centre on either side")
-	check_near(spins[1], 0.0, 0.1, "spin with the centre in the middle")
+	check_below(spins[0] * spins[2], -0.1, "product of the spins with the center on either side")
+	check_near(spins[1], 0.0, 0.1, "spin with the center in the middle")

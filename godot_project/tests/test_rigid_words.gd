@@ -101,7 +101,7 @@ func test_velocities_can_be_set_before_and_after_the_body_is_made() -> void:
 	check_near(body.linear_velocity, Vector2(0, 10), 1e-3, "velocity after a refused one")
 
 
-func test_mass_inertia_and_centre_of_mass_are_those_of_the_points() -> void:
+func test_mass_inertia_and_center_of_mass_are_those_of_the_points() -> void:
 	var hull := SoftBody2D.make_box_hull(Vector2(120, 40), 20)
 	for i in hull.size():
 		hull[i] += Vector2(30, 10)
@@ -119,8 +119,8 @@ func test_mass_inertia_and_centre_of_mass_are_those_of_the_points() -> void:
 			body.rotation = 1
 			stage.add_child(body)
 		check_near(body.inertia, expected, expected * 1e-4, "inertia, in the tree: %s" % in_tree)
-		check_near(body.center_of_mass, Vector2(30, 10), 0.01, "centre of mass, in the tree: %s" % in_tree)
-	check_near(body.get_center_of_mass_position(), Vector2(200, 100) + Vector2(30, 10).rotated(1), 0.01, "centre of mass in the world")
+		check_near(body.center_of_mass, Vector2(30, 10), 0.01, "center of mass, in the tree: %s" % in_tree)
+	check_near(body.get_center_of_mass_position(), Vector2(200, 100) + Vector2(30, 10).rotated(1), 0.01, "center of mass in the world")
 	body.set_point_position(0, body.get_point_positions()[0] + Vector2(-300, 0).rotated(1))
 	check_above(body.inertia, expected * 1.5, "inertia of a stretched body")
 

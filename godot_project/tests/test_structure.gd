@@ -108,7 +108,7 @@ func test_inner_points_are_points_of_the_body() -> void:
 	var points := body.get_point_positions()
 	for i in 2:
 		check_near(points[4 + i], Vector2(100, 50) + inner[i], 0.01, "inner point %d" % i)
-	check_near(points[6], Vector2(100, 50), 0.01, "centre point")
+	check_near(points[6], Vector2(100, 50), 0.01, "center point")
 	check_equal(hull_of(body).size(), 4, "hull points")
 	body.apply_point_impulse(5, Vector2(1, 0))
 	check_near(body.get_point_velocities()[5], Vector2(7, 0), 1e-3, "velocity of the inner point, a seventh of the mass")

@@ -292,7 +292,7 @@ func test_what_goes_away_holds_no_longer() -> void:
 			await _clear_stage()
 
 
-func test_what_changes_is_honoured() -> void:
+func test_what_changes_is_honored() -> void:
 	var solid := add_floor(100)
 	var soft := _box(Vector2(0, 68), { "friction": 0.0, "rolling_resistance": 0.0 })
 	await seconds(1)
@@ -380,7 +380,7 @@ func test_thousands_of_small_solids_all_hold() -> void:
 		check_near(bounds_of(hull_of(soft)).end.y, 0.0, 1, "lower side on thousands of solids")
 
 
-func test_a_changed_layer_is_honoured_at_once() -> void:
+func test_a_changed_layer_is_honored_at_once() -> void:
 	var solid := add_floor(100)
 	solid.collision_layer = 2
 	var soft := _box(Vector2(0, 0))

@@ -5,7 +5,7 @@ extends "res://tests/support/suite.gd"
 const RADIUS := 50.0
 
 
-## Places of the points relative to the centre after a second of wobble, started by a dent.
+## Places of the points relative to the center after a second of wobble, started by a dent.
 func _wobble(ticks_per_second: int, time_scale := 1.0) -> PackedVector2Array:
 	Engine.physics_ticks_per_second = ticks_per_second
 	Engine.time_scale = time_scale
@@ -16,10 +16,10 @@ func _wobble(ticks_per_second: int, time_scale := 1.0) -> PackedVector2Array:
 		velocities[i] = Vector2(1, 0) * cos(TAU * 2 * i / 16.0) * 400
 	body.set_point_velocities(velocities)
 	await ticks(roundi(ticks_per_second / time_scale))
-	var centre := body.get_center_of_mass_position()
+	var center := body.get_center_of_mass_position()
 	var places := PackedVector2Array()
 	for point in body.get_point_positions():
-		places.append(point - centre)
+		places.append(point - center)
 	body.free()
 	Engine.physics_ticks_per_second = 60
 	Engine.time_scale = 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Packs what users install: the addon with its licence, its manual and the libraries that have been built.
+"""Packs what users install: the addon with its license, its manual and the libraries that have been built.
 
 Usage: pack_addon.py REPOSITORY OUTPUT.zip
 Below `addons/soft_body_2d`, as Godot's asset library wants it. The same files make the same bytes."""

@@ -16,8 +16,8 @@
 
 namespace softbody {
 
-/// Godot's own conversion between lengths in 2D and metres [px/m].
-inline constexpr Real PIXELS_PER_METRE = 100;
+/// Godot's own conversion between lengths in 2D and meters [px/m].
+inline constexpr Real PIXELS_PER_METER = 100;
 
 inline Vec2 to_core(const godot::Vector2 &p_vector) {
 	return { Real(p_vector.x), Real(p_vector.y) };

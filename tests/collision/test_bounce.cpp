@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Claims about the restitution of a body as a whole: what it remembers of a touch, and what it gets back.
-#include "core/collision/surface_response.h"
+#include "core/collision/surface_constraint.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
 #include "scenes/jelly.h"
@@ -134,7 +134,7 @@ TEST_CASE("a jelly leaves the ground with at least its restitution, and never ri
 				fastest_down = std::fmax(fastest_down, double(frame.velocity.y));
 				fastest_up = std::fmax(fastest_up, -double(frame.velocity.y));
 			}
-			highest = std::fmin(highest, double(frame.centre.y));
+			highest = std::fmin(highest, double(frame.center.y));
 		}
 		CAPTURE(e);
 		// Seen once a frame, in which gravity changes the speed by 16 px/s of about 600.

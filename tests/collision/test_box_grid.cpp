@@ -31,8 +31,8 @@ std::vector<std::uint32_t> ask_grid(const BoxGrid &grid, const Aabb &box) {
 	return found;
 }
 
-Aabb box_at(Vec2 centre, Real half_width, Real half_height) {
-	return { { centre.x - half_width, centre.y - half_height }, { centre.x + half_width, centre.y + half_height } };
+Aabb box_at(Vec2 center, Real half_width, Real half_height) {
+	return { { center.x - half_width, center.y - half_height }, { center.x + half_width, center.y + half_height } };
 }
 
 } // namespace

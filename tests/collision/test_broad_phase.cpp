@@ -22,10 +22,10 @@ using Bodies = std::vector<BroadPhaseBody>;
 Bodies random_bodies(Random &random, int count, double spread, double smallest, double largest) {
 	Bodies bodies;
 	for (int i = 0; i < count; ++i) {
-		const Vec2 centre = random.vector(spread);
+		const Vec2 center = random.vector(spread);
 		const double size = smallest * std::pow(largest / smallest, double(random.real(0, 1)));
 		const Vec2 half{ Real(size) * random.real(0.05, 0.5), Real(size) * random.real(0.05, 0.5) };
-		bodies.push_back({ { centre - half, centre + half }, 1u << random.integer(0, 2), std::uint32_t(random.integer(0, 7)) });
+		bodies.push_back({ { center - half, center + half }, 1u << random.integer(0, 2), std::uint32_t(random.integer(0, 7)) });
 	}
 	return bodies;
 }
@@ -191,15 +191,15 @@ TEST_CASE("pairs and groups are the same for any number of threads" * doctest::t
 		BroadPhase divided;
 		divided.update(bodies, 1, on_threads(threads));
 		CHECK(std::ranges::equal(alone.pairs(), divided.pairs()));
-		REQUIRE(divided.colour_count() == alone.colour_count());
-		for (std::size_t colour = 0; colour < alone.colour_count(); ++colour) {
-			CHECK(std::ranges::equal(alone.groups(colour), divided.groups(colour), {}, &BroadPhase::Group::end,
+		REQUIRE(divided.color_count() == alone.color_count());
+		for (std::size_t color = 0; color < alone.color_count(); ++color) {
+			CHECK(std::ranges::equal(alone.groups(color), divided.groups(color), {}, &BroadPhase::Group::end,
 					&BroadPhase::Group::end));
 		}
 	}
 }
 
-TEST_CASE("no two groups of one colour share a body, and the groups hold each pair once") {
+TEST_CASE("no two groups of one color share a body, and the groups hold each pair once") {
 	Random random(13);
 	for (const double largest : { 1.0, 3.0, 20.0, 400.0 }) {
 		Bodies bodies = random_bodies(random, 1500, 25, 0.8, largest);
@@ -210,10 +210,10 @@ TEST_CASE("no two groups of one colour share a body, and the groups hold each pa
 		broad_phase.update(bodies, 1);
 		std::vector<int> seen(broad_phase.pairs().size());
 		std::size_t most_groups = 0;
-		for (std::size_t colour = 0; colour < broad_phase.colour_count(); ++colour) {
+		for (std::size_t color = 0; color < broad_phase.color_count(); ++color) {
 			std::vector<int> group_of(bodies.size(), -1);
 			int number = 0;
-			for (const BroadPhase::Group group : broad_phase.groups(colour)) {
+			for (const BroadPhase::Group group : broad_phase.groups(color)) {
 				const auto pairs = broad_phase.pairs().subspan(group.begin, group.end - group.begin);
 				CHECK(std::ranges::is_sorted(pairs)); // so that their order does not tell how they were found
 				for (std::uint32_t i = group.begin; i < group.end; ++i) {
@@ -225,7 +225,7 @@ TEST_CASE("no two groups of one colour share a body, and the groups hold each pa
 				}
 				++number;
 			}
-			most_groups = std::max(most_groups, broad_phase.groups(colour).size());
+			most_groups = std::max(most_groups, broad_phase.groups(color).size());
 		}
 		CHECK(std::ranges::count(seen, 1) == std::ptrdiff_t(seen.size()));
 		if (largest == 1) {

@@ -16,8 +16,8 @@ namespace {
 
 constexpr Real SLOP = Real(0.001);
 
-std::vector<Vec2> bar(Real half_width, Real half_height, Vec2 centre = {}) {
-	return box_collider(centre, { half_width, half_height }).vertices;
+std::vector<Vec2> bar(Real half_width, Real half_height, Vec2 center = {}) {
+	return box_collider(center, { half_width, half_height }).vertices;
 }
 
 ColliderMotion motion_between(Vec2 from, Vec2 to) {
@@ -27,7 +27,7 @@ ColliderMotion motion_between(Vec2 from, Vec2 to) {
 } // namespace
 
 TEST_CASE("a needle that comes into a bar in one substep goes back out the way it came, past the middle or right through") {
-	const ConvexCollider needle{ { { 0, 0 }, { -90, 1 }, { -90, -1 } }, 0, {} };
+	const Collider needle{ { { 0, 0 }, { -90, 1 }, { -90, -1 } }, 0, {} };
 	for (const Real half : { Real(10), Real(3), Real(1) }) {
 		const std::vector<Vec2> hull = bar(half, 60); // from (-, -) by (+, -) and (+, +): the left edge leaves point 3
 		const Aabb box = bounding_box(hull);
@@ -54,7 +54,7 @@ TEST_CASE("a needle that comes into a bar in one substep goes back out the way i
 }
 
 TEST_CASE("a corner that stays outside is not touched, and one that stays inside leaves by the nearest edge") {
-	const ConvexCollider needle{ { { 0, 0 }, { -90, 1 }, { -90, -1 } }, 0, {} };
+	const Collider needle{ { { 0, 0 }, { -90, 1 }, { -90, -1 } }, 0, {} };
 	const std::vector<Vec2> hull = bar(10, 60);
 	const Aabb box = bounding_box(hull);
 	CHECK_FALSE(find_contact_of_corner({ hull, hull }, box, needle, 0, motion_between({ -20, 0 }, { -11, 0 })));
@@ -70,7 +70,7 @@ TEST_CASE("a point against a moving collider is that point against the collider 
 	Random random(331);
 	int hits = 0;
 	for (int round = 0; round < 3000; ++round) {
-		ConvexCollider collider = box_collider(random.vector(1), { random.real(0.2, 2), random.real(0.05, 2) });
+		Collider collider = box_collider(random.vector(1), { random.real(0.2, 2), random.real(0.05, 2) });
 		if (random.chance(0.3)) {
 			collider = { { random.vector(1), random.vector(1) + Vec2{ 2, 0 } }, random.chance(0.5) ? random.real(0, 1) : Real(0), {} };
 		}
@@ -96,7 +96,7 @@ TEST_CASE("a point against a moving collider is that point against the collider 
 
 // Found by scripts/mutate.sh: nothing noticed when no corner of a concave collider was looked at any more.
 TEST_CASE("the tip of a concave collider inside a hull is a contact, the bottom of its dent is not") {
-	ConvexCollider crown{ { { -3, -2 }, { 3, -2 }, { 3, -1 }, { 1, Real(-1.5) }, { 0, Real(0.25) }, { -1, Real(-1.5) }, { -3, -1 } }, 0, {} };
+	Collider crown{ { { -3, -2 }, { 3, -2 }, { 3, -1 }, { 1, Real(-1.5) }, { 0, Real(0.25) }, { -1, Real(-1.5) }, { -3, -1 } }, 0, {} };
 	crown.concave = true;
 	REQUIRE_FALSE(check_collider(crown));
 	const auto contact_of = [&](std::size_t corner, Real height) {

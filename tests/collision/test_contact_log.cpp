@@ -15,8 +15,8 @@ TEST_CASE("a place seen again adds its impulse and keeps what was seen last") {
 	ContactLog log;
 	log.add({ 3, ContactOther::Kind::BORDER, 0, 5, 5, 0, { 1, 2 }, { 0, 1 }, 2, Real(0.1) });
 	log.add({ 3, ContactOther::Kind::BORDER, 0, 5, 6, 0, { 3, 4 }, { 1, 0 }, 5, Real(0.2) });
-	REQUIRE(log.sightings().size() == 1);
-	const Sighting &seen = log.sightings()[0];
+	REQUIRE(log.contact_points().size() == 1);
+	const ContactPoint &seen = log.contact_points()[0];
 	CHECK(seen.normal_impulse == 7);
 	CHECK(seen.point == Vec2{ 3, 4 });
 	CHECK(seen.normal == Vec2{ 1, 0 });
@@ -31,11 +31,11 @@ TEST_CASE("places that differ in body, other, its kind or the part that touches 
 	log.add({ 1, ContactOther::Kind::BORDER, 1, 3 });
 	log.add({ 1, ContactOther::Kind::COLLIDER, 2, 3 });
 	log.add({ 1, ContactOther::Kind::SOFT_BODY, 2, 3 });
-	log.add({ 1, ContactOther::Kind::COLLIDER, 2, Sighting::CORNER | 3 });
-	CHECK(log.sightings().size() == 6);
+	log.add({ 1, ContactOther::Kind::COLLIDER, 2, ContactPoint::CORNER | 3 });
+	CHECK(log.contact_points().size() == 6);
 }
 
-TEST_CASE("thousands of sightings are noted as a map would note them, in the order of first sight, also after clearing") {
+TEST_CASE("thousands of contact_points are noted as a map would note them, in the order of first sight, also after clearing") {
 	ContactLog log;
 	Random random(1);
 	for (int round = 0; round < 3; ++round) {
@@ -48,17 +48,17 @@ TEST_CASE("thousands of sightings are noted as a map would note them, in the ord
 				order.push_back(key);
 			}
 			impulses[key] += Real(i % 8); // whole numbers: their sums are exact
-			Sighting seen{ std::get<0>(key), ContactOther::Kind::COLLIDER, std::get<1>(key), std::get<2>(key) };
+			ContactPoint seen{ std::get<0>(key), ContactOther::Kind::COLLIDER, std::get<1>(key), std::get<2>(key) };
 			seen.normal_impulse = Real(i % 8);
 			log.add(seen);
 		}
-		REQUIRE(log.sightings().size() == order.size());
+		REQUIRE(log.contact_points().size() == order.size());
 		for (std::size_t i = 0; i < order.size(); ++i) {
-			const Sighting &seen = log.sightings()[i];
+			const ContactPoint &seen = log.contact_points()[i];
 			CHECK(Key{ seen.body, seen.other, seen.feature } == order[i]);
 			CHECK(seen.normal_impulse == impulses[order[i]]);
 		}
 		log.clear();
-		CHECK(log.sightings().empty());
+		CHECK(log.contact_points().empty());
 	}
 }

@@ -19,7 +19,7 @@ constexpr Real TICK = Real(1) / 60;
 // Bodies in a row, `gap` apart, on three borders of which the last two have one tag.
 struct Scene {
 	WorldData world;
-	SurroundingsIndex surroundings;
+	ColliderIndex surroundings;
 	ContactMonitor monitor;
 	ContactLog log;
 	ContactLog other_log;

@@ -22,20 +22,20 @@ enum class Kind { CIRCLE,
 	ROUNDED };
 const Kind ALL_KINDS[] = { Kind::CIRCLE, Kind::SEGMENT, Kind::CAPSULE, Kind::POLYGON, Kind::ROUNDED };
 
-ConvexCollider random_collider(Random &random, Kind kind) {
-	ConvexCollider collider;
-	const Vec2 centre = random.vector(3);
+Collider random_collider(Random &random, Kind kind) {
+	Collider collider;
+	const Vec2 center = random.vector(3);
 	if (kind == Kind::CIRCLE) {
-		collider.vertices = { centre };
+		collider.vertices = { center };
 	} else if (kind == Kind::SEGMENT || kind == Kind::CAPSULE) {
 		const Vec2 way = Rotation::from_angle(random.real(-3.1, 3.1)).apply({ random.real(0.5, 4), 0 });
-		collider.vertices = { centre - way, centre + way };
+		collider.vertices = { center - way, center + way };
 	} else { // corners on an ellipse, a third of the circle apart at most
 		const int count = random.integer(3, 8);
 		const Vec2 axes{ random.real(0.3, 3), random.real(0.3, 3) };
 		for (int i = 0; i < count; ++i) {
 			const double angle = (i + double(random.real(0, 0.45))) * 6.283185307179586 / count;
-			collider.vertices.push_back(centre + Vec2{ axes.x * Real(std::cos(angle)), axes.y * Real(std::sin(angle)) });
+			collider.vertices.push_back(center + Vec2{ axes.x * Real(std::cos(angle)), axes.y * Real(std::sin(angle)) });
 		}
 	}
 	if (kind == Kind::CIRCLE || kind == Kind::CAPSULE || kind == Kind::ROUNDED) {
@@ -61,7 +61,7 @@ double segment_distance(Vec2 p, Vec2 a, Vec2 b) {
 }
 
 // Signed distance of p from the surface, exact everywhere.
-double true_distance(const ConvexCollider &collider, Vec2 p, double least_radius = 0) {
+double true_distance(const Collider &collider, Vec2 p, double least_radius = 0) {
 	const auto &vertices = collider.vertices;
 	const double radius = std::fmax(collider.radius, vertices.size() < 3 ? least_radius : 0);
 	if (vertices.size() == 1) {
@@ -89,7 +89,7 @@ TEST_CASE("the distance to a rounded shape, and inside a polygon, is the distanc
 	int inside = 0;
 	for (int round = 0; round < 5000; ++round) {
 		const Kind kind = ALL_KINDS[round % 5];
-		const ConvexCollider collider = random_collider(random, kind);
+		const Collider collider = random_collider(random, kind);
 		const Vec2 p = random.vector(8);
 		const Real least_radius = kind == Kind::SEGMENT ? SLOP : Real(0);
 		const SurfaceDistance found = surface_distance(collider, p, least_radius);
@@ -110,17 +110,17 @@ TEST_CASE("the distance to a rounded shape, and inside a polygon, is the distanc
 }
 
 TEST_CASE("a least radius thickens what has no inside, and never thins anything") {
-	const ConvexCollider segment{ { { 0, 0 }, { 4, 0 } }, 0, {} };
+	const Collider segment{ { { 0, 0 }, { 4, 0 } }, 0, {} };
 	CHECK(surface_distance(segment, { 2, 1 }, Real(0.25)).distance == Real(0.75));
-	const ConvexCollider capsule{ { { 0, 0 }, { 4, 0 } }, Real(0.5), {} };
+	const Collider capsule{ { { 0, 0 }, { 4, 0 } }, Real(0.5), {} };
 	CHECK(surface_distance(capsule, { 2, 1 }, Real(0.25)).distance == Real(0.5));
-	const ConvexCollider circle{ { { 0, 0 } }, Real(0.5), {} };
+	const Collider circle{ { { 0, 0 } }, Real(0.5), {} };
 	CHECK(surface_distance(circle, { 0, 2 }, 1).distance == 1);
 }
 
 TEST_CASE("at the very middle of a circle or segment there is still a normal") {
-	const ConvexCollider circle{ { { 3, 4 } }, 1, {} };
-	const ConvexCollider capsule{ { { 0, 0 }, { 4, 0 } }, 1, {} };
+	const Collider circle{ { { 3, 4 } }, 1, {} };
+	const Collider capsule{ { { 0, 0 }, { 4, 0 } }, 1, {} };
 	CHECK(length(surface_distance(circle, { 3, 4 }).normal) == 1);
 	CHECK(surface_distance(circle, { 3, 4 }).distance == -1);
 	CHECK(length(surface_distance(capsule, { 2, 0 }).normal) == 1);
@@ -131,7 +131,7 @@ TEST_CASE("a contact puts the point outside, and where there is none it is outsi
 	int found = 0;
 	for (int round = 0; round < 20000; ++round) {
 		const Kind kind = ALL_KINDS[round % 5];
-		const ConvexCollider collider = random_collider(random, kind);
+		const Collider collider = random_collider(random, kind);
 		const Vec2 from = random.vector(8);
 		const Vec2 to = round % 3 == 0 ? from + random.vector(0.5) : random.vector(8);
 		const double thickness = kind == Kind::SEGMENT ? double(SLOP) : 0;
@@ -160,10 +160,10 @@ TEST_CASE("a contact puts the point outside, and where there is none it is outsi
 }
 
 TEST_CASE("a point that comes to lie right on a face is out, and no contact") {
-	const ConvexCollider box = box_collider({ 0, 0 }, { 2, 1 });
-	ConvexCollider dented = box;
+	const Collider box = box_collider({ 0, 0 }, { 2, 1 });
+	Collider dented = box;
 	dented.concave = true;
-	for (const ConvexCollider &collider : { box, dented }) {
+	for (const Collider &collider : { box, dented }) {
 		CHECK_FALSE(find_point_contact(collider, { Real(0.5), 2 }, { Real(0.5), 1 }, SLOP));
 		CHECK_FALSE(find_point_contact(collider, { 3, Real(0.5) }, { 2, Real(0.5) }, SLOP));
 		CHECK(find_point_contact(collider, { Real(0.5), 2 }, { Real(0.5), Real(0.99) }, SLOP));
@@ -178,10 +178,10 @@ TEST_CASE("no path through the core of a collider goes unnoticed, and no path be
 	int beside = 0;
 	for (int round = 0; round < 20000; ++round) {
 		const Kind kind = ALL_KINDS[round % 5];
-		ConvexCollider collider = random_collider(random, kind);
+		Collider collider = random_collider(random, kind);
 		const Vec2 from = random.vector(9);
 		const Vec2 to = random.vector(9);
-		ConvexCollider core = collider;
+		Collider core = collider;
 		core.radius = kind == Kind::CIRCLE ? collider.radius * Real(0.7) : 0;
 		if (true_distance(collider, from) <= 0 || true_distance(collider, to) <= 0) {
 			continue;
@@ -217,8 +217,8 @@ TEST_CASE("no path through the core of a collider goes unnoticed, and no path be
 }
 
 TEST_CASE("a fast point returns to the side of a thin plate that it came from") {
-	const ConvexCollider plate = box_collider({ 0, 0 }, { 10, Real(0.01) });
-	const ConvexCollider segment{ { { -10, 0 }, { 10, 0 } }, 0, {} };
+	const Collider plate = box_collider({ 0, 0 }, { 10, Real(0.01) });
+	const Collider segment{ { { -10, 0 }, { 10, 0 } }, 0, {} };
 	for (const Real side : { Real(1), Real(-1) }) {
 		for (const Real end : { Real(0.005), Real(0), Real(-0.005), Real(-3) }) { // half in, half through, far beyond
 			const Vec2 from{ 1, side * 2 };
@@ -237,8 +237,8 @@ TEST_CASE("a fast point returns to the side of a thin plate that it came from") 
 
 TEST_CASE("a point that rests on a thin plate and is slammed through it in one substep returns to its side") {
 	// Contacts put a resting point onto the face, to rounding: just in front, on it, or just behind.
-	const ConvexCollider plate = box_collider({ 0, 0 }, { 10, 1 });
-	const ConvexCollider segment{ { { -10, 0 }, { 10, 0 } }, 0, {} };
+	const Collider plate = box_collider({ 0, 0 }, { 10, 1 });
+	const Collider segment{ { { -10, 0 }, { 10, 0 } }, 0, {} };
 	for (const Real side : { Real(1), Real(-1) }) {
 		for (const Real offset : { Real(0.0001), Real(0), Real(-0.0001) }) {
 			CAPTURE(offset);
@@ -256,7 +256,7 @@ TEST_CASE("a point that rests on a thin plate and is slammed through it in one s
 }
 
 TEST_CASE("a point that rests on a circle and is slammed through it in one substep returns to its side") {
-	const ConvexCollider circle{ { { 0, 0 } }, 1, {} };
+	const Collider circle{ { { 0, 0 } }, 1, {} };
 	for (const Real offset : { Real(0.0001), Real(0), Real(-0.0001) }) {
 		const auto contact = find_point_contact(circle, { 0, 1 + offset }, { 0, -3 }, SLOP);
 		REQUIRE(contact.has_value());
@@ -266,7 +266,7 @@ TEST_CASE("a point that rests on a circle and is slammed through it in one subst
 }
 
 TEST_CASE("a fast point returns to the side of a circle that it came from") {
-	const ConvexCollider circle{ { { 0, 0 } }, 1, {} };
+	const Collider circle{ { { 0, 0 } }, 1, {} };
 	const auto contact = find_point_contact(circle, { -3, 0 }, { 4, 0 }, SLOP);
 	REQUIRE(contact.has_value());
 	CHECK(distance(contact->normal, { -1, 0 }) <= 4 * EPSILON);
@@ -278,7 +278,7 @@ TEST_CASE("a fast point returns to the side of a circle that it came from") {
 }
 
 TEST_CASE("a point that slides over the seam of two tiles is not stopped by the hidden side") {
-	const ConvexCollider next = box_collider({ 1, 1 }, { 1, 1 }); // from (0, 0) to (2, 2), its top at y = 0
+	const Collider next = box_collider({ 1, 1 }, { 1, 1 }); // from (0, 0) to (2, 2), its top at y = 0
 	for (const Real start : { Real(-0.0005), Real(0), Real(0.0005) }) { // resting on the tile before, to the slop
 		const auto contact = find_point_contact(next, { Real(-0.01), start }, { Real(0.02), Real(0.004) }, SLOP);
 		REQUIRE(contact.has_value());
@@ -293,12 +293,12 @@ TEST_CASE("a point that slides over the seam of two tiles is not stopped by the 
 }
 
 TEST_CASE("a point that starts inside leaves by the nearest face") {
-	const ConvexCollider box = box_collider({ 0, 0 }, { 2, 3 });
+	const Collider box = box_collider({ 0, 0 }, { 2, 3 });
 	const auto contact = find_point_contact(box, { Real(1.5), 1 }, { Real(1.6), 1 }, SLOP);
 	REQUIRE(contact.has_value());
 	CHECK(contact->normal == Vec2{ 1, 0 });
 	CHECK(std::abs(double(contact->depth) - 0.4) <= 8 * EPSILON);
-	ConvexCollider rounded = box;
+	Collider rounded = box;
 	rounded.radius = Real(0.5);
 	CHECK(std::abs(double(find_point_contact(rounded, { Real(1.5), 1 }, { Real(1.6), 1 }, SLOP)->depth) - 0.9) <= 8 * EPSILON);
 	CHECK_FALSE(find_point_contact(box, { Real(1.5), 1 }, { 3, 1 }, SLOP).has_value()); // on its way out

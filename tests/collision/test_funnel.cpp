@@ -3,7 +3,7 @@
 // `docs/architecture.md` tells of the one that it does not rest in: of segments without radius, frictionless, and half as
 // wide as the body.
 #include "core/base/constants.h"
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 #include "core/dynamics/simulator.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
@@ -35,7 +35,7 @@ struct Funnel {
 			const Real sign = side == 0 ? Real(-1) : Real(1);
 			const Real lip = gap / 2 + radius;
 			walls[std::size_t(side)] = { Vec2{ sign * lip, 0 }, { sign * (lip + HEIGHT), HEIGHT } };
-			ConvexCollider wall{ { walls[std::size_t(side)][0], walls[std::size_t(side)][1] }, radius, {} };
+			Collider wall{ { walls[std::size_t(side)][0], walls[std::size_t(side)][1] }, radius, {} };
 			wall.surface.friction = friction;
 			REQUIRE_FALSE(world.add_collider(wall));
 		}
@@ -75,7 +75,7 @@ TEST_CASE("a soft body without friction squeezes through a funnel narrower than 
 			const SoftBodyData &body = *funnel.world.find(id);
 			Simulator simulator(funnel.world);
 			int tick = 0;
-			for (; tick < 600 && measure_frame(body).centre.y > -20; ++tick) {
+			for (; tick < 600 && measure_frame(body).center.y > -20; ++tick) {
 				REQUIRE(simulator.simulate(TICK).reset_bodies.empty());
 				REQUIRE_FALSE(is_folded(body.hull()));
 				REQUIRE(funnel.penetration(body) < 0.05 * THESIS_RADIUS);
@@ -107,7 +107,7 @@ TEST_CASE("a body that a funnel is too narrow for comes to rest in it, unfolded,
 				REQUIRE_FALSE(is_folded(body.hull()));
 				REQUIRE(funnel.penetration(body) < 0.05 * THESIS_RADIUS);
 			}
-			CHECK(measure_frame(body).centre.y > 0);
+			CHECK(measure_frame(body).center.y > 0);
 			CHECK(body.is_asleep());
 		}
 	}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Claims about staying out: thin walls, pins between hull points, edges, slop, overlap at the start.
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
@@ -64,7 +64,7 @@ TEST_CASE("a jelly that rests on a thin platform cannot be slammed through it") 
 	for (int n = 0; n < 240; ++n) {
 		simulator.simulate(FRAME);
 	}
-	CHECK(measure_frame(only_body(world)).centre.y < 98);
+	CHECK(measure_frame(only_body(world)).center.y < 98);
 	for (std::uint32_t i = 0; i < only_body(world).point_count(); ++i) {
 		only_body(world).apply_impulse(i, { 0, Real(5000) / (JELLY_HULL_POINTS + 1) }); // 5000 px/s: 10 px in a substep of 8
 	}
@@ -98,7 +98,7 @@ TEST_CASE("a collider between two hull points cannot enter through the edge") {
 		}
 		const BodyFrame frame = measure_frame(only_body(world));
 		CHECK(deepest < 0.5); // 1 % of half the edge; each pin is pushed out in turn, so some is left
-		CHECK(frame.centre.y < 0);
+		CHECK(frame.center.y < 0);
 		CHECK(double(length(frame.velocity)) < 5);
 	}
 }
@@ -112,19 +112,19 @@ TEST_CASE("penetration is the depth of the deepest hull point or collider corner
 	CHECK(std::abs(double(measure_penetration(world, body)) - 0.25) <= 4 * EPSILON);
 	world.add_collider({ { { Real(1.5), 0 } }, Real(0.875), {} }); // its rim reaches x = 0.625
 	CHECK(std::abs(double(measure_penetration(world, body)) - 0.375) <= 8 * EPSILON);
-	world.clear_surroundings();
+	world.clear_environment();
 	world.add_collider({ { { Real(0.25), Real(0.25) }, { 5, 4 }, { 4, 5 } }, 0, {} }); // a corner inside the hull
 	CHECK(std::abs(double(measure_penetration(world, body)) - std::numbers::sqrt2 / 4) <= 8 * EPSILON);
-	world.clear_surroundings();
+	world.clear_environment();
 	world.add_collider({ { { Real(0.75), Real(0.75) } }, Real(0.5), {} }); // round, touching an edge only
 	CHECK(std::abs(double(measure_penetration(world, body)) - (0.5 - std::numbers::sqrt2 / 4)) <= 8 * EPSILON);
-	world.clear_surroundings();
-	world.add_collider({ { { Real(0.5), Real(0.5) } }, Real(0.25), {} }); // its centre on the edge
+	world.clear_environment();
+	world.add_collider({ { { Real(0.5), Real(0.5) } }, Real(0.25), {} }); // its center on the edge
 	CHECK(std::abs(double(measure_penetration(world, body)) - 0.25) <= 8 * EPSILON);
 }
 
 TEST_CASE("a collider in an edge moves the two ends of that edge out of its way, and no other point") {
-	// A disc in the middle of each edge in turn, its centre in, on, or out of the hull.
+	// A disc in the middle of each edge in turn, its center in, on, or out of the hull.
 	for (std::size_t edge = 0; edge < 4; ++edge) {
 		for (const Real x : { Real(0.45), Real(0.5), Real(0.55) }) {
 			WorldData world;

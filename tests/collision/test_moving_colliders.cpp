@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Claims about colliders that move whatever is in their way: pistons, lifts, paddles, bullets.
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
 #include "scenes/jelly.h"
@@ -18,18 +18,18 @@ namespace {
 
 struct Kind {
 	const char *name;
-	ConvexCollider collider; ///< its top is at y = 0, wide enough for a jelly
+	Collider collider; ///< its top is at y = 0, wide enough for a jelly
 };
 
 std::vector<Kind> all_kinds() {
-	ConvexCollider rounded = box_collider({ 0, 40 }, { 150, 30 });
+	Collider rounded = box_collider({ 0, 40 }, { 150, 30 });
 	rounded.radius = 10;
 	return { { "circle", { { { 0, 300 } }, 300, {} } }, { "segment", { { { -160, 0 }, { 160, 0 } }, 0, {} } },
 		{ "capsule", { { { -160, 20 }, { 160, 20 } }, 20, {} } }, { "polygon", box_collider({ 0, 40 }, { 160, 40 }) },
 		{ "rounded polygon", rounded } };
 }
 
-std::uint32_t add_moving(WorldData &world, ConvexCollider collider, const RigidBody &body) {
+std::uint32_t add_moving(WorldData &world, Collider collider, const RigidBody &body) {
 	const std::uint32_t index = world.add_rigid_body(body).value();
 	collider.rigid_body = index;
 	REQUIRE_FALSE(world.add_collider(collider));
@@ -59,7 +59,7 @@ TEST_CASE("in a frame that moves along, a moving collider is one that stands sti
 			WorldData moved = pixel_world();
 			BodySettings settings = jelly_settings();
 			settings.restitution = Real(0.3);
-			ConvexCollider collider = kind.collider;
+			Collider collider = kind.collider;
 			collider.surface.linear_velocity = { 20, 0 }; // a belt on top
 			REQUIRE_FALSE(still.add_collider(collider));
 			add_moving(moved, collider, moving({}, velocity));
@@ -135,7 +135,7 @@ TEST_CASE("a piston at sixty radii a second, a wall or as thin as a segment, doe
 			WorldData world = pixel_world();
 			world.set_gravity({});
 			world.add_soft_body(jelly_circle({ 0, 0 }));
-			const ConvexCollider wall = thin ? ConvexCollider{ { { 0, -200 }, { 0, 200 } }, 0, {} } : box_collider({}, { 2, 200 });
+			const Collider wall = thin ? Collider{ { { 0, -200 }, { 0, 200 } }, 0, {} } : box_collider({}, { 2, 200 });
 			const std::uint32_t piston = add_moving(world, wall, moving({ -side * 160, 0 }, { side * speed, 0 }));
 			Simulator simulator(world);
 			for (int n = 0; n < 20; ++n) {
@@ -178,8 +178,8 @@ TEST_CASE("a small ball shot at a jelly pushes in the edge that it meets, and do
 		WorldData world = pixel_world();
 		world.set_gravity({});
 		world.add_soft_body(jelly_circle({ 0, 0 }));
-		const ConvexCollider ball = pointed ? ConvexCollider{ { { 0, 0 }, { -20, 1 }, { -20, -1 } }, 0, {} }
-											: ConvexCollider{ { { 0, 0 } }, 3, {} };
+		const Collider ball = pointed ? Collider{ { { 0, 0 }, { -20, 1 }, { -20, -1 } }, 0, {} }
+											: Collider{ { { 0, 0 } }, 3, {} };
 		add_moving(world, ball, moving({ -80, 5 }, { 3000, 0 }));
 		Simulator simulator(world);
 		for (int n = 0; n < 2; ++n) {

@@ -37,7 +37,7 @@ constexpr std::array<Platform, 8> PLATFORMS = { Platform::BOX, Platform::THICK_B
 
 // Its front at y = 0, from x = -200 to 200, turned about the origin.
 void add_platform(WorldData &world, Platform kind, Vec2 direction = UP) {
-	ConvexCollider collider = box_collider({ 0, 6 }, { 200, 6 });
+	Collider collider = box_collider({ 0, 6 }, { 200, 6 });
 	collider.one_way = direction;
 	switch (kind) {
 		case Platform::BOX:
@@ -83,10 +83,10 @@ struct Scene {
 	BodyId id;
 	Real tick = FRAME;
 
-	Scene(Platform kind, int rate, Vec2 centre, Vec2 velocity) :
+	Scene(Platform kind, int rate, Vec2 center, Vec2 velocity) :
 			tick(1 / Real(rate)) {
 		add_platform(world, kind);
-		id = world.add_soft_body(jelly_circle(centre));
+		id = world.add_soft_body(jelly_circle(center));
 		throw_at(velocity);
 	}
 	SoftBodyData &body() { return *world.find(id); }
@@ -100,7 +100,7 @@ struct Scene {
 			simulator.simulate(tick);
 		}
 	}
-	Vec2 centre() { return measure_frame(body()).centre; }
+	Vec2 center() { return measure_frame(body()).center; }
 	Real foot() { return std::ranges::max(body().hull(), {}, &Vec2::y).y; }
 };
 
@@ -131,7 +131,7 @@ TEST_CASE("a body that comes from behind passes as a whole, undisturbed, and is 
 				CAPTURE(speed);
 				Scene scene(kind, rate, { 7, 140 + R + 5 }, { 0, -speed });
 				Scene alone(kind, rate, { 7, 140 + R + 5 }, { 0, -speed });
-				alone.world.clear_surroundings();
+				alone.world.clear_environment();
 				alone.world.add_collider(box_collider({ 9000, 9000 }, { 1, 1 })); // so that it takes as many substeps
 				// Until it is through: 850 px/s reach 369 px, that is, 60 px above the front.
 				Real largest = 0;
@@ -156,12 +156,12 @@ TEST_CASE("a body that turns round half way up falls back through") {
 			CAPTURE(int(kind));
 			CAPTURE(rate);
 			const Real bottom = kind == Platform::THICK_BOX ? 140 : 40;
-			// It rises 90 px: its top comes 60 px above the front of the thin ones, its centre stays about there.
+			// It rises 90 px: its top comes 60 px above the front of the thin ones, its center stays about there.
 			Scene scene(kind, rate, { 7, 80 }, { 0, -std::sqrt(2 * PIXEL_GRAVITY * 90) });
 			Real highest = 1000;
 			for (Real t = 0; t < 2; t += scene.tick) {
 				scene.simulator.simulate(scene.tick);
-				highest = std::min(highest, scene.centre().y);
+				highest = std::min(highest, scene.center().y);
 			}
 			CHECK(highest < 0);
 			CHECK(highest > -R);
@@ -173,7 +173,7 @@ TEST_CASE("a body that turns round half way up falls back through") {
 TEST_CASE("a body that comes from the side passes as a whole") {
 	for (const Platform kind : PLATFORMS) {
 		for (const int rate : RATES) {
-			for (const Real height : { Real(0), Real(-0.5) * R, Real(0.6) * R }) { // of its centre
+			for (const Real height : { Real(0), Real(-0.5) * R, Real(0.6) * R }) { // of its center
 				CAPTURE(int(kind));
 				CAPTURE(rate);
 				CAPTURE(height);
@@ -182,7 +182,7 @@ TEST_CASE("a body that comes from the side passes as a whole") {
 				for (Scene *each : { &scene, &alone }) {
 					each->world.set_gravity({});
 				}
-				alone.world.clear_surroundings();
+				alone.world.clear_environment();
 				alone.world.add_collider(box_collider({ 9000, 9000 }, { 1, 1 }));
 				scene.step(Real(0.9));
 				alone.step(Real(0.9));
@@ -208,7 +208,7 @@ TEST_CASE("a body that starts deeper in a platform than the margin is let pass, 
 	// The margin may be given.
 	for (const Real margin : { Real(0), Real(20) }) {
 		WorldData world = pixel_world();
-		ConvexCollider collider = box_collider({ 0, 6 }, { 200, 6 });
+		Collider collider = box_collider({ 0, 6 }, { 200, 6 });
 		collider.one_way = UP;
 		collider.one_way_margin = margin;
 		world.add_collider(collider);
@@ -217,7 +217,7 @@ TEST_CASE("a body that starts deeper in a platform than the margin is let pass, 
 		for (int i = 0; i < 120; ++i) {
 			simulator.simulate(FRAME);
 		}
-		CHECK((measure_frame(*world.find(id)).centre.y < 0) == (margin > 5));
+		CHECK((measure_frame(*world.find(id)).center.y < 0) == (margin > 5));
 	}
 }
 
@@ -237,7 +237,7 @@ TEST_CASE("a body that rests on a platform and hangs over its end stays held, an
 			settings.shape_damping = Real(0.5);
 			scene.id = scene.world.add_soft_body(SoftBodyData::create(shape, settings, { { 50, 0 }, {} }).value());
 			scene.step(3);
-			CHECK(scene.centre().y < 0);
+			CHECK(scene.center().y < 0);
 			CHECK(scene.foot() > 2); // it sags beside the end
 		}
 		for (const int rate : RATES) {
@@ -249,7 +249,7 @@ TEST_CASE("a body that rests on a platform and hangs over its end stays held, an
 				scene.world.add_soft_body(SoftBodyData::create(heavy, jelly_settings(), { { 7, -R - 1 - 110 * Real(i + 1) }, {} }).value());
 			}
 			scene.step(Real(0.7));
-			CHECK(scene.centre().y < 0);
+			CHECK(scene.center().y < 0);
 		}
 	}
 }
@@ -276,7 +276,7 @@ TEST_CASE("a lift carries a body up and down, and one that comes up under it pas
 		Scene below(Platform::LIFT, rate, { 7, 300 }, {});
 		below.world.set_gravity({});
 		for (const Real speed : { Real(900), Real(-900) }) {
-			const Vec2 before = below.centre();
+			const Vec2 before = below.center();
 			for (Real t = 0; t < Real(0.5) && speed > 0; t += below.tick) { // down through it
 				RigidBody lift = below.world.rigid_bodies()[0];
 				lift.linear_velocity = { 0, speed };
@@ -284,7 +284,7 @@ TEST_CASE("a lift carries a body up and down, and one that comes up under it pas
 				below.simulator.simulate(below.tick);
 			}
 			if (speed > 0) {
-				CHECK(distance(below.centre(), before) < 1); // it came from behind
+				CHECK(distance(below.center(), before) < 1); // it came from behind
 				continue;
 			}
 			for (Real t = 0; t < Real(0.3); t += below.tick) {
@@ -300,7 +300,7 @@ TEST_CASE("a lift carries a body up and down, and one that comes up under it pas
 
 TEST_CASE("depth counts what the collider and the hull share, along the direction that holds") {
 	const std::vector<Vec2> hull = { { -10, -10 }, { 10, -10 }, { 10, 10 }, { -10, 10 } };
-	ConvexCollider bar;
+	Collider bar;
 	bar.one_way = UP;
 	const auto depth_of = [&](std::vector<Vec2> vertices, Real radius = 0) {
 		bar.vertices = std::move(vertices);
@@ -329,7 +329,7 @@ namespace {
 
 // How far a convex rounded collider reaches along a direction, beside a place across it: by halving the way down to it from
 // far off, and the distance to each of its segments.
-double reach_of(const ConvexCollider &collider, double across) {
+double reach_of(const Collider &collider, double across) {
 	const std::vector<Vec2> &v = collider.vertices;
 	const double dx = double(collider.one_way.x), dy = double(collider.one_way.y);
 	const auto outside = [&](double along) {
@@ -367,7 +367,7 @@ TEST_CASE("beside any place of a rounded collider, depth begins where the collid
 	for (int i = 0; i < 400; ++i) {
 		CAPTURE(i);
 		const Rotation turned = Rotation::from_angle(random.real(0, 6.28));
-		ConvexCollider collider;
+		Collider collider;
 		collider.one_way = turned.apply({ 0, 1 });
 		collider.radius = random.chance(0.3) ? Real(0) : random.real(0.1, 1.5);
 		const int corners = random.integer(collider.radius > 0 ? 1 : 2, 6);
@@ -408,9 +408,9 @@ TEST_CASE("beside any place of a rounded collider, depth begins where the collid
 	CHECK(met > 200);
 }
 
-TEST_CASE("in a world of metres too a body comes up through a platform undisturbed") {
+TEST_CASE("in a world of meters too a body comes up through a platform undisturbed") {
 	WorldData world;
-	ConvexCollider collider;
+	Collider collider;
 	collider.vertices = { { -4, 0 }, { 4, 0 } };
 	collider.one_way = { 0, 1 };
 	REQUIRE_FALSE(world.add_collider(collider));
@@ -422,23 +422,23 @@ TEST_CASE("in a world of metres too a body comes up through a platform undisturb
 	for (int i = 0; i < 60; ++i) {
 		simulator.simulate(FRAME);
 	}
-	CHECK(double(measure_frame(*world.find(id)).centre.y) == doctest::Approx(2.2)); // after a second
+	CHECK(double(measure_frame(*world.find(id)).center.y) == doctest::Approx(2.2)); // after a second
 }
 
-TEST_CASE("a platform that is taken away is forgotten, though its neighbour stays") {
-	const ConvexCollider stays = [] {
-		ConvexCollider collider = box_collider({ 100, 20 }, { 100, 20 });
+TEST_CASE("a platform that is taken away is forgotten, though its neighbor stays") {
+	const Collider stays = [] {
+		Collider collider = box_collider({ 100, 20 }, { 100, 20 });
 		collider.one_way = UP;
 		return collider;
 	}();
-	ConvexCollider goes = stays;
+	Collider goes = stays;
 	goes.vertices = box_collider({ -100, 20 }, { 100, 20 }).vertices;
 	WorldData world = pixel_world();
 	REQUIRE_FALSE(world.add_collider(stays));
 	REQUIRE_FALSE(world.add_collider(goes));
 	const BodyId id = world.add_soft_body(jelly_circle({ 5, -R }));
 	Simulator simulator(world);
-	const auto remembers = [&](const ConvexCollider &collider) {
+	const auto remembers = [&](const Collider &collider) {
 		return std::ranges::count(world.find(id)->one_ways(), one_way_name(collider), &OneWayMemory::collider) == 1;
 	};
 	for (int i = 0; i < 30; ++i) {
@@ -446,7 +446,7 @@ TEST_CASE("a platform that is taken away is forgotten, though its neighbour stay
 	}
 	CHECK(remembers(stays));
 	REQUIRE(remembers(goes));
-	world.clear_surroundings();
+	world.clear_environment();
 	REQUIRE_FALSE(world.add_collider(stays));
 	simulator.simulate(FRAME);
 	CHECK(remembers(stays));
@@ -455,7 +455,7 @@ TEST_CASE("a platform that is taken away is forgotten, though its neighbour stay
 
 TEST_CASE("a direction that is no unit vector and a margin that is no number are refused by name") {
 	WorldData world;
-	ConvexCollider collider = box_collider({ 0, 0 }, { 1, 1 });
+	Collider collider = box_collider({ 0, 0 }, { 1, 1 });
 	for (const Vec2 direction : { Vec2{ 0, 2 }, Vec2{ NOT_A_NUMBER, 0 }, Vec2{ Real(0.1), 0 } }) {
 		collider.one_way = direction;
 		const Status status = world.add_collider(collider);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Claims about chains and concave polygons: bodies slide over their joints, lie in their dents, and come out by the way in.
 #include "core/collision/collider_contact.h"
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 #include "core/collision/convex_query.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
@@ -22,8 +22,8 @@ namespace {
 constexpr Real SLOP = Real(0.001);
 
 // Corners at random distances from the middle, in order: simple, and dented nearly always.
-ConvexCollider random_star(Random &random) {
-	ConvexCollider star;
+Collider random_star(Random &random) {
+	Collider star;
 	star.concave = true;
 	const int count = random.integer(5, 20);
 	for (int i = 0; i < count; ++i) {
@@ -61,8 +61,8 @@ double distance_to_outline(const std::vector<Vec2> &outline, Vec2 p) {
 }
 
 // A tub, open towards -y (up on the screen): floor at y = 0, walls 20 thick and 100 high, 160 between them.
-ConvexCollider tub() {
-	ConvexCollider collider;
+Collider tub() {
+	Collider collider;
 	collider.concave = true;
 	collider.vertices = { { -100, -100 }, { -80, -100 }, { -80, 0 }, { 80, 0 }, { 80, -100 }, { 100, -100 }, { 100, 20 }, { -100, 20 } };
 	return collider;
@@ -74,7 +74,7 @@ TEST_CASE("a point deep inside a concave polygon comes out at the nearest place 
 	Random random(351);
 	int inside = 0;
 	for (int round = 0; round < 3000; ++round) {
-		const ConvexCollider star = random_star(random);
+		const Collider star = random_star(random);
 		const Vec2 p = random.vector(3);
 		const double distance = distance_to_outline(star.vertices, p);
 		if (distance < 0.01) {
@@ -98,7 +98,7 @@ TEST_CASE("a point that came into a concave polygon, or through it, goes out by 
 	Random random(352);
 	int entered = 0;
 	for (int round = 0; round < 5000; ++round) {
-		const ConvexCollider star = random_star(random);
+		const Collider star = random_star(random);
 		const Vec2 from = random.vector(4);
 		const Vec2 to = random.vector(3);
 		if (is_inside(star.vertices, from) || distance_to_outline(star.vertices, from) < 0.01) {
@@ -155,12 +155,12 @@ TEST_CASE("a jelly lies in a tub, thrown against its walls it stays in, and besi
 		Simulator simulator(world);
 		for (int n = 0; n < 300; ++n) {
 			CHECK(simulator.simulate(FRAME).reset_bodies.empty());
-			CHECK(double(measure_frame(world.soft_bodies()[1]).centre.x) > 100);
+			CHECK(double(measure_frame(world.soft_bodies()[1]).center.x) > 100);
 		}
-		const Vec2 centre = measure_frame(world.soft_bodies()[0]).centre;
-		CHECK(std::abs(double(centre.x)) < 80);
-		CHECK(double(centre.y) < 0);
-		CHECK(double(centre.y) > -60);
+		const Vec2 center = measure_frame(world.soft_bodies()[0]).center;
+		CHECK(std::abs(double(center.x)) < 80);
+		CHECK(double(center.y) < 0);
+		CHECK(double(center.y) > -60);
 		CHECK(measure_penetration(world, world.soft_bodies()[0]) < 0.5);
 	}
 }
@@ -177,7 +177,7 @@ TEST_CASE("a body slides over the joints of a chain, or of an outline, as over o
 		} else if (kind == 1) {
 			REQUIRE_FALSE(world.add_chain(points, false));
 		} else {
-			ConvexCollider ground;
+			Collider ground;
 			ground.concave = true;
 			ground.vertices = points;
 			ground.vertices.push_back({ 1000, 100 });
@@ -203,14 +203,14 @@ TEST_CASE("a body slides over the joints of a chain, or of an outline, as over o
 	for (const int kind : { 1, 2 }) {
 		CAPTURE(kind);
 		const BodyFrame jointed = slide(kind);
-		CHECK(distance(jointed.centre, smooth.centre) < 1); // of 1333 px; roundings grow in a wobbling body
+		CHECK(distance(jointed.center, smooth.center) < 1); // of 1333 px; roundings grow in a wobbling body
 		CHECK(std::abs(double(jointed.velocity.x) - 400) < 0.1); // nothing brakes it
 	}
 }
 
 TEST_CASE("a link of a chain leaves a point beside the next link to that, and keeps one that is beside neither") {
 	WorldData world;
-	ConvexCollider like;
+	Collider like;
 	like.radius = 1;
 	// A level link, one that goes on level, and one that turns down (y up here) by a right angle.
 	REQUIRE_FALSE(world.add_chain(std::vector<Vec2>{ { 0, 0 }, { 10, 0 }, { 20, 0 }, { 20, -10 } }, false, like));
@@ -226,18 +226,18 @@ TEST_CASE("a link of a chain leaves a point beside the next link to that, and ke
 	CHECK(touches(0, { Real(-0.5), Real(0.5) })); // the free end is round
 	CHECK(touches(2, { Real(20.5), Real(-10.5) }));
 	// Closed, it has no free end.
-	world.clear_surroundings();
+	world.clear_environment();
 	REQUIRE_FALSE(world.add_chain(std::vector<Vec2>{ { 0, 0 }, { 10, 0 }, { 10, 10 }, { -10, 10 }, { -10, 0 } }, true, like));
 	CHECK_FALSE(touches(0, { Real(-0.5), Real(0.5) }));
 	CHECK(touches(4, { Real(-0.5), Real(0.5) }));
 }
 
 TEST_CASE("the bottom of a dent does not push what has sunk over it; the polygon's points do") {
-	const ConvexCollider shape = tub();
+	const Collider shape = tub();
 	const std::vector<Vec2> hull = box_collider({ -70, -10 }, { 30, 30 }).vertices;
 	const Aabb box = bounding_box(hull);
 	CHECK_FALSE(find_contact_of_corner({ hull, hull }, box, shape, 2, {}).has_value()); // (-80, 0), inside the hull
-	ConvexCollider solid = box_collider({ -80, 20 }, { 20, 20 });
+	Collider solid = box_collider({ -80, 20 }, { 20, 20 });
 	CHECK(find_contact_of_corner({ hull, hull }, box, solid, 1, {}).has_value()); // (-60, 0), likewise
 }
 
@@ -283,14 +283,14 @@ TEST_CASE("chains and outlines that are none are refused by name, and nothing is
 		CHECK(world.colliders().empty());
 	}
 	WorldData world;
-	ConvexCollider like;
+	Collider like;
 	like.radius = -1;
 	CHECK(world.add_chain(std::vector<Vec2>{ { 0, 0 }, { 1, 0 } }, false, like));
 	like = {};
 	like.rigid_body = 3;
 	CHECK(world.add_chain(std::vector<Vec2>{ { 0, 0 }, { 1, 0 } }, false, like)->name == "collider.rigid_body");
 
-	ConvexCollider outline = tub();
+	Collider outline = tub();
 	CHECK_FALSE(check_collider(outline));
 	outline.radius = 1;
 	CHECK(check_collider(outline)->name == "collider.radius");

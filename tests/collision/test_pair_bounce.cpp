@@ -21,7 +21,7 @@ namespace {
 constexpr Real FRAME = Real(1) / 60;
 constexpr Real SPEED = 2; // of each
 
-SoftBodyData ball(double mass, double restitution, Vec2 centre, Vec2 velocity, double stiffness = 1000) {
+SoftBodyData ball(double mass, double restitution, Vec2 center, Vec2 velocity, double stiffness = 1000) {
 	const double k = stiffness * mass;
 	const auto shape = SoftBodyCreator::create_circle(Real(0.5), 8, { Real(mass), Real(k), Real(0.05 * std::sqrt(k * mass / 9)), true }).value();
 	BodySettings settings;
@@ -29,7 +29,7 @@ SoftBodyData ball(double mass, double restitution, Vec2 centre, Vec2 velocity, d
 	settings.shape_damping = Real(0.5 * std::sqrt(0.4 * k * mass / 9));
 	settings.restitution = Real(restitution);
 	settings.friction = 0;
-	SoftBodyData body = thesis_body(shape, settings, { centre, {} });
+	SoftBodyData body = thesis_body(shape, settings, { center, {} });
 	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
 		body.set_point(i, body.positions()[i], velocity);
 	}
@@ -57,7 +57,7 @@ Sums sums_of(const WorldData &world) {
 double parting_speed(const WorldData &world) {
 	const BodyFrame a = measure_frame(world.soft_bodies()[0]);
 	const BodyFrame b = measure_frame(world.soft_bodies()[1]);
-	const Vec2 line = a.centre - b.centre;
+	const Vec2 line = a.center - b.center;
 	return double(dot(a.velocity - b.velocity, line * (1 / length(line))));
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("bodies part with at least their restitution, never gain energy, and k
 					highest = std::max(highest, sums_of(world).energy);
 				}
 				const Sums after = sums_of(world);
-				// Seen from each other the centres approach at an angle; the share across it slides past.
+				// Seen from each other the centers approach at an angle; the share across it slides past.
 				const double approach = 2 * SPEED * std::cos(std::asin(offset));
 				CHECK(parting_speed(world) >= 0.8 * restitution * approach); // as far as there is energy for it
 				CHECK(parting_speed(world) <= std::max(restitution, 0.8) * approach * 1.1); // or what springs return
@@ -93,7 +93,7 @@ TEST_CASE("bodies part with at least their restitution, never gain energy, and k
 	}
 }
 
-TEST_CASE("what the centres are given is what was lost since the touch began, then what both wobbles lose") {
+TEST_CASE("what the centers are given is what was lost since the touch began, then what both wobbles lose") {
 	Random random(6);
 	int full = 0;
 	for (int round = 0; round < 100; ++round) {

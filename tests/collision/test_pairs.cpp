@@ -179,7 +179,7 @@ TEST_CASE("two bodies of every pair of shapes meet and part, each in one piece, 
 				CHECK(std::hypot(all.linear_x, all.linear_y) <= 1e-4);
 				const BodyFrame a = measure_frame(world.soft_bodies()[0]);
 				const BodyFrame b = measure_frame(world.soft_bodies()[1]);
-				const Vec2 way = b.centre - a.centre;
+				const Vec2 way = b.center - a.center;
 				CHECK(dot(b.velocity - a.velocity, way) >= -Real(0.05)); // apart, or at rest with each other
 			}
 		}
@@ -203,7 +203,7 @@ TEST_CASE("bodies whose layers do not meet pass through each other, and one that
 		for (int i = 0; i < 60; ++i) {
 			simulator.simulate(FRAME);
 		}
-		CHECK((measure_frame(world.soft_bodies()[0]).centre.x < measure_frame(world.soft_bodies()[1]).centre.x) == notices);
+		CHECK((measure_frame(world.soft_bodies()[0]).center.x < measure_frame(world.soft_bodies()[1]).center.x) == notices);
 	}
 }
 
@@ -222,7 +222,7 @@ TEST_CASE("a stack stands, at rest and with nothing inside anything else") {
 		kinetic += measure_energy(body, {}).kinetic;
 	}
 	CHECK(kinetic / 60 < 0.005); // as at 0.1 m/s
-	CHECK(measure_frame(world.soft_bodies()[59]).centre.y > 4);
+	CHECK(measure_frame(world.soft_bodies()[59]).center.y > 4);
 }
 
 TEST_CASE("bodies that start in one place part without a jump") {
@@ -240,8 +240,8 @@ TEST_CASE("bodies that start in one place part without a jump") {
 			}
 		}
 		CHECK(deepest_overlap(world) <= 0.025);
-		const Vec2 centres = measure_frame(world.soft_bodies()[1]).centre - measure_frame(world.soft_bodies()[0]).centre;
-		CHECK(double(length(centres)) > 0.8);
+		const Vec2 centers = measure_frame(world.soft_bodies()[1]).center - measure_frame(world.soft_bodies()[0]).center;
+		CHECK(double(length(centers)) > 0.8);
 		CHECK(fastest < 2);
 		for (const SoftBodyData &body : world.soft_bodies()) {
 			CHECK(signed_area(body.hull()) > Real(0.9) * body.shape().rest_area());
@@ -274,7 +274,7 @@ TEST_CASE("a fast body does not pass through a thin one") {
 			for (int i = 0; i < 60; ++i) {
 				CHECK(simulator.simulate(FRAME).reset_bodies.empty());
 			}
-			CHECK(measure_frame(world.soft_bodies()[1]).centre.y > 0);
+			CHECK(measure_frame(world.soft_bodies()[1]).center.y > 0);
 		}
 	}
 }

@@ -40,8 +40,8 @@ std::vector<Vec2> random_hull(Random &random, Real radius) {
 
 constexpr double LARGEST_COLLIDER = 1.9; ///< half of its longest way through
 
-ConvexCollider random_collider(Random &random) {
-	ConvexCollider collider;
+Collider random_collider(Random &random) {
+	Collider collider;
 	switch (random.integer(0, 3)) {
 		case 0: collider.vertices = { { 0, 0 } }; break;
 		case 1: collider.vertices = { { -1, 0 }, { 1, random.real(-0.5, 0.5) } }; break;
@@ -67,7 +67,7 @@ Real random_restitution(const RandomWorld &scene, Random &random) {
 	return random.chance(0.3) ? random.real(0, 1) * scene.largest_restitution : Real(0);
 }
 
-void add_surroundings(RandomWorld &scene, Random &random) {
+void add_environment(RandomWorld &scene, Random &random) {
 	WorldData &world = scene.world;
 	for (int i = random.integer(0, 2); i > 0; --i) {
 		Border border{ { random.vector(2), Rotation::from_angle(random.real(0, 6.28)).apply({ 1, 0 }) }, {} };
@@ -76,7 +76,7 @@ void add_surroundings(RandomWorld &scene, Random &random) {
 		REQUIRE_FALSE(world.add_border(border));
 	}
 	for (int i = random.integer(0, 3); i > 0; --i) {
-		ConvexCollider collider = random_collider(random);
+		Collider collider = random_collider(random);
 		collider.surface.restitution = random_restitution(scene, random);
 		const Pose pose{ random.vector(2), Rotation::from_angle(random.real(0, 6.28)) };
 		const int kind = random.integer(scene.largest_restitution > 0 ? 1 : 0, 2);
@@ -164,7 +164,7 @@ void add_body(RandomWorld &scene, Random &random) {
 		}
 	}
 	SoftBodyData body = SoftBodyData::create(shape.value(), settings, pose).value();
-	if (scene.is_tame && !plan_substeps(body, TICK, scene.world.has_surroundings()).safe) {
+	if (scene.is_tame && !plan_substeps(body, TICK, scene.world.has_environment()).safe) {
 		settings.integrator = Integrator::AUTOMATIC;
 		body.set_settings(settings);
 	}
@@ -186,7 +186,7 @@ RandomWorld random_world(Random &random) {
 	scene.largest_restitution = random.chance(0.5) ? Real(1) : Real(0);
 	if (!scene.is_free) {
 		scene.world.set_gravity(random.vector(20));
-		add_surroundings(scene, random);
+		add_environment(scene, random);
 	}
 	for (int i = random.integer(2, 5); i > 0; --i) {
 		add_body(scene, random);

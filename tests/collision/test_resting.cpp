@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Claims about a jelly in pixels: it comes to rest on everything, and no scene makes it lose its numbers.
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
 #include "scenes/deformations.h"
@@ -21,7 +21,7 @@ struct Rest {
 	double moved = 0; ///< farthest way of a point within the last second [px]
 	double deepest = 0; ///< penetration seen in the last second [px]
 	double deepest_ever = 0;
-	Vec2 centre;
+	Vec2 center;
 	bool finite = true;
 };
 
@@ -43,24 +43,24 @@ Rest drop(WorldData &world, int seconds) {
 			rest.deepest = std::fmax(rest.deepest, depth);
 		}
 	}
-	rest.centre = measure_frame(body).centre;
+	rest.center = measure_frame(body).center;
 	return rest;
 }
 
-ConvexCollider random_collider(Random &random) {
-	ConvexCollider collider;
-	const Vec2 centre = random.vector(300);
+Collider random_collider(Random &random) {
+	Collider collider;
+	const Vec2 center = random.vector(300);
 	const int count = random.integer(1, 7);
 	if (count < 3) {
-		collider.vertices = { centre };
+		collider.vertices = { center };
 		if (count == 2) {
-			collider.vertices.push_back(centre + random.vector(200));
+			collider.vertices.push_back(center + random.vector(200));
 		}
 	} else {
 		const Vec2 axes{ random.real(2, 150), random.real(2, 150) };
 		for (int i = 0; i < count; ++i) {
 			const double angle = (i + double(random.real(0, 0.45))) * 6.283185307179586 / count;
-			collider.vertices.push_back(centre + Vec2{ axes.x * Real(std::cos(angle)), axes.y * Real(std::sin(angle)) });
+			collider.vertices.push_back(center + Vec2{ axes.x * Real(std::cos(angle)), axes.y * Real(std::sin(angle)) });
 		}
 	}
 	if (count == 1 || random.chance(0.4)) {
@@ -70,7 +70,7 @@ ConvexCollider random_collider(Random &random) {
 	collider.surface.restitution = random.real(0, 1);
 	collider.surface.linear_velocity = random.vector(random.chance(0.3) ? 500 : 0);
 	collider.surface.angular_velocity = random.chance(0.3) ? random.real(-10, 10) : Real(0);
-	collider.surface.velocity_origin = centre;
+	collider.surface.velocity_origin = center;
 	return collider;
 }
 
@@ -84,7 +84,7 @@ struct Outcome {
 Outcome run_random_scene(int seed, bool with_pins) {
 	Random random{ std::uint64_t(5000 + seed) };
 	WorldData world;
-	world.set_length_unit(PIXELS_PER_METRE);
+	world.set_length_unit(PIXELS_PER_METER);
 	world.set_gravity(random.vector(2000));
 	for (int i = random.integer(0, 3); i > 0; --i) {
 		const Vec2 normal = Rotation::from_angle(random.real(-3.1, 3.1)).apply({ 0, 1 });
@@ -141,8 +141,8 @@ TEST_CASE("a jelly dropped from 300 px on flat ground is at rest after 10 s") {
 		CHECK(rest.finite);
 		CHECK(rest.moved < 1);
 		CHECK(rest.deepest < 1);
-		CHECK(double(rest.centre.y) > 290); // down there, and not squeezed flat
-		CHECK(double(rest.centre.y) < 345);
+		CHECK(double(rest.center.y) > 290); // down there, and not squeezed flat
+		CHECK(double(rest.center.y) < 345);
 	}
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("a jelly rests on every kind of collider, less than a hundredth of its
 		{ "border", [](auto &w) { w.add_border(floor_at(200)); } },
 		{ "polygon", [](auto &w) { w.add_collider(box_collider({ 0, 250 }, { 300, 50 })); } },
 		{ "rounded polygon", [](auto &w) {
-			 ConvexCollider box = box_collider({ 0, 250 }, { 300, 40 });
+			 Collider box = box_collider({ 0, 250 }, { 300, 40 });
 			 box.radius = 10;
 			 w.add_collider(box);
 		 } },
@@ -184,14 +184,14 @@ TEST_CASE("a jelly rests on every kind of collider, less than a hundredth of its
 		CHECK(rest.finite);
 		CHECK(rest.deepest < 0.01 * double(JELLY_RADIUS));
 		CHECK(rest.moved < 1);
-		CHECK(double(rest.centre.y) > 100);
-		CHECK(double(rest.centre.y) < 250);
+		CHECK(double(rest.center.y) > 100);
+		CHECK(double(rest.center.y) < 250);
 	}
 }
 
 TEST_CASE("spikes narrower than the edges of the hull never get far into a falling jelly") {
 	WorldData world = pixel_world();
-	for (const Real x : { Real(-10), Real(10) }) { // between the lowest hull point and its neighbours
+	for (const Real x : { Real(-10), Real(10) }) { // between the lowest hull point and its neighbors
 		world.add_collider({ { { x, 150 }, { x + 3, 250 }, { x - 3, 250 } }, 0, {} });
 	}
 	world.add_border(floor_at(250));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Claims about rigid bodies that soft bodies push: impulses, momentum, mass ratios, rest, threads.
 #include "core/collision/rigid_contacts.h"
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
 #include "scenes/jelly.h"
@@ -28,16 +28,16 @@ RigidBody box_body(Vec2 position, Real mass, Vec2 half) {
 	return body;
 }
 
-std::uint32_t add_rigid(WorldData &world, const RigidBody &body, std::vector<ConvexCollider> parts) {
+std::uint32_t add_rigid(WorldData &world, const RigidBody &body, std::vector<Collider> parts) {
 	const std::uint32_t index = world.add_rigid_body(body).value();
-	for (ConvexCollider &part : parts) {
+	for (Collider &part : parts) {
 		part.rigid_body = index;
 		REQUIRE_FALSE(world.add_collider(std::move(part)));
 	}
 	return index;
 }
 
-// A box with its centre of mass in its middle.
+// A box with its center of mass in its middle.
 std::uint32_t add_box(WorldData &world, Vec2 position, Real mass, Vec2 half, Vec2 velocity = {}) {
 	RigidBody body = box_body(position, mass, half);
 	body.linear_velocity = velocity;
@@ -68,7 +68,7 @@ Momentum momentum_of(const WorldData &world) {
 	}
 	for (const RigidBody &body : world.rigid_bodies()) {
 		if (body.inverse_mass > 0) {
-			sum.add(1 / double(body.inverse_mass), body.centre(), body.linear_velocity);
+			sum.add(1 / double(body.inverse_mass), body.center(), body.linear_velocity);
 		}
 		if (body.inverse_inertia > 0) {
 			sum.angular += double(body.angular_velocity) / double(body.inverse_inertia);
@@ -93,21 +93,21 @@ WorldData particle_world(Vec2 place, Vec2 velocity, Real mass, Real friction, Re
 	return world;
 }
 
-SoftBodyData stiff_jelly(Vec2 centre, Real mass = 1) {
+SoftBodyData stiff_jelly(Vec2 center, Real mass = 1) {
 	const Real stiffness = 1000 * mass;
 	const Real damping = damping_for_ratio(Real(0.3), stiffness, mass, JELLY_HULL_POINTS + 1);
 	const auto shape = SoftBodyCreator::create_circle(JELLY_RADIUS, JELLY_HULL_POINTS, { mass, stiffness, damping, true });
 	BodySettings settings = jelly_settings(stiffness);
-	return SoftBodyData::create(shape.value(), settings, Pose{ centre, {} }).value();
+	return SoftBodyData::create(shape.value(), settings, Pose{ center, {} }).value();
 }
 
 struct Kind {
 	const char *name;
-	std::vector<ConvexCollider> parts; ///< their top is at y = 0
+	std::vector<Collider> parts; ///< their top is at y = 0
 };
 
 std::vector<Kind> all_kinds() {
-	ConvexCollider rounded = box_collider({ 0, 40 }, { 150, 30 });
+	Collider rounded = box_collider({ 0, 40 }, { 150, 30 });
 	rounded.radius = 10;
 	return { { "two circles", { { { { -60, 100 } }, 100, {} }, { { { 60, 100 } }, 100, {} } } },
 		{ "segment", { { { { -160, 0 }, { 160, 0 } }, 0, {} } } },
@@ -139,7 +139,7 @@ TEST_CASE("a rigid corner hits an edge anywhere between its ends: the place leav
 		const Real at = random.real(-18, 18);
 		RigidBody wedge = box_body({ at, Real(-1e-4) }, random.real(0.1, 5), { 1, 1 });
 		wedge.inverse_inertia = 0; // it does not turn
-		ConvexCollider collider;
+		Collider collider;
 		collider.vertices = { { 0, 0 }, { -1, -3 }, { 1, -3 } };
 		add_rigid(world, wedge, { collider });
 		Simulator simulator(world);
@@ -166,13 +166,13 @@ TEST_CASE("a particle hits a free box anywhere: restitution, Coulomb's law, one 
 		const Vec2 velocity{ random.real(-4, 4), random.real(1, 5) };
 		WorldData world = particle_world(place, velocity, mass, friction, restitution);
 		RigidBody box = box_body({}, random.real(0.1, 5), { 3, Real(0.5) });
-		box.centre_of_mass = random.vector(0.4);
+		box.center_of_mass = random.vector(0.4);
 		if (random.chance(0.2)) {
 			box.inverse_inertia = 0; // it does not turn
 		} else if (random.chance(0.2)) {
 			box.inverse_mass = 0; // it turns about a nail
 		}
-		ConvexCollider collider = box_collider({}, { 3, Real(0.5) });
+		Collider collider = box_collider({}, { 3, Real(0.5) });
 		const Real belt = random.real(-2, 2);
 		collider.surface.linear_velocity = { belt, 0 };
 		collider.surface.rough = true;
@@ -184,7 +184,7 @@ TEST_CASE("a particle hits a free box anywhere: restitution, Coulomb's law, one 
 
 		const RigidBody &after = world.rigid_bodies()[0];
 		const Vec2 gained = (world.soft_bodies()[0].velocities()[0] - velocity) * mass; // the impulse on the particle
-		const Vec2 arm = place - box.centre_of_mass;
+		const Vec2 arm = place - box.center_of_mass;
 		const double rounding = 200 * EPSILON * 50 + 2e-3; // the places move by 1e-4 s of a speed of 5, levers of 3
 		// The response matrix of both together, column by column.
 		const double w = 1 / double(mass) + box.inverse_mass;
@@ -419,7 +419,7 @@ TEST_CASE("a fast free plate, thin as a segment, is stopped by what it hits inst
 		world.add_soft_body(stiff_jelly({ 0, 0 }, 10));
 		RigidBody body = box_body({ -160, 0 }, Real(0.5), { 2, 200 });
 		body.linear_velocity = { 60 * JELLY_RADIUS, 0 };
-		add_rigid(world, body, { thin ? ConvexCollider{ { { 0, -200 }, { 0, 200 } }, 0, {} } : box_collider({}, { 2, 200 }) });
+		add_rigid(world, body, { thin ? Collider{ { { 0, -200 }, { 0, 200 } }, 0, {} } : box_collider({}, { 2, 200 }) });
 		Simulator simulator(world);
 		for (int n = 0; n < 30; ++n) {
 			CHECK(simulator.simulate(FRAME).reset_bodies.empty());
@@ -434,7 +434,7 @@ TEST_CASE("a fast free plate, thin as a segment, is stopped by what it hits inst
 TEST_CASE("a point in a box that is already leaving it is not held back, and one in two parts is moved out once") {
 	for (const bool two_parts : { false, true }) {
 		WorldData world = particle_world({ 1, Real(-0.45) }, { 0, two_parts ? Real(0.5) : Real(-2) }, 1, 0, 0);
-		std::vector<ConvexCollider> parts{ box_collider({}, { 3, Real(0.5) }) };
+		std::vector<Collider> parts{ box_collider({}, { 3, Real(0.5) }) };
 		if (two_parts) {
 			parts.push_back(parts[0]);
 		}
@@ -467,14 +467,14 @@ TEST_CASE("friction takes back the way slid: a block does not creep over a box t
 TEST_CASE("a velocity that is no number does not reach the rigid body") {
 	WorldData world = particle_world({ 1, Real(-0.45) }, { 0, 1 }, 1, 1, 0);
 	add_rigid(world, box_body({}, 1, { 3, Real(0.5) }), { box_collider({}, { 3, Real(0.5) }) });
-	SurroundingsIndex index;
+	ColliderIndex index;
 	index.update(world, FRAME);
 	RigidContacts contacts;
 	contacts.begin_step(world, index);
 	contacts.add_body(world.soft_bodies()[0]);
 	contacts.begin_substep(FRAME);
 	world.soft_bodies()[0].mutable_velocities()[0].y = NOT_A_NUMBER;
-	CHECK(contacts.answer({}) == 1);
+	CHECK(contacts.solve({}) == 1);
 	CHECK(world.rigid_bodies()[0].linear_velocity == Vec2{});
 	CHECK(world.reactions()[0].impulse == Vec2{});
 }

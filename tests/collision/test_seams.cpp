@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Claims about grounds made of pieces: tiles edge to edge, and the convex parts of a dented polygon.
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 #include "core/collision/convex_query.h"
 #include "core/creator/hulls.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
-#include "core/model/inner_edges.h"
+#include "core/model/internal_edges.h"
 #include "scenes/jelly.h"
 #include "support/compare.h"
 #include "support/random.h"
@@ -22,21 +22,21 @@ namespace {
 
 constexpr Real TOLERANCE = Real(1) / 16;
 
-std::vector<ConvexCollider> row_of_tiles(int count) {
-	std::vector<ConvexCollider> tiles;
+std::vector<Collider> row_of_tiles(int count) {
+	std::vector<Collider> tiles;
 	for (int i = 0; i < count; ++i) {
 		tiles.push_back(box_collider({ Real(32 * i + 16), 16 }, { 16, 16 }));
 	}
-	mark_inner_edges(tiles, TOLERANCE);
+	mark_internal_edges(tiles, TOLERANCE);
 	return tiles;
 }
 
-SoftBodyData slider(const std::vector<Vec2> &hull, Vec2 centre) {
+SoftBodyData slider(const std::vector<Vec2> &hull, Vec2 center) {
 	BodySettings settings = jelly_settings(300);
 	settings.friction = 0;
 	settings.rolling_resistance = 0;
 	const auto shape = SoftBodyCreator::create_polygon(hull, { 1, 300, Real(0.12), true });
-	return SoftBodyData::create(shape.value(), settings, Pose{ centre, {} }).value();
+	return SoftBodyData::create(shape.value(), settings, Pose{ center, {} }).value();
 }
 
 void push(SoftBodyData &body, Vec2 velocity) {
@@ -55,7 +55,7 @@ TEST_CASE("a body slides over tiles whose seams are known as over one long box")
 				CAPTURE(speed);
 				CAPTURE(rate);
 				WorldData world = pixel_world();
-				for (const ConvexCollider &tile : row_of_tiles(70)) {
+				for (const Collider &tile : row_of_tiles(70)) {
 					REQUIRE_FALSE(world.add_collider(tile));
 				}
 				const std::vector<Vec2> hull = is_round ? circle_hull(50, 16).value() : box_hull({ 80, 60 }, 20).value();
@@ -77,14 +77,14 @@ TEST_CASE("a body slides over tiles whose seams are known as over one long box")
 }
 
 TEST_CASE("a point among marked tiles is put where the block that they form puts it") {
-	std::vector<ConvexCollider> tiles;
+	std::vector<Collider> tiles;
 	for (int x = 0; x < 3; ++x) {
 		for (int y = 0; y < 3; ++y) {
 			tiles.push_back(box_collider({ Real(32 * x + 16), Real(32 * y + 16) }, { 16, 16 }));
 		}
 	}
-	mark_inner_edges(tiles, TOLERANCE);
-	const ConvexCollider block = box_collider({ 48, 48 }, { 48, 48 });
+	mark_internal_edges(tiles, TOLERANCE);
+	const Collider block = box_collider({ 48, 48 }, { 48, 48 });
 	Random random(5);
 	int inside = 0;
 	for (int n = 0; n < 20000; ++n) {
@@ -97,7 +97,7 @@ TEST_CASE("a point among marked tiles is put where the block that they form puts
 		}
 		const auto expected = find_point_contact(block, from, to, Real(0.001));
 		int found = 0;
-		for (const ConvexCollider &tile : tiles) {
+		for (const Collider &tile : tiles) {
 			if (const auto contact = find_point_contact(tile, from, to, Real(0.001))) {
 				++found;
 				// Each tile that has something to say sends it out of the block, over a side of the block.
@@ -112,15 +112,15 @@ TEST_CASE("a point among marked tiles is put where the block that they form puts
 
 TEST_CASE("the walls of a bowl made of convex pieces are as tight as those of a whole one") {
 	// Cut from the corners of the dent outwards, as the engine does it.
-	std::vector<ConvexCollider> pieces(3);
+	std::vector<Collider> pieces(3);
 	pieces[0].vertices = { { -150, 0 }, { -100, 0 }, { -100, 100 }, { -150, 150 } };
 	pieces[1].vertices = { { -100, 100 }, { 100, 100 }, { 150, 150 }, { -150, 150 } };
 	pieces[2].vertices = { { 100, 0 }, { 150, 0 }, { 150, 150 }, { 100, 100 } };
-	mark_inner_edges(pieces, TOLERANCE);
+	mark_internal_edges(pieces, TOLERANCE);
 	for (const Real speed : { Real(200), Real(600), Real(1000) }) {
 		CAPTURE(speed);
 		WorldData world = pixel_world();
-		for (const ConvexCollider &piece : pieces) {
+		for (const Collider &piece : pieces) {
 			REQUIRE_FALSE(world.add_collider(piece));
 		}
 		world.add_soft_body(slider(box_hull({ 80, 60 }, 20).value(), { 0, 69 }));

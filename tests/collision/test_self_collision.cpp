@@ -88,7 +88,7 @@ Outcome press_between_plates(bool self_collision, SoftBodyData &pressed) {
 		RigidBody plate;
 		plate.pose = { { 0, side }, {} };
 		const std::uint32_t index = world.add_rigid_body(plate).value();
-		ConvexCollider collider = box_collider({}, { 2, Real(0.5) });
+		Collider collider = box_collider({}, { 2, Real(0.5) });
 		collider.rigid_body = index;
 		world.add_collider(collider);
 	}
@@ -182,7 +182,7 @@ TEST_CASE("a contact of a body with itself keeps momentum and angular momentum t
 		}
 		const bool was_folded = is_folded(body.hull());
 		const Momentum a = measure_momentum(body);
-		const Vec2 centre = measure_frame(body).centre;
+		const Vec2 center = measure_frame(body).center;
 		const double kinetic = measure_energy(body, {}).kinetic;
 		SelfCollision collision;
 		const std::size_t contacts = collision.handle(body, before, h);
@@ -194,8 +194,8 @@ TEST_CASE("a contact of a body with itself keeps momentum and angular momentum t
 		CHECK(std::abs(a.linear_x - b.linear_x) <= 200 * EPSILON);
 		CHECK(std::abs(a.linear_y - b.linear_y) <= 200 * EPSILON);
 		CHECK(std::abs(a.angular - b.angular) <= 500 * EPSILON);
-		// What is moved apart goes by its weights, so that the centre stays.
-		CHECK(double(length(measure_frame(body).centre - centre)) <= 20 * EPSILON);
+		// What is moved apart goes by its weights, so that the center stays.
+		CHECK(double(length(measure_frame(body).center - center)) <= 20 * EPSILON);
 		CHECK(measure_energy(body, {}).kinetic <= kinetic * 1.001); // turning back what pushing sideways has turned
 	}
 	CHECK(answered > 50);

@@ -33,14 +33,14 @@ struct Touching {
 		view.before = before;
 	}
 	std::vector<Vec2> before;
-	TouchingBody view;
+	SolverBody view;
 };
 
-SoftBodyData ball(Vec2 centre, Vec2 velocity = {}, Real damping_ratio = 0) {
+SoftBodyData ball(Vec2 center, Vec2 velocity = {}, Real damping_ratio = 0) {
 	BodySettings settings;
 	settings.shape_stiffness = 800;
 	SoftBodyData body = thesis_body(thesis_shape_with_ratio(2000, damping_ratio), settings,
-			{ centre, Rotation::from_angle(Real(0.3927)) });
+			{ center, Rotation::from_angle(Real(0.3927)) });
 	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
 		body.set_point(i, body.positions()[i], velocity);
 	}
@@ -92,7 +92,7 @@ TEST_CASE("the separation force is the coefficient times the shared area, equal 
 		CHECK(std::abs(of_a.linear_x + of_b.linear_x) <= 20 * EPSILON * double(size * h));
 		CHECK(std::abs(of_a.linear_y + of_b.linear_y) <= 20 * EPSILON * double(size * h));
 		CHECK(std::hypot(of_a.linear_x, of_a.linear_y) == doctest::Approx(double(size * h)).epsilon(1e-4));
-		const Vec2 away = a.positions()[8] - b.positions()[8]; // of the centre points
+		const Vec2 away = a.positions()[8] - b.positions()[8]; // of the center points
 		CHECK(of_a.linear_x * double(away.x) + of_a.linear_y * double(away.y) > 0);
 	}
 }
@@ -112,7 +112,7 @@ TEST_CASE("without overlap there is no separation force") {
 }
 
 // Force and area depend on the shape in a way that no potential has: not the step is at fault but the force.
-TEST_CASE("bodies that meet off centre gain a seventh of their energy from the separation force, however small the step") {
+TEST_CASE("bodies that meet off center gain a seventh of their energy from the separation force, however small the step") {
 	for (const int substeps : { 8, 16, 32, 64 }) {
 		CHECK(energy_after_a_bounce(ContactResponse::SEPARATION_FORCE, substeps, Real(0.25)) == doctest::Approx(1.15).epsilon(0.02));
 		CHECK(energy_after_a_bounce(ContactResponse::POSITION_BASED, substeps, Real(0.25)) < 1);
@@ -125,7 +125,7 @@ TEST_CASE("bodies that meet head on keep their energy under the separation force
 	}
 }
 
-TEST_CASE("bodies that meet off centre come away from the separation force with a spin that nothing gave them") {
+TEST_CASE("bodies that meet off center come away from the separation force with a spin that nothing gave them") {
 	for (const ContactResponse response : { ContactResponse::POSITION_BASED, ContactResponse::SEPARATION_FORCE }) {
 		WorldData world;
 		world.set_contact_response(response);
@@ -184,8 +184,8 @@ TEST_CASE("a pile held apart by the separation force never comes to rest, and it
 	}
 }
 
-TEST_CASE("the separation force means the same in metres as in pixels") {
-	std::vector<Vec2> metres;
+TEST_CASE("the separation force means the same in meters as in pixels") {
+	std::vector<Vec2> meters;
 	for (const Real unit : { Real(1), Real(128) }) {
 		WorldData world;
 		world.set_sleeping(false);
@@ -204,12 +204,12 @@ TEST_CASE("the separation force means the same in metres as in pixels") {
 			simulator.simulate(FRAME);
 		}
 		const std::span<const Vec2> now = world.soft_bodies()[0].positions();
-		if (metres.empty()) {
-			metres = copy_of(now);
+		if (meters.empty()) {
+			meters = copy_of(now);
 			continue;
 		}
 		for (std::size_t i = 0; i < now.size(); ++i) {
-			CHECK(distance(now[i] * (1 / unit), metres[i]) < 1e-3);
+			CHECK(distance(now[i] * (1 / unit), meters[i]) < 1e-3);
 		}
 	}
 }

@@ -34,8 +34,8 @@ TEST_CASE("the thesis's test body has nine points, eight hull springs and eight 
 	const double chord = 2 * 0.5 * std::sin(std::numbers::pi / 8);
 	for (const Spring2D &spring : shape->springs()) {
 		pairs.insert(std::minmax(spring.a, spring.b));
-		const bool to_centre = std::max(spring.a, spring.b) == 8;
-		CHECK(std::abs(double(spring.rest_length) - (to_centre ? 0.5 : chord)) <= 4 * EPSILON);
+		const bool to_center = std::max(spring.a, spring.b) == 8;
+		CHECK(std::abs(double(spring.rest_length) - (to_center ? 0.5 : chord)) <= 4 * EPSILON);
 		CHECK(spring.stiffness == 100);
 		CHECK(spring.damping == 2);
 	}
@@ -48,14 +48,14 @@ TEST_CASE("the thesis's test body has nine points, eight hull springs and eight 
 	}
 	CHECK(relative_error(shape->total_mass(), 1) <= 4 * EPSILON);
 	CHECK(shape->rest_area() > 0);
-	CHECK(distance(shape->rest_positions()[8], {}) <= EPSILON); // the centre point, on the centre of mass
+	CHECK(distance(shape->rest_positions()[8], {}) <= EPSILON); // the center point, on the center of mass
 }
 
 TEST_CASE("springs are at rest in the shape they are made for, whatever the outline") {
-	for (const bool centre_point : { true, false }) {
-		const auto shape = SoftBodyCreator::create_polygon(L_SHAPE, { 3, 10, 1, centre_point }).value();
-		CHECK(shape->springs().size() == (centre_point ? 12 : 6));
-		CHECK(shape->point_count() == (centre_point ? 7 : 6));
+	for (const bool center_point : { true, false }) {
+		const auto shape = SoftBodyCreator::create_polygon(L_SHAPE, { 3, 10, 1, center_point }).value();
+		CHECK(shape->springs().size() == (center_point ? 12 : 6));
+		CHECK(shape->point_count() == (center_point ? 7 : 6));
 		for (const Spring2D &spring : shape->springs()) {
 			const double now = distance(shape->rest_positions()[spring.a], shape->rest_positions()[spring.b]);
 			CHECK(std::abs(now - spring.rest_length) <= 4 * EPSILON * 5);
@@ -70,7 +70,7 @@ TEST_CASE("springs are at rest in the shape they are made for, whatever the outl
 	}
 }
 
-TEST_CASE("the centre point is the mean of the hull points") {
+TEST_CASE("the center point is the mean of the hull points") {
 	const auto shape = SoftBodyCreator::create_polygon(L_SHAPE, {}).value();
 	CHECK(distance(original(*shape, 6), { Real(10.0 / 6), Real(8.0 / 6) }) <= 4 * EPSILON * 2);
 }
@@ -112,17 +112,17 @@ TEST_CASE("bad outlines and material values are refused by name") {
 	CHECK(SoftBodyCreator::create_circle(1, 2, {}).error().name == "point_count");
 }
 
-TEST_CASE("a hull point at the mean of all is refused by its index, unless there is no centre point") {
+TEST_CASE("a hull point at the mean of all is refused by its index, unless there is no center point") {
 	// The mean of these four is (0, 0), which is the third: a chevron.
 	const std::vector<Vec2> simple{ { -3, -3 }, { 3, -3 }, { 0, 0 }, { 0, 6 } };
 	const auto result = SoftBodyCreator::create_polygon(simple, {});
 	REQUIRE_FALSE(result.has_value());
 	CHECK(result.error().name == "hull[2]");
-	CHECK(mentions(result.error().message(), "centre"));
+	CHECK(mentions(result.error().message(), "center"));
 	CHECK(SoftBodyCreator::create_polygon(simple, { 1, 1, 1, false }).has_value());
 }
 
-TEST_CASE("inner points follow the hull, before the centre point, and share the mass evenly") {
+TEST_CASE("inner points follow the hull, before the center point, and share the mass evenly") {
 	StructureOptions options{ 8, 10, 1, true };
 	options.inner_points = { { Real(0.5), Real(0.5) } };
 	const auto shape = SoftBodyCreator::create_polygon(L_SHAPE, options).value();

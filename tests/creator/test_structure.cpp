@@ -44,7 +44,7 @@ const std::vector<Vec2> U_SHAPE{ { 0, 0 }, { 9, 0 }, { 9, 9 }, { 6, 9 }, { 6, 3 
 
 } // namespace
 
-TEST_CASE("without inner points a hull is a ring, with a centre point a wheel") {
+TEST_CASE("without inner points a hull is a ring, with a center point a wheel") {
 	const std::vector<Vec2> square{ { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } };
 	CHECK(automatic_springs(square, {}, {}) == std::vector<SpringEnds>{ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } });
 	CHECK(automatic_springs(square, {}, Vec2{ 1, 1 }) ==

@@ -75,7 +75,7 @@ WorldData large_pile() {
 	world.add_border({ { { -6, 0 }, { 1, 0 } }, {} });
 	world.add_border({ { { 6, 0 }, { -1, 0 } }, {} });
 	for (int i = 0; i < 20; ++i) { // tiles and one-way platforms
-		ConvexCollider tile{ { { 0, 0 }, { Real(0.5), 0 }, { Real(0.5), Real(0.2) }, { 0, Real(0.2) } }, 0, {} };
+		Collider tile{ { { 0, 0 }, { Real(0.5), 0 }, { Real(0.5), Real(0.2) }, { 0, Real(0.2) } }, 0, {} };
 		for (Vec2 &p : tile.vertices) {
 			p += Vec2{ Real(-5) + Real(0.5) * Real(i), Real(0.6) + Real(0.8) * Real(i % 3) };
 		}

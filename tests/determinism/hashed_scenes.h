@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes whose end is compared to the last bit: between threads, compilers and levels of optimisation, and with a run that was
+// Scenes whose end is compared to the last bit: between threads, compilers and levels of optimization, and with a run that was
 // put back in between.
 #pragma once
 

@@ -39,23 +39,23 @@ struct ReplayState {
 
 /// Best-fitting rigid motion of the state.
 struct ReplayFrame {
-	Complex centre, velocity, rotation;
+	Complex center, velocity, rotation;
 	double spin = 0;
 
 	ReplayFrame(const SoftBodyShape &shape, const ReplayState &state) {
 		double mass = 0;
 		for (std::size_t i = 0; i < state.z.size(); ++i) {
 			mass += double(shape.masses()[i]);
-			centre += double(shape.masses()[i]) * state.z[i];
+			center += double(shape.masses()[i]) * state.z[i];
 			velocity += double(shape.masses()[i]) * state.w[i];
 		}
-		centre /= mass;
+		center /= mass;
 		velocity /= mass;
 		Complex moment;
 		double angular_momentum = 0;
 		double inertia = 0;
 		for (std::size_t i = 0; i < state.z.size(); ++i) {
-			const Complex arm = state.z[i] - centre;
+			const Complex arm = state.z[i] - center;
 			moment += double(shape.masses()[i]) * std::conj(to_complex(shape.rest_positions()[i])) * arm;
 			angular_momentum += double(shape.masses()[i]) * std::imag(std::conj(arm) * (state.w[i] - velocity));
 			inertia += double(shape.masses()[i]) * std::norm(arm);
@@ -76,7 +76,7 @@ inline double replay_potential(const SoftBodyData &body, const ReplayState &stat
 	const ReplayFrame frame(shape, state);
 	const double mean_mass = double(shape.total_mass()) / double(shape.point_count());
 	for (std::size_t i = 0; i < state.z.size(); ++i) {
-		const Complex goal = frame.centre + frame.rotation * to_complex(shape.rest_positions()[i]);
+		const Complex goal = frame.center + frame.rotation * to_complex(shape.rest_positions()[i]);
 		energy += double(shape.masses()[i]) / mean_mass * double(body.settings().shape_stiffness) * std::norm(state.z[i] - goal) / 2;
 	}
 	return energy;
@@ -90,8 +90,8 @@ inline std::vector<Complex> replay_forces(const SoftBodyData &body, Complex grav
 	const double mean_mass = double(shape.total_mass()) / double(shape.point_count());
 	for (std::size_t i = 0; i < state.z.size(); ++i) {
 		const double mass = shape.masses()[i];
-		const Complex goal = frame.centre + frame.rotation * to_complex(shape.rest_positions()[i]);
-		const Complex rigid = frame.velocity + Complex(0, frame.spin) * (state.z[i] - frame.centre);
+		const Complex goal = frame.center + frame.rotation * to_complex(shape.rest_positions()[i]);
+		const Complex rigid = frame.velocity + Complex(0, frame.spin) * (state.z[i] - frame.center);
 		forces[i] = mass * gravity * double(body.settings().gravity_scale);
 		forces[i] += mass / mean_mass * double(body.settings().shape_stiffness) * (goal - state.z[i]);
 		forces[i] += mass / mean_mass * double(body.settings().shape_damping) * (rigid - state.w[i]);

@@ -24,7 +24,7 @@ SoftBodyData ring(Real bulk_modulus, Real damping_time = 0) {
 	StructureOptions options;
 	options.stiffness = 0;
 	options.damping = 0;
-	options.centre_point = false;
+	options.center_point = false;
 	BodySettings settings;
 	settings.spring_stiffness_scale = 0;
 	settings.spring_damping_scale = 0;

@@ -92,17 +92,17 @@ const std::vector<std::pair<std::string, std::function<void(WorldData &)>>> FLOO
 		 world.add_collider({ { { -20, -1 }, { 20, -1 }, { 20, 0 }, { -20, 0 } }, 0, tagged(5) });
 	 } },
 	{ "chain", [](WorldData &world) {
-		 ConvexCollider link;
+		 Collider link;
 		 link.surface = tagged(5);
 		 world.add_chain(std::vector<Vec2>{ { -20, 0 }, { 0, 0 }, { 20, 0 } }, false, link);
 	 } },
 	{ "kinematic", [](WorldData &world) {
-		 ConvexCollider box{ { { -20, -1 }, { 20, -1 }, { 20, 0 }, { -20, 0 } }, 0, tagged(5) };
+		 Collider box{ { { -20, -1 }, { 20, -1 }, { 20, 0 }, { -20, 0 } }, 0, tagged(5) };
 		 box.rigid_body = world.add_rigid_body({}).value();
 		 world.add_collider(box);
 	 } },
 	{ "dynamic", [](WorldData &world) {
-		 ConvexCollider box{ { { -20, -1 }, { 20, -1 }, { 20, 0 }, { -20, 0 } }, 0, tagged(5) };
+		 Collider box{ { { -20, -1 }, { 20, -1 }, { 20, 0 }, { -20, 0 } }, 0, tagged(5) };
 		 RigidBody heavy;
 		 heavy.inverse_mass = Real(1e-6);
 		 box.rigid_body = world.add_rigid_body(heavy).value();
@@ -118,7 +118,7 @@ TEST_CASE("the impulses of a body at rest add up to its weight times the step, u
 		Scene scene;
 		scene.world.set_sleeping(false);
 		add_floor(scene.world);
-		std::vector<BodyId> ids; // a crew, stepped side by side where there is only a border, and one beside it
+		std::vector<BodyId> ids; // a batch, stepped side by side where there is only a border, and one beside it
 		for (int i = 0; i < 5; ++i) {
 			ids.push_back(scene.world.add_soft_body(ball({ Real(2 * i) - 5, Real(0.47) })));
 		}
@@ -152,9 +152,9 @@ TEST_CASE("of like bodies, stepped side by side, each that monitors tells of its
 		settings.contact_monitor = i % 3 != 0;
 		scene.world.add_soft_body(thesis_body(shape, settings, { { Real(2 * i), Real(0.47) }, HALF_A_CORNER }));
 	}
-	Roster roster;
-	roster.update(scene.world);
-	REQUIRE(roster.crews().size() == 8 / PACK_WIDTH);
+	BatchBuilder batch_builder;
+	batch_builder.update(scene.world);
+	REQUIRE(batch_builder.batches().size() == 8 / PACK_WIDTH);
 	scene.step(240);
 	std::vector<double> impulses(8);
 	for (int tick = 0; tick < 60; ++tick) {
@@ -286,7 +286,7 @@ TEST_CASE("a body that drops, rests, sleeps and is woken begins to touch the gro
 		if (may_sleep) {
 			REQUIRE(scene.sleeps(id));
 		}
-		scene.world.clear_surroundings();
+		scene.world.clear_environment();
 		scene.step(30);
 		CHECK(scene.told() == "-5");
 		CHECK(scene.simulator.touches().empty());
@@ -297,9 +297,9 @@ TEST_CASE("lists of the surroundings that are made anew every step, in any order
 	Scene scene;
 	scene.world.add_soft_body(ball({ 0, Real(0.5) }));
 	for (int tick = 0; tick < 200; ++tick) {
-		scene.world.clear_surroundings();
-		ConvexCollider left{ { { -3, -1 }, { 0, -1 }, { 0, 0 }, { -3, 0 } }, 0, tagged(1) };
-		ConvexCollider right{ { { 0, -1 }, { 3, -1 }, { 3, 0 }, { 0, 0 } }, 0, tagged(2) };
+		scene.world.clear_environment();
+		Collider left{ { { -3, -1 }, { 0, -1 }, { 0, 0 }, { -3, 0 } }, 0, tagged(1) };
+		Collider right{ { { 0, -1 }, { 3, -1 }, { 3, 0 }, { 0, 0 } }, 0, tagged(2) };
 		scene.world.add_collider(tick % 2 == 0 ? left : right);
 		scene.world.add_collider(tick % 2 == 0 ? right : left);
 		scene.step();
@@ -313,9 +313,9 @@ TEST_CASE("a sleeping body is told when the ground becomes another that is like 
 	const BodyId id = scene.world.add_soft_body(ball({ 0, Real(0.5) }));
 	REQUIRE(scene.sleeps(id));
 	CHECK(scene.told() == "+5");
-	ConvexCollider other = scene.world.colliders()[0];
+	Collider other = scene.world.colliders()[0];
 	other.surface.tag = 6;
-	scene.world.clear_surroundings();
+	scene.world.clear_environment();
 	scene.world.add_collider(other);
 	scene.step(30);
 	CHECK(scene.told() == "+6-5");

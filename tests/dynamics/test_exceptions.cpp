@@ -140,7 +140,7 @@ TEST_CASE("surroundings whose tag a body ignores do not exist for it, be they bo
 		CAPTURE(kind);
 		WorldData world = pixel_world();
 		world.add_border(floor_at(300));
-		ConvexCollider shelf = box_collider({ 0, 10 }, { 400, 10 });
+		Collider shelf = box_collider({ 0, 10 }, { 400, 10 });
 		shelf.surface.tag = SHELF;
 		if (kind == 0) {
 			world.add_border(floor_at(0, tagged(SHELF)));
@@ -153,7 +153,7 @@ TEST_CASE("surroundings whose tag a body ignores do not exist for it, be they bo
 			world.add_collider(shelf);
 		}
 		std::array<BodyId, 8> ids;
-		for (std::size_t i = 0; i < ids.size(); ++i) { // some of them would share a crew
+		for (std::size_t i = 0; i < ids.size(); ++i) { // some of them would share a batch
 			ids[i] = world.add_soft_body(jelly_circle({ Real(i) * 110 - 385, -60 }, monitoring()));
 		}
 		const std::array<std::uint64_t, 4> tags = { 0, 100, SHELF, SHELF };

@@ -18,13 +18,13 @@ using namespace softbody::testing;
 
 namespace {
 
-constexpr int PILES = 12; ///< 36 crews: two tasks
+constexpr int PILES = 12; ///< 36 batches: two tasks
 constexpr int BODIES_A_PILE = 3;
 constexpr std::uint32_t VICTIM = 1; ///< in the middle of the first pile
 constexpr int STRUCK_TICK = 40; ///< when piles lie on the ground and press
 
-// Piles far from one another on a floor. No two bodies are alike, so that every one is a crew and a step is divided into
-// many tasks. Every kind of body is among the victim's neighbours.
+// Piles far from one another on a floor. No two bodies are alike, so that every one is a batch and a step is divided into
+// many tasks. Every kind of body is among the victim's neighbors.
 WorldData piles(Integrator integrator, FailureResponse response, bool is_free) {
 	WorldData world;
 	world.set_gravity({ 0, Real(-9.81) });
@@ -249,11 +249,11 @@ TEST_CASE("a body that is put right has forgotten what it was pushed through, an
 	settings.self_collision = true;
 	world.add_soft_body(SoftBodyData::create(octagon(Real(0.4), 1000, 2), settings, { { 30, 40 }, {} }).value());
 	SoftBodyData &body = world.soft_bodies()[0];
-	body.outside_hull().assign(body.hull().begin(), body.hull().end());
+	body.last_valid_hull().assign(body.hull().begin(), body.hull().end());
 	body.touch_memory().touching = true;
 	body.mutable_velocities()[3].x = NOT_A_NUMBER;
 	CHECK(Simulator(world).simulate(FRAME).reset_bodies.size() == 1);
-	CHECK(body.outside_hull().empty());
+	CHECK(body.last_valid_hull().empty());
 	CHECK_FALSE(body.touch_memory().touching);
 }
 

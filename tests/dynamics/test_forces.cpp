@@ -65,7 +65,7 @@ TEST_CASE("forces are minus the gradient of the energy") {
 				state.z[i] = here;
 				const double slope = (ahead - behind) / (2 * step);
 				// Energies near 100 J have 2e-14 J of rounding: 1e-8 N; the cubic term is smaller unless a
-				// spring is folded to a millimetre.
+				// spring is folded to a millimeter.
 				CHECK(std::abs(scalar_product(axis, to_complex(forces[i])) + slope) <= FORCE_ROUNDING + 1e-5);
 			}
 		}
@@ -149,12 +149,12 @@ TEST_CASE("shape matching leaves every rigid placement and every rigid motion al
 	for (int round = 0; round < 100; ++round) {
 		SoftBodyData body = random_body(random, *model, 0, 0, random.vector(3));
 		CHECK(largest(shape_forces_on(body)) <= 4 * FORCE_ROUNDING); // coordinates up to 5
-		const Vec2 centre = to_vec2(ReplayFrame(body.shape(), ReplayState(body)).centre);
+		const Vec2 center = to_vec2(ReplayFrame(body.shape(), ReplayState(body)).center);
 		const Vec2 velocity = random.vector(3);
 		const Real spin = random.real(-5, 5);
 		for (std::uint32_t i = 0; i < body.point_count(); ++i) {
 			const Vec2 p = body.positions()[i];
-			body.set_point(i, p, velocity + perpendicular(p - centre) * spin);
+			body.set_point(i, p, velocity + perpendicular(p - center) * spin);
 		}
 		CHECK(largest(shape_forces_on(body)) <= 4 * FORCE_ROUNDING);
 		CHECK(largest(spring_forces_on(body)) <= 4 * FORCE_ROUNDING); // nor do springs damp it

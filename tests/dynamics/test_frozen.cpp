@@ -72,7 +72,7 @@ TEST_CASE("a frozen body takes no substeps, does not fall, and carries what fall
 	CHECK(scene.step().substeps == of_ball);
 	scene.step(300);
 	CHECK(identical(scene.plank().positions(), start));
-	CHECK(double(measure_frame(scene.ball()).centre.y) == doctest::Approx(0.5 + 0.5).epsilon(0.1));
+	CHECK(double(measure_frame(scene.ball()).center.y) == doctest::Approx(0.5 + 0.5).epsilon(0.1));
 }
 
 TEST_CASE("a body sleeps on a frozen one, which is neither asleep nor counted") {
@@ -167,14 +167,14 @@ TEST_CASE("who sleeps on a frozen body wakes when that is let go, moved, pinned,
 				SoftBodyData &comer = *scene.world.find(scene.world.add_soft_body(std::move(other)));
 				scene.step(3);
 				REQUIRE(scene.ball().is_asleep());
-				comer.teleport({}, { measure_frame(scene.ball()).centre - Vec2{ Real(19.3), 0 }, {} });
+				comer.teleport({}, { measure_frame(scene.ball()).center - Vec2{ Real(19.3), 0 }, {} });
 				break;
 			}
 		}
-		const Vec2 before = measure_frame(scene.ball()).centre;
+		const Vec2 before = measure_frame(scene.ball()).center;
 		scene.step(5);
 		CHECK(!scene.ball().is_asleep());
-		CHECK(distance(measure_frame(scene.ball()).centre, before) > (change == 5 ? 0.001 : 0.01));
+		CHECK(distance(measure_frame(scene.ball()).center, before) > (change == 5 ? 0.001 : 0.01));
 	}
 }
 
@@ -195,7 +195,7 @@ TEST_CASE("a frozen body carries what falls on it where its points were set, or 
 			REQUIRE(!scene.ball().teleport({}, { way, {} }));
 		}
 		scene.step(180);
-		CHECK(double(measure_frame(scene.ball()).centre.y) == doctest::Approx(0.5 + 0.46).epsilon(0.1)); // on half the plank
+		CHECK(double(measure_frame(scene.ball()).center.y) == doctest::Approx(0.5 + 0.46).epsilon(0.1)); // on half the plank
 	}
 }
 
@@ -226,7 +226,7 @@ TEST_CASE("a dynamic rigid body comes to rest on a frozen soft body, alone in th
 	crate.inverse_inertia = 1;
 	crate.acceleration = { 0, -10 };
 	const std::uint32_t index = world.add_rigid_body(crate).value();
-	ConvexCollider box{ { { Real(-0.4), Real(-0.4) }, { Real(0.4), Real(-0.4) }, { Real(0.4), Real(0.4) }, { Real(-0.4), Real(0.4) } }, 0, {} };
+	Collider box{ { { Real(-0.4), Real(-0.4) }, { Real(0.4), Real(-0.4) }, { Real(0.4), Real(0.4) }, { Real(-0.4), Real(0.4) } }, 0, {} };
 	box.rigid_body = index;
 	REQUIRE(!world.add_collider(box));
 	Simulator simulator(world);

@@ -22,7 +22,7 @@ namespace {
 constexpr Real FRAME = Real(1) / 60;
 constexpr double G = 10;
 
-// Point 2 is the topmost, point 6 the lowest; a metre lies between them.
+// Point 2 is the topmost, point 6 the lowest; a meter lies between them.
 constexpr std::uint32_t TOP = 2;
 constexpr std::uint32_t BOTTOM = 6;
 
@@ -94,7 +94,7 @@ TEST_CASE("bodies hang from one another and from the world, with gaps below a pe
 	for (std::size_t i = 1; i < chain.bodies.size(); ++i) {
 		CHECK(gap_between(chain.world, chain.bodies[i - 1], BOTTOM, chain.bodies[i], TOP) < 0.01 * double(THESIS_RADIUS));
 	}
-	CHECK(double(measure_frame(*chain.world.find(chain.bodies[9])).centre.y) < -9);
+	CHECK(double(measure_frame(*chain.world.find(chain.bodies[9])).center.y) < -9);
 }
 
 // What each joint bears is the weight of what hangs below it: it breaks just below that force, and not just above.
@@ -211,7 +211,7 @@ TEST_CASE("a joint that is made with a gap draws its bodies together without a j
 	}
 	CHECK(gap_between(world, a, 0, b, 4) < 0.01);
 	CHECK(fastest < 20); // forty radii a second
-	CHECK(std::abs(measure_frame(*world.find(a)).centre.x + measure_frame(*world.find(b)).centre.x - 4) < 0.01);
+	CHECK(std::abs(measure_frame(*world.find(a)).center.x + measure_frame(*world.find(b)).center.x - 4) < 0.01);
 }
 
 TEST_CASE("joined bodies collide only if they are to") {
@@ -219,7 +219,7 @@ TEST_CASE("joined bodies collide only if they are to") {
 		WorldData world;
 		const BodyId a = add_ball(world, { 0, 0 });
 		const BodyId b = add_ball(world, { Real(0.5), 0 }); // inside each other
-		Joint joint = weld(JointAnchor::on_point(a, 8), JointAnchor::on_point(b, 8)); // the centres
+		Joint joint = weld(JointAnchor::on_point(a, 8), JointAnchor::on_point(b, 8)); // the centers
 		joint.rest_length = Real(0.5);
 		joint.collide_joined = collide;
 		REQUIRE(world.add_joint(joint).has_value());
@@ -281,7 +281,7 @@ TEST_CASE("a crate that hangs from a soft body gets its weight back, step by ste
 	// An engine that owns the crate: it applies the reactions, then moves it by its own step.
 	double late_impulse = 0;
 	for (int tick = 0; tick < 900; ++tick) {
-		world.clear_surroundings();
+		world.clear_environment();
 		REQUIRE(world.add_rigid_body(crate).has_value());
 		simulator.simulate(FRAME);
 		const Reaction reaction = world.reactions()[0];
@@ -294,7 +294,7 @@ TEST_CASE("a crate that hangs from a soft body gets its weight back, step by ste
 	CHECK(double(length(crate.linear_velocity)) < 0.05);
 	CHECK(distance(world.find(ball)->positions()[BOTTOM], crate.pose.apply({ 0, Real(0.2) })) < 0.05);
 	// Without its tag among the surroundings, nothing happens, and the joint lasts.
-	world.clear_surroundings();
+	world.clear_environment();
 	simulator.simulate(FRAME);
 	CHECK(world.joints().size() == 2);
 }
@@ -371,7 +371,7 @@ TEST_CASE("a rigid body that flies with what is welded to it moves in the same s
 	for (int tick = 1; tick <= 30; ++tick) {
 		simulator.simulate(FRAME);
 		CHECK(distance(world.find(ball)->positions()[0], world.rigid_bodies()[0].pose.position) < 1e-4);
-		CHECK(double(measure_frame(*world.find(ball)).centre.x) == doctest::Approx(3.0 * tick / 60).epsilon(1e-3));
+		CHECK(double(measure_frame(*world.find(ball)).center.x) == doctest::Approx(3.0 * tick / 60).epsilon(1e-3));
 	}
 }
 
@@ -417,21 +417,21 @@ TEST_CASE("a kinematic rigid body drags what is joined to it, and wakes it") {
 	lift.tag = 9;
 	Simulator simulator(world);
 	for (int tick = 0; tick < 120; ++tick) {
-		world.clear_surroundings();
+		world.clear_environment();
 		REQUIRE(world.add_rigid_body(lift).has_value());
 		simulator.simulate(FRAME);
 	}
 	REQUIRE(world.find(ball)->is_asleep());
 	lift.linear_velocity = { 1, 0 };
 	for (int tick = 0; tick < 120; ++tick) {
-		world.clear_surroundings();
+		world.clear_environment();
 		REQUIRE(world.add_rigid_body(lift).has_value());
 		simulator.simulate(FRAME);
 		lift.pose = lift.pose_after(FRAME);
 	}
 	CHECK(!world.find(ball)->is_asleep());
 	CHECK(distance(world.find(ball)->positions()[0], lift.pose.position) < 0.005);
-	CHECK(double(measure_frame(*world.find(ball)).centre.x) == doctest::Approx(2).epsilon(0.1));
+	CHECK(double(measure_frame(*world.find(ball)).center.x) == doctest::Approx(2).epsilon(0.1));
 }
 
 namespace {
@@ -453,7 +453,7 @@ struct Held {
 	}
 	void step(int count = 1) {
 		for (int tick = 0; tick < count; ++tick) {
-			world.clear_surroundings();
+			world.clear_environment();
 			if (has_hook) {
 				REQUIRE(world.add_rigid_body(hook).has_value());
 			}
@@ -627,7 +627,7 @@ TEST_CASE("random bodies, joints, pins, frozen ones and removals stay finite") {
 				REQUIRE(all_finite(body.positions()));
 				REQUIRE(all_finite(body.velocities()));
 				// A pin sent across the scene in one step yanks with up to 360 m/s, and a thing torn off flies on for 5 s.
-				REQUIRE(length(measure_frame(body).centre) < 2000);
+				REQUIRE(length(measure_frame(body).center) < 2000);
 			}
 		}
 	}

@@ -56,7 +56,7 @@ double amplitude(const SoftBodyData &body) {
 	double sum = 0;
 	const BodyFrame frame = measure_frame(body);
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		const Vec2 y = frame.rotation.apply_inverse(body.positions()[i] - frame.centre) - body.shape().rest_positions()[i];
+		const Vec2 y = frame.rotation.apply_inverse(body.positions()[i] - frame.center) - body.shape().rest_positions()[i];
 		sum += double(dot(body.shape().modes()->shape_of_point(i)[0], y));
 	}
 	return sum;
@@ -76,7 +76,7 @@ TEST_CASE("mode forces push and turn nothing as a whole, at rest and in motion")
 		const std::vector<Vec2> forces = forces_on(body);
 		for (std::size_t i = 0; i < forces.size(); ++i) {
 			sum += forces[i];
-			torque += double(cross(body.positions()[i] - frame.centre, forces[i]));
+			torque += double(cross(body.positions()[i] - frame.center, forces[i]));
 			size += double(length(forces[i]));
 		}
 		CHECK(double(length(sum)) < 1e-4 * size);

@@ -102,7 +102,7 @@ TEST_CASE("a body on a pin that goes round moves alike at 60 and at 240 ticks a 
 				REQUIRE(!body.set_pin_target(2, start + Vec2{ turn.c - 1, turn.s } * Real(0.3)));
 				simulator.simulate(Real(1) / Real(rate));
 			}
-			end[rate == 240] = measure_frame(body).centre;
+			end[rate == 240] = measure_frame(body).center;
 		}
 		// 60 chords to a circle fall short of it by 0.14 % of its radius.
 		CHECK(distance(end[0], end[1]) < 0.005 * double(THESIS_RADIUS));
@@ -203,7 +203,7 @@ TEST_CASE("a pin sent across the scene takes its body along, in one piece") {
 			}
 			CHECK(resets <= 2);
 			CHECK(body.positions()[2] == target);
-			CHECK(distance(measure_frame(body).centre, target) < 1.5 * double(THESIS_RADIUS));
+			CHECK(distance(measure_frame(body).center, target) < 1.5 * double(THESIS_RADIUS));
 		}
 	}
 }

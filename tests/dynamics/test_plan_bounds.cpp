@@ -102,7 +102,7 @@ struct Linear {
 	Matrix damping;
 };
 
-Linear linearised(const SoftBodyShape &shape, const BodySettings &settings) {
+Linear linearized(const SoftBodyShape &shape, const BodySettings &settings) {
 	const std::size_t n = shape.point_count();
 	Linear linear{ Matrix(2 * n), Matrix(2 * n) };
 	const auto x = [&](std::size_t i, std::size_t axis) {
@@ -171,7 +171,7 @@ struct Drawn {
 	BodySettings settings;
 };
 
-// Five or six hull points and sometimes a centre, springs of any stiffness and damping, every mixture of terms.
+// Five or six hull points and sometimes a center, springs of any stiffness and damping, every mixture of terms.
 Drawn random_body(Random &random, Integrator integrator) {
 	SoftBodyShape::Description description;
 	description.hull_count = std::size_t(random.integer(3, 6));
@@ -185,8 +185,8 @@ Drawn random_body(Random &random, Integrator integrator) {
 	for (std::size_t i = 0; i < description.points.size(); ++i) {
 		description.masses.push_back(std::pow(Real(10), random.real(-1, 1)));
 		for (std::size_t j = 0; j < i; ++j) {
-			const bool neighbours = j + 1 == i || (j == 0 && i + 1 == description.hull_count);
-			if (neighbours || random.chance(0.5)) {
+			const bool neighbors = j + 1 == i || (j == 0 && i + 1 == description.hull_count);
+			if (neighbors || random.chance(0.5)) {
 				const Real k = random.chance(0.1) ? Real(0) : std::pow(Real(10), random.real(0, 4));
 				const Real c = random.real(0.02, 1) * std::sqrt(std::max(k, Real(1)));
 				description.springs.push_back({ std::uint32_t(j), std::uint32_t(i),
@@ -226,7 +226,7 @@ TEST_CASE("explicit Euler, midpoint, Heun and Runge-Kutta do not grow within the
 			CAPTURE(int(integrator));
 			CAPTURE(round);
 			if (step > 0 && std::isfinite(step)) {
-				CHECK(growth(step_matrix(integrator, linearised(*drawn.shape, drawn.settings), step)) < NO_GROWTH);
+				CHECK(growth(step_matrix(integrator, linearized(*drawn.shape, drawn.settings), step)) < NO_GROWTH);
 				stable_steps++;
 			}
 		}
@@ -239,7 +239,7 @@ TEST_CASE("stiffness is nowhere more than damping over the damping time, in no m
 	for (int round = 0; round < 60; ++round) {
 		const Drawn drawn = random_body(random, Integrator::HEUN);
 		const double time = frequency_bounds(*drawn.shape, drawn.settings).damping_time;
-		const Linear linear = linearised(*drawn.shape, drawn.settings);
+		const Linear linear = linearized(*drawn.shape, drawn.settings);
 		CAPTURE(round);
 		REQUIRE(std::isfinite(time));
 		// The largest eigenvalue of βK - C is that of the rigid motions, 0, but for what float made of the body.
@@ -257,8 +257,8 @@ TEST_CASE("where all springs have one ratio of damping to stiffness the explicit
 	const FrequencyBounds bounds = frequency_bounds(*shape, settings);
 	CHECK(std::abs(bounds.damping_time - 0.004) < 0.004 * 4 * EPSILON);
 	const double step = largest_stable_step(Integrator::EXPLICIT_EULER, bounds, LINEAR_LIMIT);
-	CHECK(growth(step_matrix(Integrator::EXPLICIT_EULER, linearised(*shape, settings), 0.95 * step)) < NO_GROWTH);
-	CHECK(growth(step_matrix(Integrator::EXPLICIT_EULER, linearised(*shape, settings), 1.05 * step)) > NO_GROWTH);
+	CHECK(growth(step_matrix(Integrator::EXPLICIT_EULER, linearized(*shape, settings), 0.95 * step)) < NO_GROWTH);
+	CHECK(growth(step_matrix(Integrator::EXPLICIT_EULER, linearized(*shape, settings), 1.05 * step)) > NO_GROWTH);
 }
 
 TEST_CASE("one undamped spring among damped ones, or pressure alone, leaves explicit Euler, midpoint and Heun no step") {

@@ -124,7 +124,7 @@ TEST_CASE("a ring without inner springs keeps its area by pressure alone") {
 	StructureOptions options;
 	options.stiffness = 100;
 	options.damping = 1;
-	options.centre_point = false;
+	options.center_point = false;
 	const auto shape = SoftBodyCreator::create_circle(Real(0.5), 16, options);
 	WorldData world;
 	world.set_gravity({ 0, Real(9.81) });

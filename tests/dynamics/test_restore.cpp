@@ -28,7 +28,7 @@ WorldData pile_world(bool is_lively = true) {
 	world.add_chain(std::vector<Vec2>{ { 1, 1 }, { 2, Real(0.6) }, { 3, Real(0.5) } }, false);
 	RigidBody lift;
 	lift.pose.position = { Real(-2.2), Real(0.1) };
-	ConvexCollider box{ { { Real(-0.5), Real(-0.1) }, { Real(0.5), Real(-0.1) }, { Real(0.5), Real(0.1) }, { Real(-0.5), Real(0.1) } }, 0, {} };
+	Collider box{ { { Real(-0.5), Real(-0.1) }, { Real(0.5), Real(-0.1) }, { Real(0.5), Real(0.1) }, { Real(-0.5), Real(0.1) } }, 0, {} };
 	box.rigid_body = world.add_rigid_body(lift).value();
 	world.add_collider(box);
 	const auto firm = octagon(Real(0.25), 1000, 2);
@@ -206,11 +206,11 @@ TEST_CASE("a body put back asleep into a world without sleep wakes") {
 	CHECK(simulator.simulate(TICK).sleeping_bodies == 0);
 }
 
-TEST_CASE("a bounce owed by a surface that is gone is given back in a crew as to a body alone") {
+TEST_CASE("a bounce owed by a surface that is gone is given back in a batch as to a body alone") {
 	const auto height_after = [](int count) {
 		WorldData world;
 		world.set_gravity({ 0, 0 });
-		ConvexCollider plate{ { { -20, -1 }, { 20, -1 }, { 20, 0 }, { -20, 0 } }, 0, {} };
+		Collider plate{ { { -20, -1 }, { 20, -1 }, { 20, 0 }, { -20, 0 } }, 0, {} };
 		plate.surface.restitution = 1;
 		world.add_collider(plate);
 		const auto shape = octagon(Real(0.4), 200, 4);
@@ -227,7 +227,7 @@ TEST_CASE("a bounce owed by a surface that is gone is given back in a crew as to
 			REQUIRE(++tick < 60);
 			simulator.simulate(TICK);
 		}
-		world.clear_surroundings();
+		world.clear_environment();
 		for (tick = 0; tick < 30; ++tick) {
 			simulator.simulate(TICK);
 		}

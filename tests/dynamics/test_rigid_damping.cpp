@@ -73,7 +73,7 @@ TEST_CASE("damping of a body as a whole takes nothing from its wobble") {
 		std::vector<Vec2> result;
 		for (std::size_t i = 0; i < body.point_count(); ++i) {
 			result.push_back(body.velocities()[i] - frame.velocity -
-					perpendicular(body.positions()[i] - frame.centre) * frame.angular_velocity);
+					perpendicular(body.positions()[i] - frame.center) * frame.angular_velocity);
 		}
 		return result;
 	};
@@ -126,13 +126,13 @@ TEST_CASE("bodies that are damped side by side end in the bits of one alone") {
 		set_angular_velocity(body, Real(i) - 2);
 		return body;
 	};
-	WorldData crew = world_with_floor({ 0, -10 }, 0);
+	WorldData batch = world_with_floor({ 0, -10 }, 0);
 	for (int i = 0; i < 4; ++i) {
-		crew.add_soft_body(start(i));
+		batch.add_soft_body(start(i));
 	}
-	Simulator crew_simulator(crew);
+	Simulator batch_simulator(batch);
 	for (int tick = 0; tick < 90; ++tick) {
-		crew_simulator.simulate(Real(1) / 60);
+		batch_simulator.simulate(Real(1) / 60);
 	}
 	for (int i = 0; i < 4; ++i) {
 		WorldData alone = world_with_floor({ 0, -10 }, 0);
@@ -141,7 +141,7 @@ TEST_CASE("bodies that are damped side by side end in the bits of one alone") {
 		for (int tick = 0; tick < 90; ++tick) {
 			simulator.simulate(Real(1) / 60);
 		}
-		CHECK(identical(crew.soft_bodies()[i].positions(), alone.soft_bodies()[0].positions()));
+		CHECK(identical(batch.soft_bodies()[i].positions(), alone.soft_bodies()[0].positions()));
 	}
 }
 
@@ -156,7 +156,7 @@ TEST_CASE("damping below zero is refused by name") {
 	CHECK(mentions(check_settings(settings)->message(), "angular_damp"));
 }
 
-TEST_CASE("a body falls with gravity and its own acceleration together, in every integrator, and its neighbours do not") {
+TEST_CASE("a body falls with gravity and its own acceleration together, in every integrator, and its neighbors do not") {
 	for (int i = 1; i < INTEGRATOR_COUNT; ++i) {
 		CAPTURE(i);
 		BodySettings settings = damped(0, 0);
@@ -202,7 +202,7 @@ TEST_CASE("a body lies and sleeps on a floor towards which its own acceleration 
 		simulator.simulate(Real(1) / 60);
 	}
 	CHECK(body.is_asleep());
-	CHECK(measure_frame(body).centre.y < Real(0.5));
+	CHECK(measure_frame(body).center.y < Real(0.5));
 
 	REQUIRE(!body.set_acceleration({ 0, -10 }));
 	CHECK(body.is_asleep()); // nothing changed
@@ -211,10 +211,10 @@ TEST_CASE("a body lies and sleeps on a floor towards which its own acceleration 
 	for (int tick = 0; tick < 60; ++tick) {
 		simulator.simulate(Real(1) / 60);
 	}
-	CHECK(measure_frame(body).centre.y > 4); // up half of 10 m/s²
+	CHECK(measure_frame(body).center.y > 4); // up half of 10 m/s²
 }
 
-TEST_CASE("what drifts where gravity is cancelled is not at rest") {
+TEST_CASE("what drifts where gravity is canceled is not at rest") {
 	WorldData world;
 	world.set_gravity({ 0, Real(-9.81) });
 	SoftBodyData &body = *world.find(world.add_soft_body(thesis_body(thesis_shape(500, 1))));

@@ -137,13 +137,13 @@ TEST_CASE("limits keep momentum, spin and the center of a free body") {
 		REQUIRE(!body.set_point(i, Vec2{ 100, -50 } + Vec2{ q.x, q.y * Real(0.1) } + random.vector(3), Vec2{ 200, 30 } + perpendicular(q) * 3 + random.vector(20)));
 	}
 	const BodyFrame frame = measure_frame(body);
-	const Momentum before = measure_momentum(body, frame.centre);
+	const Momentum before = measure_momentum(body, frame.center);
 	REQUIRE(keep_whole(body, Real(1) / 240, true));
-	const Momentum after = measure_momentum(body, frame.centre);
+	const Momentum after = measure_momentum(body, frame.center);
 	CHECK(after.linear_x == doctest::Approx(before.linear_x).epsilon(1e-4));
 	CHECK(after.linear_y == doctest::Approx(before.linear_y).epsilon(1e-4));
 	CHECK(after.angular == doctest::Approx(before.angular).epsilon(1e-3));
-	CHECK(double(length(measure_frame(body).centre - frame.centre)) < 1e-3);
+	CHECK(double(length(measure_frame(body).center - frame.center)) < 1e-3);
 }
 
 TEST_CASE("limits that are switched off do nothing") {
@@ -209,7 +209,7 @@ TEST_CASE("a default body pressed to 0.3 of its height for ten minutes finds its
 	REQUIRE(!world.set_gravity({}));
 	world.add_soft_body(default_body({ 0, 0 }));
 	const auto set_plates = [&](double half) {
-		world.clear_surroundings();
+		world.clear_environment();
 		REQUIRE(!world.add_border(floor_at(Real(half))));
 		REQUIRE(!world.add_border({ { { 0, Real(-half) }, { 0, 1 } }, {} }));
 	};
@@ -227,7 +227,7 @@ TEST_CASE("a default body pressed to 0.3 of its height for ten minutes finds its
 	for (const Vec2 p : body.hull()) {
 		CHECK(std::fabs(double(p.y)) < HELD_HALF + 1); // it was between the plates all the time
 	}
-	world.clear_surroundings();
+	world.clear_environment();
 	for (int tick = 0; tick < FREE; ++tick) {
 		simulator.simulate(FRAME);
 	}

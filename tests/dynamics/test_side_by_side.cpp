@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bodies stepped side by side, on any number of threads, move as each would alone: to the last bit.
 #include "core/base/constants.h"
-#include "core/dynamics/roster.h"
+#include "core/dynamics/batch_builder.h"
 #include "core/dynamics/simulator.h"
 #include "scenes/deformations.h"
 #include "scenes/thesis_body.h"
@@ -43,10 +43,10 @@ void prepare(WorldData &world) {
 	world.add_border(ground);
 }
 
-std::size_t bodies_in_crews(const Roster &roster) {
+std::size_t bodies_in_batches(const BatchBuilder &batch_builder) {
 	std::size_t count = 0;
-	for (const Crew &crew : roster.crews()) {
-		count += crew.count;
+	for (const Batch &batch : batch_builder.batches()) {
+		count += batch.count;
 	}
 	return count;
 }
@@ -87,7 +87,7 @@ TEST_CASE("bodies side by side end in the same bits as each of them alone, with 
 			settings.substeps = method == 0 ? 0 : 12;
 			CAPTURE(method);
 			Random random(method);
-			// Two crews that may go at once, a third, and two that are left over.
+			// Two batches that may go at once, a third, and two that are left over.
 			const std::vector<SoftBodyData> bodies = loners(14, settings, random);
 			WorldData together;
 			prepare(together);
@@ -118,14 +118,14 @@ TEST_CASE("balloons of which some are stretched, and so take more substeps, end 
 	settings.collision_layer = 2;
 	settings.collision_mask = 1;
 	const auto shape = thesis_shape_with_ratio(300, Real(0.05));
-	for (int stretched = 0; stretched < 8; ++stretched) { // one of two crews that would else go at once
+	for (int stretched = 0; stretched < 8; ++stretched) { // one of two batches that would else go at once
 		CAPTURE(stretched);
 		std::vector<SoftBodyData> bodies;
 		for (int i = 0; i < 8; ++i) {
 			SoftBodyData body = thesis_body(shape, settings, { { Real(9 * i), 9 }, {} });
-			const Vec2 centre = body.positions()[THESIS_HULL_POINTS];
+			const Vec2 center = body.positions()[THESIS_HULL_POINTS];
 			for (std::uint32_t point = 0; i == stretched && point < body.point_count(); ++point) {
-				REQUIRE(!body.set_point(point, centre + (body.positions()[point] - centre) * 3, {}));
+				REQUIRE(!body.set_point(point, center + (body.positions()[point] - center) * 3, {}));
 			}
 			bodies.push_back(std::move(body));
 		}
@@ -138,10 +138,10 @@ TEST_CASE("balloons of which some are stretched, and so take more substeps, end 
 		Simulator simulator(together);
 		const SubstepPlan calm = simulator.plan(bodies[(stretched + 1) % 8], dt);
 		REQUIRE(simulator.plan(bodies[std::size_t(stretched)], dt).substeps > calm.substeps);
-		Roster roster;
-		roster.update(together);
-		REQUIRE(roster.crews().size() == 2);
-		REQUIRE(move_alike(roster.crews()[0], roster.crews()[1]));
+		BatchBuilder batch_builder;
+		batch_builder.update(together);
+		REQUIRE(batch_builder.batches().size() == 2);
+		REQUIRE(move_alike(batch_builder.batches()[0], batch_builder.batches()[1]));
 		const StepReport sums = run_steps(together, 1); // in which it is stretched still
 		std::uint64_t substeps = 0;
 		for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -155,7 +155,7 @@ TEST_CASE("balloons of which some are stretched, and so take more substeps, end 
 	}
 }
 
-TEST_CASE("what bodies feel apart from their crew reaches only them: a force, an impulse, a pin, a collider") {
+TEST_CASE("what bodies feel apart from their batch reaches only them: a force, an impulse, a pin, a collider") {
 	const auto run = [](bool all_together) {
 		Random random(4);
 		std::vector<SoftBodyData> bodies = loners(4, {}, random);
@@ -163,7 +163,7 @@ TEST_CASE("what bodies feel apart from their crew reaches only them: a force, an
 		for (std::size_t first = 0; first < bodies.size(); first += all_together ? 4 : 1) {
 			WorldData world;
 			prepare(world);
-			ConvexCollider ball{ { { 2, 0 } }, Real(0.3), {} };
+			Collider ball{ { { 2, 0 } }, Real(0.3), {} };
 			world.add_collider(ball);
 			for (std::size_t i = first; i < first + (all_together ? 4 : 1); ++i) {
 				world.add_soft_body(bodies[i]);
@@ -199,7 +199,7 @@ TEST_CASE("what bodies feel apart from their crew reaches only them: a force, an
 	CHECK_FALSE(same_state(together[0], loners(4, {}, random)[0]));
 }
 
-TEST_CASE("bodies of a crew end in the same bits as alone where some of them lie on colliders of every kind") {
+TEST_CASE("bodies of a batch end in the same bits as alone where some of them lie on colliders of every kind") {
 	for (const Integrator integrator : { Integrator::AUTOMATIC, Integrator::EXPLICIT_EULER, Integrator::MIDPOINT,
 				 Integrator::RUNGE_KUTTA_4, Integrator::VELOCITY_VERLET }) {
 		for (const bool has_ground : { false, true }) {
@@ -224,13 +224,13 @@ TEST_CASE("bodies of a crew end in the same bits as alone where some of them lie
 				RigidBody plate;
 				plate.pose.position = { 2, Real(-0.2) };
 				plate.linear_velocity = { Real(0.1), Real(0.3) };
-				ConvexCollider on_plate{ { { Real(-0.8), -1 }, { Real(0.8), -1 }, { Real(0.8), 0 }, { Real(-0.8), 0 } }, 0, {} };
+				Collider on_plate{ { { Real(-0.8), -1 }, { Real(0.8), -1 }, { Real(0.8), 0 }, { Real(-0.8), 0 } }, 0, {} };
 				on_plate.rigid_body = world.add_rigid_body(plate).value();
 				CHECK_FALSE(world.add_collider(on_plate));
-				ConvexCollider platform{ { { 5, -1 }, { 7, -1 } }, Real(0.02), {} };
+				Collider platform{ { { 5, -1 }, { 7, -1 } }, Real(0.02), {} };
 				platform.one_way = { 0, 1 };
 				CHECK_FALSE(world.add_collider(platform));
-				ConvexCollider ball{ { { 8, Real(-0.3) } }, Real(0.5), {} };
+				Collider ball{ { { 8, Real(-0.3) } }, Real(0.5), {} };
 				ball.surface.restitution = Real(0.5);
 				CHECK_FALSE(world.add_collider(ball));
 				const std::vector<Vec2> chain = { { 9, Real(0.2) }, { 10, 0 }, { 11, Real(0.3) } };
@@ -285,7 +285,7 @@ TEST_CASE("any number of threads gives the same bits" * doctest::test_suite("thr
 	}
 }
 
-TEST_CASE("a crew is full, of one shape and equal settings, and pinned or inactive bodies are in none") {
+TEST_CASE("a batch is full, of one shape and equal settings, and pinned or inactive bodies are in none") {
 	Random random(3);
 	WorldData world;
 	std::vector<BodyId> ids;
@@ -299,15 +299,15 @@ TEST_CASE("a crew is full, of one shape and equal settings, and pinned or inacti
 	}
 	world.find(ids[4])->set_pinned(0, true);
 	world.find(ids[5])->set_active(false);
-	Roster roster;
-	roster.update(world);
+	BatchBuilder batch_builder;
+	batch_builder.update(world);
 	int full = 0;
 	int single = 0;
-	for (const Crew &crew : roster.crews()) {
-		if (crew.count == PACK_WIDTH) {
+	for (const Batch &batch : batch_builder.batches()) {
+		if (batch.count == PACK_WIDTH) {
 			++full;
-			for (const std::uint32_t place : crew.bodies) {
-				CHECK(world.soft_bodies()[place].settings() == world.soft_bodies()[crew.bodies[0]].settings());
+			for (const std::uint32_t place : batch.bodies) {
+				CHECK(world.soft_bodies()[place].settings() == world.soft_bodies()[batch.bodies[0]].settings());
 				CHECK_FALSE(world.soft_bodies()[place].has_pins());
 				CHECK(world.soft_bodies()[place].is_active());
 			}
@@ -317,16 +317,16 @@ TEST_CASE("a crew is full, of one shape and equal settings, and pinned or inacti
 	}
 	CHECK(full == 2); // the four that were changed, and four of the five others
 	CHECK(single == 2); // the fifth, and the pinned one
-	CHECK(bodies_in_crews(roster) == 10);
+	CHECK(bodies_in_batches(batch_builder) == 10);
 
-	const std::uint64_t version = roster.version();
-	roster.update(world);
-	CHECK(roster.version() == version);
+	const std::uint64_t version = batch_builder.version();
+	batch_builder.update(world);
+	CHECK(batch_builder.version() == version);
 	world.find(ids[4])->set_pinned(0, false);
-	roster.update(world);
-	CHECK(roster.version() == version + 1);
-	CHECK(roster.crews().size() == 4);
+	batch_builder.update(world);
+	CHECK(batch_builder.version() == version + 1);
+	CHECK(batch_builder.batches().size() == 4);
 	world.remove_soft_body(ids[0]);
-	roster.update(world);
-	CHECK(bodies_in_crews(roster) == 9);
+	batch_builder.update(world);
+	CHECK(bodies_in_batches(batch_builder) == 9);
 }

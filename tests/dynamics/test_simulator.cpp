@@ -152,7 +152,7 @@ TEST_CASE("a body that loses its numbers gets its rest shape back where it was, 
 				REQUIRE(report.reset_bodies.size() == 1);
 				CHECK(report.reset_bodies[0] == ids[1]);
 				const SoftBodyData &bad = *sick.find(ids[1]);
-				CHECK(distance(measure_frame(bad).centre, before.centre) <= 64 * EPSILON * 200); // at x = 200
+				CHECK(distance(measure_frame(bad).center, before.center) <= 64 * EPSILON * 200); // at x = 200
 				CHECK(deviation_from_rest(bad) <= 64 * EPSILON * 200);
 				// What was changed before the step, to no number or by an impulse too large for any, is not believed.
 				CHECK(double(length(before.velocity)) > 100);
@@ -219,7 +219,7 @@ TEST_CASE("under the automatic choice the same body needs no reset and stays whe
 	for (int n = 0; n < 600; ++n) {
 		CHECK(simulator.simulate(FRAME).reset_bodies.empty());
 	}
-	CHECK(distance(measure_frame(*world.find(id)).centre, { 7, -3 }) < 1e-3);
+	CHECK(distance(measure_frame(*world.find(id)).center, { 7, -3 }) < 1e-3);
 }
 
 TEST_CASE("a reset leaves a pinned point where it is pinned, and what hangs on it at rest") {
@@ -284,7 +284,7 @@ TEST_CASE("the plan knows of contacts as soon as there are any surroundings") {
 	CHECK(simulator.plan(*world.find(id), Real(0.01)).substeps == 1);
 	world.add_border(floor_at(1000));
 	CHECK(simulator.plan(*world.find(id), Real(0.01)).substeps == MIN_CONTACT_SUBSTEPS);
-	world.clear_surroundings();
+	world.clear_environment();
 	world.add_collider(box_collider({ 1000, 0 }, { 1, 1 }));
 	CHECK(simulator.plan(*world.find(id), Real(0.01)).substeps == MIN_CONTACT_SUBSTEPS);
 }

@@ -131,9 +131,9 @@ TEST_CASE("a floor of the same form that lies elsewhere wakes who slept on it") 
 			simulator.simulate(FRAME);
 		}
 		REQUIRE(world.find(id)->is_asleep());
-		const Real height = measure_frame(*world.find(id)).centre.y;
+		const Real height = measure_frame(*world.find(id)).center.y;
 		const auto lay = [&](Vec2 by) {
-			world.clear_surroundings();
+			world.clear_environment();
 			REQUIRE_FALSE(world.add_collider(box_collider(Vec2{ 0, -1 } + by, { 4, 1 })));
 			simulator.simulate(FRAME);
 		};
@@ -144,7 +144,7 @@ TEST_CASE("a floor of the same form that lies elsewhere wakes who slept on it") 
 		for (int i = 0; i < 60; ++i) {
 			simulator.simulate(FRAME);
 		}
-		CHECK(double(measure_frame(*world.find(id)).centre.y - height) == doctest::Approx(double(moved.y)).epsilon(0.02));
+		CHECK(double(measure_frame(*world.find(id)).center.y - height) == doctest::Approx(double(moved.y)).epsilon(0.02));
 	}
 }
 
@@ -183,13 +183,13 @@ TEST_CASE("gravity that changes wakes all, and the same gravity nobody") {
 }
 
 TEST_CASE("surroundings that come, go, change or move wake what they touch, and a fresh list of the same ones nobody") {
-	const ConvexCollider block{ { { 49, -1 }, { 51, -1 }, { 51, 0 }, { 49, 0 } }, 0, {} };
-	const ConvexCollider far_block{ { { 80, -1 }, { 81, -1 }, { 81, 0 }, { 80, 0 } }, 0, {} };
+	const Collider block{ { { 49, -1 }, { 51, -1 }, { 51, 0 }, { 49, 0 } }, 0, {} };
+	const Collider far_block{ { { 80, -1 }, { 81, -1 }, { 81, 0 }, { 80, 0 } }, 0, {} };
 	const Border ground{ { { 0, 0 }, { 0, 1 } }, {} };
-	const auto surround = [&](Scene &scene, std::vector<ConvexCollider> colliders, const Border &border) {
-		scene.world.clear_surroundings();
+	const auto surround = [&](Scene &scene, std::vector<Collider> colliders, const Border &border) {
+		scene.world.clear_environment();
 		REQUIRE_FALSE(scene.world.add_border(border));
-		for (const ConvexCollider &collider : colliders) {
+		for (const Collider &collider : colliders) {
 			REQUIRE_FALSE(scene.world.add_collider(collider));
 		}
 	};
@@ -204,7 +204,7 @@ TEST_CASE("surroundings that come, go, change or move wake what they touch, and 
 	CHECK(scene.step() == 2);
 	CHECK(scene.asleep() == Asleep{ true, true, false });
 	scene.sleep();
-	ConvexCollider belt = block;
+	Collider belt = block;
 	surround(scene, { belt }, ground);
 	CHECK(scene.step() == 2);
 	scene.sleep();
@@ -221,7 +221,7 @@ TEST_CASE("surroundings that come, go, change or move wake what they touch, and 
 	piston.pose.position = { 45, Real(0.5) };
 	piston.linear_velocity = { 0, 0 };
 	const std::uint32_t body = pushed.world.add_rigid_body(piston).value();
-	ConvexCollider head{ { { 0, 0 } }, Real(0.4), {} };
+	Collider head{ { { 0, 0 } }, Real(0.4), {} };
 	head.rigid_body = body;
 	REQUIRE_FALSE(pushed.world.add_collider(head));
 	pushed.sleep();
@@ -244,8 +244,8 @@ TEST_CASE("a body that falls onto a sleeping pile wakes it, and one that flies p
 		scene.step();
 	}
 	CHECK(scene.asleep() == Asleep{ false, false, true, false });
-	CHECK(measure_frame(scene.body(3)).centre.y < 2.6); // it woke them when it met them, not before
-	CHECK(measure_frame(scene.body(3)).centre.y > 2);
+	CHECK(measure_frame(scene.body(3)).center.y < 2.6); // it woke them when it met them, not before
+	CHECK(measure_frame(scene.body(3)).center.y > 2);
 	scene.sleep();
 
 	Scene passed;
@@ -256,7 +256,7 @@ TEST_CASE("a body that falls onto a sleeping pile wakes it, and one that flies p
 	}
 	passed.step(40);
 	CHECK(passed.asleep() == Asleep{ true, true, true, false });
-	CHECK(measure_frame(passed.body(3)).centre.x > 2);
+	CHECK(measure_frame(passed.body(3)).center.x > 2);
 }
 
 TEST_CASE("removing what a sleeping body rested on wakes it") {
@@ -267,7 +267,7 @@ TEST_CASE("removing what a sleeping body rested on wakes it") {
 	CHECK(scene.step() == 1);
 	CHECK(scene.asleep() == Asleep{ false, true });
 	scene.step(60);
-	CHECK(measure_frame(scene.body(0)).centre.y < 1);
+	CHECK(measure_frame(scene.body(0)).center.y < 1);
 }
 
 TEST_CASE("the tremor of a drowsy body dies away, but not that of one that may not sleep") {
@@ -326,7 +326,7 @@ TEST_CASE("points may tremble faster than the whole may drift") {
 TEST_CASE("nobody rests on what moves, however slowly") {
 	WorldData world;
 	world.set_gravity({ 0, Real(-9.81) });
-	ConvexCollider floor;
+	Collider floor;
 	floor.vertices = { { -5, -1 }, { 5, -1 }, { 5, 0 }, { -5, 0 } };
 	floor.rigid_body = 0;
 	world.add_soft_body(ball({ 0, Real(0.5) }));
@@ -335,7 +335,7 @@ TEST_CASE("nobody rests on what moves, however slowly") {
 	bool has_slept = false;
 	for (int tick = 0; tick < 300; ++tick) {
 		const Pose next{ pose.position + Vec2{ Real(0.02) * FRAME, 0 }, {} };
-		world.clear_surroundings();
+		world.clear_environment();
 		CHECK(world.add_rigid_body(kinematic_between(pose, next, FRAME)).value() == 0);
 		world.add_collider(floor);
 		simulator.simulate(FRAME);
@@ -343,7 +343,7 @@ TEST_CASE("nobody rests on what moves, however slowly") {
 		has_slept |= world.soft_bodies()[0].is_asleep();
 	}
 	CHECK_FALSE(has_slept);
-	CHECK(double(measure_frame(world.soft_bodies()[0]).centre.x) == doctest::Approx(0.1).epsilon(0.1));
+	CHECK(double(measure_frame(world.soft_bodies()[0]).center.x) == doctest::Approx(0.1).epsilon(0.1));
 }
 
 TEST_CASE("islands are the connected parts of any graph, named by their smallest member") {
@@ -421,7 +421,7 @@ TEST_CASE("who is put to sleep sleeps on in the first step of a world with borde
 		simulator.simulate(Real(1) / 60);
 	}
 	CHECK(world.find(id)->is_asleep());
-	world.clear_surroundings();
+	world.clear_environment();
 	CHECK_FALSE(world.add_border({ { { 0, -5 }, { 0, 1 } }, {} }));
 	simulator.simulate(Real(1) / 60);
 	CHECK_FALSE(world.find(id)->is_asleep());

@@ -42,11 +42,11 @@ struct Bridge {
 	}
 
 	void surround(bool has_plank) {
-		world.clear_surroundings();
+		world.clear_environment();
 		REQUIRE(!world.add_border({ { { 0, 0 }, { 0, 1 } }, {} }));
 		if (has_plank) {
 			index = world.add_rigid_body(plank).value();
-			ConvexCollider collider;
+			Collider collider;
 			const Real half = Real(1.5);
 			const Real thick = Real(0.1);
 			collider.vertices = { { -half, -thick }, { half, -thick }, { half, thick }, { -half, thick } };
@@ -134,7 +134,7 @@ TEST_CASE("a sleeper is not pushed out of a rigid body that sleeps, however many
 		crate.inverse_mass = 1;
 		crate.inverse_inertia = 1;
 		crate.asleep = true;
-		ConvexCollider collider;
+		Collider collider;
 		collider.vertices = { { -1, -1 }, { 1, -1 }, { 1, Real(-0.4) }, { -1, Real(-0.4) } }; // a fifth of the radius inside
 		collider.rigid_body = world.add_rigid_body(crate).value();
 		REQUIRE(!world.add_collider(collider));

@@ -34,7 +34,7 @@ SoftBodyData jelly_of_strength(Real strength, int points, Real radius = JELLY_RA
 }
 
 LoadOutcome settle(const SoftBodyData &body, Vec2 gravity = GRAVITY) {
-	auto made = LoadTrial::create(body, gravity, PIXELS_PER_METRE, FRAME);
+	auto made = LoadTrial::create(body, gravity, PIXELS_PER_METER, FRAME);
 	LoadTrial &trial = made.value();
 	while (trial.step()) {
 	}
@@ -87,7 +87,7 @@ TEST_CASE("strength alone decides how far a body gives way, whatever its size, m
 	CHECK(std::abs(one.area_loss - heavy.area_loss) < Real(0.01));
 }
 
-TEST_CASE("a square that hangs from two springs comes down by m g / k, its centre by half of that") {
+TEST_CASE("a square that hangs from two springs comes down by m g / k, its center by half of that") {
 	const std::vector<Vec2> square{ { 0, 0 }, { 100, 0 }, { 100, 100 }, { 0, 100 } };
 	const Real mass = 2; // half a kilogram a point
 	const Real stiffness = 70;
@@ -95,7 +95,7 @@ TEST_CASE("a square that hangs from two springs comes down by m g / k, its centr
 	options.mass = mass;
 	options.stiffness = stiffness;
 	options.damping = 3;
-	options.centre_point = false;
+	options.center_point = false;
 	options.springs = { { 0, 3 }, { 1, 2 } };
 	const auto shape = SoftBodyCreator::create_polygon(square, options);
 	SoftBodyData body = SoftBodyData::create(shape.value(), BodySettings{}, {}).value();
@@ -114,7 +114,7 @@ TEST_CASE("a body that topples is compared with the height that it has lying dow
 	settings.shape_stiffness = 800;
 	settings.shape_damping = 6;
 	SoftBodyData body = SoftBodyData::create(shape.value(), settings, Pose{ {}, Rotation::from_angle(Real(0.6)) }).value();
-	auto made = LoadTrial::create(body, GRAVITY, PIXELS_PER_METRE, FRAME);
+	auto made = LoadTrial::create(body, GRAVITY, PIXELS_PER_METER, FRAME);
 	while (made.value().step()) {
 	}
 	// Its outline, 122 px high at first, is 30 px high in the end.
@@ -127,13 +127,13 @@ TEST_CASE("the factor that is found holds, and two thirds of it do not") {
 	for (const Real strength : { Real(0.3), Real(1), Real(2.5) }) {
 		CAPTURE(strength);
 		const SoftBodyData soft = jelly_of_strength(strength, 16);
-		const Real factor = find_firm_factor(soft, GRAVITY, PIXELS_PER_METRE, FRAME, 100000);
+		const Real factor = find_firm_factor(soft, GRAVITY, PIXELS_PER_METER, FRAME, 100000);
 		CHECK(factor > 1);
 		CHECK_FALSE(needs_more(settle(jelly_of_strength(strength * factor, 16))));
 		CHECK(needs_more(settle(jelly_of_strength(strength * factor * 2 / 3, 16))));
 	}
-	CHECK(find_firm_factor(jelly_of_strength(6, 16), GRAVITY, PIXELS_PER_METRE, FRAME, 100000) == 1);
-	CHECK(find_firm_factor(jelly_of_strength(Real(0.3), 16), GRAVITY, PIXELS_PER_METRE, FRAME, 10) == 0);
+	CHECK(find_firm_factor(jelly_of_strength(6, 16), GRAVITY, PIXELS_PER_METER, FRAME, 100000) == 1);
+	CHECK(find_firm_factor(jelly_of_strength(Real(0.3), 16), GRAVITY, PIXELS_PER_METER, FRAME, 10) == 0);
 }
 
 TEST_CASE("without gravity nothing sags, and no stiffness is too low") {

@@ -260,7 +260,7 @@ TEST_CASE("triangle forces push and turn nothing as a whole, at rest, crumpled a
 			const std::vector<Vec2> forces = forces_on(body);
 			for (std::size_t i = 0; i < forces.size(); ++i) {
 				sum += forces[i];
-				torque += double(cross(body.positions()[i] - frame.centre, forces[i]));
+				torque += double(cross(body.positions()[i] - frame.center, forces[i]));
 				scale += double(length(forces[i]));
 			}
 			CHECK(double(length(sum)) < 1e-5 * scale);
@@ -284,7 +284,7 @@ TEST_CASE("rigid motion meets no force of a body at rest, and a spinning body ke
 	const Momentum after = measure_momentum(world.soft_bodies()[0]);
 	CHECK(after.linear_x == doctest::Approx(before.linear_x).epsilon(1e-3));
 	CHECK(after.linear_y == doctest::Approx(before.linear_y).epsilon(1e-3));
-	const Vec2 center = measure_frame(world.soft_bodies()[0]).centre;
+	const Vec2 center = measure_frame(world.soft_bodies()[0]).center;
 	const double own = after.angular - (double(center.x) * after.linear_y - double(center.y) * after.linear_x);
 	CHECK(own == doctest::Approx(before.angular).epsilon(0.01));
 	CHECK(double(length(center - Vec2{ 300, 100 })) < 0.5);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Two crews at once, where the processor can.
+// Two batches at once, where the processor can.
 #include "core/dynamics/rigid_damping.h"
-#include "core/dynamics/roster.h"
+#include "core/dynamics/batch_builder.h"
 #include "core/dynamics/simulator.h"
 #include "core/dynamics/wide_stepper.h"
 #include "scenes/thesis_body.h"
@@ -24,7 +24,7 @@ namespace {
 
 constexpr Real H = Real(1) / 600; // s
 
-// Two crews above, at and below the ground at y = 0; `ruined` (if not too many) has a point that moves too fast to be true.
+// Two batches above, at and below the ground at y = 0; `ruined` (if not too many) has a point that moves too fast to be true.
 void fill(WorldData &world, std::size_t ruined, const BodySettings &settings = {}) {
 	Random random(11);
 	world.add_border({ { { 0, 0 }, { 0, 1 } }, {} });
@@ -52,12 +52,12 @@ std::vector<Vec2> state_of(WorldData &world) {
 
 /// `touching`: whose extents it is to measure, or none.
 std::optional<std::uint64_t> advance(WideStepper &stepper, WorldData &world, Integrator integrator,
-		std::span<TouchingBody> touching = {}) {
-	Roster roster;
-	roster.update(world);
-	REQUIRE(roster.crews().size() == 2);
-	WideStretch stretch;
-	stretch.crews = { &roster.crews()[0], &roster.crews()[1] };
+		std::span<SolverBody> touching = {}) {
+	BatchBuilder batch_builder;
+	batch_builder.update(world);
+	REQUIRE(batch_builder.batches().size() == 2);
+	WideTimeSlice stretch;
+	stretch.batches = { &batch_builder.batches()[0], &batch_builder.batches()[1] };
 	stretch.borders = world.borders();
 	stretch.integrator = integrator;
 	stretch.gravity = { 0, Real(-9.81) };
@@ -65,18 +65,18 @@ std::optional<std::uint64_t> advance(WideStepper &stepper, WorldData &world, Int
 	stretch.substeps = 3;
 	stretch.reach = 50;
 	for (std::size_t lane = 0; lane < touching.size(); ++lane) {
-		const Crew &crew = roster.crews()[lane / PACK_WIDTH];
-		SoftBodyData &body = world.soft_bodies()[crew.bodies[lane % PACK_WIDTH]];
+		const Batch &batch = batch_builder.batches()[lane / PACK_WIDTH];
+		SoftBodyData &body = world.soft_bodies()[batch.bodies[lane % PACK_WIDTH]];
 		touching[lane].positions = body.mutable_positions();
-		stretch.touching[lane] = &touching[lane];
+		stretch.solver_bodies[lane] = &touching[lane];
 	}
-	StateAhead ahead;
+	StatePrefetch ahead;
 	return stepper.advance(stretch, ahead);
 }
 
 } // namespace
 
-TEST_CASE("two crews at once end in the bits of the scalar code, and count its contacts") {
+TEST_CASE("two batches at once end in the bits of the scalar code, and count its contacts") {
 	const auto stepper = make_wide_stepper();
 	if (stepper == nullptr) {
 		MESSAGE("no registers of that width here: nothing to compare");
@@ -99,9 +99,9 @@ TEST_CASE("two crews at once end in the bits of the scalar code, and count its c
 			fill(twin, SIZE_MAX, settings);
 			const std::optional<std::uint64_t> contacts = advance(*stepper, world, integrator);
 			REQUIRE(contacts.has_value());
-			SurroundingsIndex surroundings;
+			ColliderIndex surroundings;
 			surroundings.update(twin, 3 * H);
-			CollisionHandling handling;
+			EnvironmentContactSolver handling;
 			IntegratorWorkspace workspace;
 			std::uint64_t scalar_contacts = 0;
 			for (SoftBodyData &body : twin.soft_bodies()) {
@@ -126,7 +126,7 @@ TEST_CASE("two crews at once end in the bits of the scalar code, and count its c
 	}
 }
 
-TEST_CASE("two crews at once have the extents that each body would measure") {
+TEST_CASE("two batches at once have the extents that each body would measure") {
 	const auto stepper = make_wide_stepper();
 	if (stepper == nullptr) {
 		return; // as above
@@ -138,26 +138,26 @@ TEST_CASE("two crews at once have the extents that each body would measure") {
 		const auto hull = world.soft_bodies()[i].hull();
 		before[i].assign(hull.begin(), hull.end());
 	}
-	std::array<TouchingBody, WIDE_WIDTH> touching;
+	std::array<SolverBody, WIDE_WIDTH> touching;
 	REQUIRE(advance(*stepper, world, Integrator::SEMI_IMPLICIT_EULER, touching).has_value());
-	for (TouchingBody &body : touching) {
+	for (SolverBody &body : touching) {
 		const std::size_t place = std::size_t(std::ranges::find_if(world.soft_bodies(), [&](const SoftBodyData &data) {
 			return data.positions().data() == body.positions.data();
 		}) - world.soft_bodies().begin());
-		TouchingBody alone;
+		SolverBody alone;
 		alone.positions = body.positions;
 		alone.before = before[place];
 		alone.measure_extent();
 		CHECK(alone.way > 0);
 		CHECK(body.box.min == alone.box.min);
 		CHECK(body.box.max == alone.box.max);
-		CHECK(body.centre == alone.centre);
+		CHECK(body.center == alone.center);
 		CHECK(body.radius == alone.radius);
 		CHECK(body.way == alone.way);
 	}
 }
 
-TEST_CASE("two crews one of whose bodies is ruined are left as they were, whichever it is") {
+TEST_CASE("two batches one of whose bodies is ruined are left as they were, whichever it is") {
 	const auto stepper = make_wide_stepper();
 	for (std::size_t ruined = 0; stepper != nullptr && ruined < WIDE_WIDTH; ++ruined) {
 		WorldData world;
@@ -168,7 +168,7 @@ TEST_CASE("two crews one of whose bodies is ruined are left as they were, whiche
 	}
 }
 
-TEST_CASE("a body of two crews that is ruined is reset, and the other seven move as if it were not there") {
+TEST_CASE("a body of two batches that is ruined is reset, and the other seven move as if it were not there") {
 	constexpr std::size_t RUINED = 5;
 	WorldData world;
 	fill(world, RUINED);

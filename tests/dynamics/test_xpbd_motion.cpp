@@ -45,8 +45,8 @@ TEST_CASE("XPBD keeps the spin of a turning, wobbling body to rounding, for any 
 			for (std::uint32_t i = 0; i < body.point_count(); ++i) {
 				body.set_point(i, body.positions()[i], perpendicular(body.positions()[i]) * Real(3));
 			}
-			const Vec2 centre = measure_frame(body).centre;
-			const double before = measure_momentum(body, centre).angular;
+			const Vec2 center = measure_frame(body).center;
+			const double before = measure_momentum(body, center).angular;
 			world.add_soft_body(std::move(body));
 			Simulator simulator(world);
 			for (int i = 0; i < 600; ++i) {
@@ -55,7 +55,7 @@ TEST_CASE("XPBD keeps the spin of a turning, wobbling body to rounding, for any 
 			const SoftBodyData &after = world.soft_bodies()[0];
 			// 4800 substeps, each of which rounds every velocity (about 1 m/s) and place (0.5 m) once or twice.
 			const double rounding = 4800 * EPSILON * 0.5;
-			CHECK(std::abs(measure_momentum(after, measure_frame(after).centre).angular - before) < rounding);
+			CHECK(std::abs(measure_momentum(after, measure_frame(after).center).angular - before) < rounding);
 		}
 	}
 }
@@ -69,7 +69,7 @@ TEST_CASE("a stretched body let go at rest under XPBD stays in place and does no
 			const Vec2 p = body.positions()[i] - Vec2{ 3, -2 };
 			body.set_point(i, Vec2{ 3, -2 } + Vec2{ Real(1.15) * p.x + Real(0.1) * p.y, Real(0.9) * p.y }, {});
 		}
-		const Vec2 start = measure_frame(body).centre;
+		const Vec2 start = measure_frame(body).center;
 		world.add_soft_body(std::move(body));
 		Simulator simulator(world);
 		for (int i = 0; i < 600; ++i) {
@@ -78,7 +78,7 @@ TEST_CASE("a stretched body let go at rest under XPBD stays in place and does no
 		const BodyFrame frame = measure_frame(world.soft_bodies()[0]);
 		// Unrestored it turned by 0.002, 0.09 and 0.9 rad/s.
 		CHECK(std::abs(double(frame.angular_velocity)) < 2000 * EPSILON);
-		CHECK(distance(frame.centre, start) < 20000 * EPSILON);
+		CHECK(distance(frame.center, start) < 20000 * EPSILON);
 	}
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a turning body in XPBD does not stray: the last digit of a place over
 		for (int i = 0; i < 600; ++i) {
 			simulator.simulate(TICK);
 		}
-		CHECK(distance(measure_frame(world.soft_bodies()[0]).centre, { 3, -2 }) < 2000 * EPSILON);
+		CHECK(distance(measure_frame(world.soft_bodies()[0]).center, { 3, -2 }) < 2000 * EPSILON);
 	}
 }
 
@@ -111,10 +111,10 @@ TEST_CASE("under XPBD forces give a body the momentum and spin that they have, i
 	REQUIRE_FALSE(world.soft_bodies()[0].add_external_force(2, force));
 	simulator.simulate(TICK);
 	const SoftBodyData &after = world.soft_bodies()[0];
-	const Momentum momentum = measure_momentum(after, measure_frame(after).centre);
+	const Momentum momentum = measure_momentum(after, measure_frame(after).center);
 	CHECK(std::abs(momentum.linear_x - 3.0 / 60) < 100 * EPSILON);
 	CHECK(std::abs(momentum.linear_y - (1 - 9.81) / 60) < 100 * EPSILON);
-	// The point moves relative to the centre by less than 2 mm meanwhile, of 0.5 m.
+	// The point moves relative to the center by less than 2 mm meanwhile, of 0.5 m.
 	const double torque = double(arm.x) * double(force.y) - double(arm.y) * double(force.x);
 	CHECK(std::abs(momentum.angular - torque / 60) < 0.004 * std::abs(torque) / 60);
 }
@@ -130,7 +130,7 @@ TEST_CASE("a pinned body swings under XPBD: the pin takes up momentum and spin")
 	double lowest = 0;
 	for (int i = 0; i < 120; ++i) {
 		simulator.simulate(TICK);
-		lowest = std::fmin(lowest, double(measure_frame(world.soft_bodies()[0]).centre.y));
+		lowest = std::fmin(lowest, double(measure_frame(world.soft_bodies()[0]).center.y));
 	}
 	CHECK(world.soft_bodies()[0].positions()[0] == pin);
 	CHECK(lowest < -0.4); // as deep as half the radius of the swing, which is 0.5

@@ -42,7 +42,7 @@ void check_shape(const SoftBodyShape &shape) {
 					is_above_zero(shape.width()) && is_above_zero(shape.rest_inertia()) && is_above_zero(shape.shortest_hull_edge()),
 			"mass, area, radius, width, inertia and edges are > 0");
 	require(std::isfinite(shape.spring_frequency_squared()) && std::isfinite(shape.spring_damping_rate()) &&
-					is_above_zero(shape.area_mobility()),
+					is_above_zero(shape.area_inverse_mass()),
 			"bounds of frequencies are finite");
 }
 
@@ -113,7 +113,7 @@ void fuzz_shape(std::span<const std::uint8_t> data) {
 	options.mass = bytes.any(10);
 	options.stiffness = bytes.any(1000);
 	options.damping = bytes.any(10);
-	options.centre_point = bytes.chance();
+	options.center_point = bytes.chance();
 	for (int i = bytes.integer(0, 15) - 8; i > 0; --i) {
 		options.inner_points.push_back(bytes.any_vector(100));
 	}

@@ -159,9 +159,9 @@ private:
 		return surface;
 	}
 
-	void add_surroundings() {
+	void add_environment() {
 		if (world_.colliders().size() + world_.borders().size() > MOST_COLLIDERS) {
-			world_.clear_surroundings();
+			world_.clear_environment();
 		}
 		if (bytes_.integer(0, 3) == 0) {
 			const Vec2 place = bytes_.any_vector(3);
@@ -169,7 +169,7 @@ private:
 			world_.add_border({ { place, normal }, surface() });
 			return;
 		}
-		ConvexCollider collider;
+		Collider collider;
 		switch (bytes_.integer(0, 3)) {
 			case 0: collider.vertices = { { 0, 0 } }; break;
 			case 1: collider.vertices = { { -1, 0 }, bytes_.any_vector(2) }; break;
@@ -361,7 +361,7 @@ private:
 			world_.remove_soft_body(removed);
 			require(world_.find(removed) == nullptr, "what was removed is gone");
 		} else if (choice == 6) {
-			add_surroundings();
+			add_environment();
 		} else if (choice == 7) {
 			change_world();
 		} else if (choice < 14) {
@@ -385,7 +385,7 @@ private:
 		} else if (choice == 24 && !world_.rigid_bodies().empty()) {
 			world_.set_rigid_body(bytes_.byte() % std::uint32_t(world_.rigid_bodies().size() + 1), rigid_body());
 		} else if (choice == 25) {
-			world_.clear_surroundings();
+			world_.clear_environment();
 		} else {
 			step();
 		}

@@ -99,7 +99,7 @@ inline long grid_double_area(const std::vector<GridPoint> &polygon) {
 	return sum;
 }
 
-/// Whether the closed polygon has no point twice: no coincident neighbours, adjacent edges share only
+/// Whether the closed polygon has no point twice: no coincident neighbors, adjacent edges share only
 /// their corner, other edges nothing.
 inline bool grid_is_simple(const std::vector<GridPoint> &polygon) {
 	const std::size_t count = polygon.size();

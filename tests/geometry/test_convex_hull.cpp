@@ -133,7 +133,7 @@ TEST_CASE("a dented outline is closed over, and the largest hull keeps all its c
 		circle.push_back({ Real(1000000 * std::cos(angle)), Real(1000000 * std::sin(angle)) });
 	}
 	const double area = double(signed_area(circle));
-	// Neighbouring edges differ by 0.0015 rad in direction, 1.2 m in 1000 km from a straight line: far above rounding.
+	// Neighboring edges differ by 0.0015 rad in direction, 1.2 m in 1000 km from a straight line: far above rounding.
 	std::reverse(circle.begin() + 7, circle.end() - 100);
 	const auto hull = hull_of(circle);
 	CHECK(hull.size() == 4096);

@@ -99,11 +99,11 @@ double gap_along(Vec2 axis, const std::vector<Vec2> &a, const std::vector<Vec2> 
 	return least - most;
 }
 
-std::vector<Vec2> circle(Vec2 centre, double radius, int count) {
+std::vector<Vec2> circle(Vec2 center, double radius, int count) {
 	std::vector<Vec2> points;
 	for (int i = 0; i < count; ++i) {
 		const double angle = 2 * std::numbers::pi * i / count;
-		points.push_back({ Real(centre.x + radius * std::cos(angle)), Real(centre.y + radius * std::sin(angle)) });
+		points.push_back({ Real(center.x + radius * std::cos(angle)), Real(center.y + radius * std::sin(angle)) });
 	}
 	return points;
 }

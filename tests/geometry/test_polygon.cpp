@@ -129,7 +129,7 @@ TEST_CASE("a point is in a polygon when it is wound around an odd number of time
 	CHECK_FALSE(point_in_polygon({ 0, 0 }, {}));
 }
 
-TEST_CASE("every border point of a star-shaped polygon is seen from its centre, for either winding") {
+TEST_CASE("every border point of a star-shaped polygon is seen from its center, for either winding") {
 	auto dented = regular(8, 2);
 	dented[3] *= Real(0.3);
 	CHECK(is_star_shaped_about({ 0, 0 }, dented));
@@ -187,7 +187,7 @@ TEST_CASE("concave and clockwise outlines can be hulls") {
 }
 
 TEST_CASE("the largest hull is accepted and one more point is not") {
-	// A polygon of 4097 points on a circle of this size has distinct neighbours in float, too.
+	// A polygon of 4097 points on a circle of this size has distinct neighbors in float, too.
 	CHECK_FALSE(check_hull(regular(MAX_HULL_POINTS, 10000)));
 	const Status status = check_hull(regular(MAX_HULL_POINTS + 1, 10000));
 	REQUIRE(status.has_value());

@@ -98,11 +98,11 @@ double sampled_depth(const GridPolygon &corners, const GridPolygon &polygon) {
 	return depth;
 }
 
-std::vector<Vec2> regular(Vec2 centre, int count, double radius, double turn = 0) {
+std::vector<Vec2> regular(Vec2 center, int count, double radius, double turn = 0) {
 	std::vector<Vec2> polygon;
 	for (int i = 0; i < count; ++i) {
 		const double angle = turn + 2 * std::numbers::pi * i / count;
-		polygon.push_back({ Real(centre.x + radius * std::cos(angle)), Real(centre.y + radius * std::sin(angle)) });
+		polygon.push_back({ Real(center.x + radius * std::cos(angle)), Real(center.y + radius * std::sin(angle)) });
 	}
 	return polygon;
 }

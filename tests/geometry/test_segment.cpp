@@ -373,7 +373,7 @@ TEST_CASE("impacts at the limits: at once, at the very end, at an end, on a clos
 }
 
 TEST_CASE("a fast point does not pass a tiny segment") {
-	// 1000 m in a step through a piece of a centimetre.
+	// 1000 m in a step through a piece of a centimeter.
 	const auto found = point_segment_impact({ { 0, 500 }, { 0, -500 } }, still({ Real(-0.005), 0 }), still({ Real(0.005), 0 }));
 	REQUIRE(found.has_value());
 	CHECK(std::abs(double(found->time) - 0.5) <= EPSILON);

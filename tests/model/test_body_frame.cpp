@@ -35,18 +35,18 @@ TEST_CASE("the frame of a turned, moved, spinning body is exactly that motion") 
 		const double angle = random.real(-3.1, 3.1);
 		const Pose pose{ random.vector(10), Rotation::from_angle(Real(angle)) };
 		SoftBodyData body = thesis_body(shape, {}, pose);
-		const Vec2 centre = pose.apply(shape->origin_offset());
+		const Vec2 center = pose.apply(shape->origin_offset());
 		const Vec2 velocity = random.vector(5);
 		const Real spin = random.real(-20, 20);
 		for (std::uint32_t k = 0; k < body.point_count(); ++k) {
 			const Vec2 p = body.positions()[k];
-			body.set_point(k, p, velocity + perpendicular(p - centre) * spin);
+			body.set_point(k, p, velocity + perpendicular(p - center) * spin);
 		}
 		const BodyFrame frame = measure_frame(body);
 		// Positions near 10 carry eps * 10, which is 20 eps of the radius; a dozen sums over nine points.
 		const double tolerance = 200 * EPSILON;
 		CHECK(frame.rotation_defined);
-		CHECK(distance(frame.centre, centre) <= tolerance);
+		CHECK(distance(frame.center, center) <= tolerance);
 		CHECK(distance(frame.velocity, velocity) <= tolerance * 20);
 		CHECK(distance({ frame.rotation.c, frame.rotation.s }, { pose.rotation.c, pose.rotation.s }) <= tolerance);
 		CHECK(std::abs(double(frame.angular_velocity) - spin) <= tolerance * 20);
@@ -66,8 +66,8 @@ TEST_CASE("no other rotation brings the rest shape closer to a deformed body") {
 			double sum = 0;
 			for (std::size_t k = 0; k < body.point_count(); ++k) {
 				const Vec2 q = shape->rest_positions()[k];
-				const double x = std::cos(angle) * q.x - std::sin(angle) * q.y + frame.centre.x - body.positions()[k].x;
-				const double y = std::sin(angle) * q.x + std::cos(angle) * q.y + frame.centre.y - body.positions()[k].y;
+				const double x = std::cos(angle) * q.x - std::sin(angle) * q.y + frame.center.x - body.positions()[k].x;
+				const double y = std::sin(angle) * q.x + std::cos(angle) * q.y + frame.center.y - body.positions()[k].y;
 				sum += double(shape->masses()[k]) * (x * x + y * y);
 			}
 			return sum;
@@ -90,10 +90,10 @@ TEST_CASE("the angular velocity of a deforming body is its angular momentum over
 			body.set_point(k, body.positions()[k] * Real(2) + random.vector(0.4), random.vector(3));
 		}
 		const BodyFrame frame = measure_frame(body);
-		const Momentum momentum = measure_momentum(body, frame.centre);
+		const Momentum momentum = measure_momentum(body, frame.center);
 		double inertia = 0;
 		for (std::size_t k = 0; k < body.point_count(); ++k) {
-			const double arm = distance(body.positions()[k], frame.centre);
+			const double arm = distance(body.positions()[k], frame.center);
 			inertia += double(shape->masses()[k]) * arm * arm;
 		}
 		CHECK(relative_error(frame.angular_velocity, momentum.angular / inertia) <= 100 * EPSILON); // sums of nine terms
@@ -105,7 +105,7 @@ TEST_CASE("digits are kept far from the origin") {
 	SoftBodyData body = thesis_body(thesis_shape(), {}, Pose{ far, {} });
 	const BodyFrame frame = measure_frame(body);
 	const double grid = EPSILON * 8192;
-	CHECK(distance(frame.centre, far) <= 2 * grid);
+	CHECK(distance(frame.center, far) <= 2 * grid);
 	CHECK(std::abs(double(frame.rotation.angle())) <= 4 * grid / double(THESIS_RADIUS));
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("a collapsed body keeps its last orientation and has no spin") {
 	CHECK(frame.rotation.c == body.rotation_memory().c);
 	CHECK(frame.rotation.s == body.rotation_memory().s);
 	CHECK(frame.angular_velocity == 0);
-	CHECK(is_finite(frame.centre));
+	CHECK(is_finite(frame.center));
 }
 
 TEST_CASE("a mirrored body gives a finite unit rotation, the last one where all fit alike") {
@@ -142,5 +142,5 @@ TEST_CASE("a mirrored body gives a finite unit rotation, the last one where all 
 	if (!frame.rotation_defined) { // rounding may decide for some rotation instead
 		CHECK(frame.rotation.c == body.rotation_memory().c);
 	}
-	CHECK(is_finite(frame.centre));
+	CHECK(is_finite(frame.center));
 }

@@ -27,7 +27,7 @@ BodyState full_state() {
 	state.pair_touches = { { { 3, 9 }, { true, 4, 1e-3 } }, { { 5, 1 }, { true, 2, 7 } } };
 	state.one_ways = { { 77, true }, { 78, false } };
 	state.rest = { Real(0.25), true, 12, 0x123456789abcdefu, 0 };
-	state.outside_hull.assign(body.hull().begin(), body.hull().end());
+	state.last_valid_hull.assign(body.hull().begin(), body.hull().end());
 	state.active = false;
 	state.frozen = true;
 	state.pin_targets = { { 5, { 3, 1 } } };
@@ -67,11 +67,11 @@ TEST_CASE("a state that does not fit or is not finite is refused by name, and th
 		{ "state.positions", [](BodyState &s) { s.positions.pop_back(); } },
 		{ "state.velocities", [](BodyState &s) { s.velocities.push_back({}); } },
 		{ "state.previous_positions", [](BodyState &s) { s.previous_positions.clear(); } },
-		{ "state.outside_hull", [](BodyState &s) { s.outside_hull.pop_back(); } },
+		{ "state.last_valid_hull", [](BodyState &s) { s.last_valid_hull.pop_back(); } },
 		{ "state.positions[3]", [](BodyState &s) { s.positions[3].x = NOT_A_NUMBER; } },
 		{ "state.velocities[0]", [](BodyState &s) { s.velocities[0].y = INFINITE; } },
 		{ "state.previous_positions[1]", [](BodyState &s) { s.previous_positions[1].y = INFINITE; } },
-		{ "state.outside_hull[0]", [](BodyState &s) { s.outside_hull[0].y = INFINITE; } },
+		{ "state.last_valid_hull[0]", [](BodyState &s) { s.last_valid_hull[0].y = INFINITE; } },
 		{ "state.pinned_points", [](BodyState &s) { s.pinned_points.back() = 17; } },
 		{ "state.pinned_points", [](BodyState &s) { s.pinned_points = { 5, 2 }; } },
 		{ "state.pinned_points", [](BodyState &s) { s.pinned_points = { 5, 5 }; } },

@@ -19,7 +19,7 @@ namespace {
 RigidBody random_body(Random &random) {
 	RigidBody body;
 	body.pose = { random.vector(10), Rotation::from_angle(random.real(-3.1, 3.1)) };
-	body.centre_of_mass = random.vector(2);
+	body.center_of_mass = random.vector(2);
 	body.linear_velocity = random.vector(5);
 	body.angular_velocity = random.real(-4, 4);
 	return body;
@@ -27,7 +27,7 @@ RigidBody random_body(Random &random) {
 
 } // namespace
 
-TEST_CASE("a rigid body turns about its centre of mass, which moves in a straight line") {
+TEST_CASE("a rigid body turns about its center of mass, which moves in a straight line") {
 	Random random(301);
 	for (int round = 0; round < 500; ++round) {
 		const RigidBody body = random_body(random);
@@ -36,9 +36,9 @@ TEST_CASE("a rigid body turns about its centre of mass, which moves in a straigh
 		const Vec2 local = random.vector(3);
 		// In double, from the angle.
 		const double angle = std::atan2(double(body.pose.rotation.s), double(body.pose.rotation.c)) + body.angular_velocity * time;
-		const Vec2 arm = local - body.centre_of_mass;
-		const double x = body.centre().x + body.linear_velocity.x * time + arm.x * std::cos(angle) - arm.y * std::sin(angle);
-		const double y = body.centre().y + body.linear_velocity.y * time + arm.x * std::sin(angle) + arm.y * std::cos(angle);
+		const Vec2 arm = local - body.center_of_mass;
+		const double x = body.center().x + body.linear_velocity.x * time + arm.x * std::cos(angle) - arm.y * std::sin(angle);
+		const double y = body.center().y + body.linear_velocity.y * time + arm.x * std::sin(angle) + arm.y * std::cos(angle);
 		CHECK(distance(later.apply(local), { Real(x), Real(y) }) <= 32 * EPSILON * 25);
 	}
 }
@@ -119,7 +119,7 @@ TEST_CASE("every bad value of a rigid body is refused by name") {
 		{ "rigid_body.position", [](RigidBody &b) { b.pose.position.x = NOT_A_NUMBER; } },
 		{ "rigid_body.rotation", [](RigidBody &b) { b.pose.rotation = { 2, 0 }; } },
 		{ "rigid_body.rotation", [](RigidBody &b) { b.pose.rotation.s = NOT_A_NUMBER; } },
-		{ "rigid_body.centre_of_mass", [](RigidBody &b) { b.centre_of_mass.y = INFINITE; } },
+		{ "rigid_body.center_of_mass", [](RigidBody &b) { b.center_of_mass.y = INFINITE; } },
 		{ "rigid_body.linear_velocity", [](RigidBody &b) { b.linear_velocity.y = INFINITE; } },
 		{ "rigid_body.angular_velocity", [](RigidBody &b) { b.angular_velocity = NOT_A_NUMBER; } },
 		{ "rigid_body.acceleration", [](RigidBody &b) { b.acceleration.x = NOT_A_NUMBER; } },

@@ -18,9 +18,9 @@ namespace {
 
 struct Motion {
 	double mass = 0;
-	double centre_x = 0, centre_y = 0;
+	double center_x = 0, center_y = 0;
 	double momentum_x = 0, momentum_y = 0;
-	double spin = 0; // angular momentum about the centre
+	double spin = 0; // angular momentum about the center
 	double inertia = 0;
 };
 
@@ -30,17 +30,17 @@ Motion motion_of(const SoftBodyData &body) {
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
 		const double mass = body.shape().masses()[i];
 		m.mass += mass;
-		m.centre_x += mass * body.positions()[i].x;
-		m.centre_y += mass * body.positions()[i].y;
+		m.center_x += mass * body.positions()[i].x;
+		m.center_y += mass * body.positions()[i].y;
 		m.momentum_x += mass * body.velocities()[i].x;
 		m.momentum_y += mass * body.velocities()[i].y;
 	}
-	m.centre_x /= m.mass;
-	m.centre_y /= m.mass;
+	m.center_x /= m.mass;
+	m.center_y /= m.mass;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
 		const double mass = body.shape().masses()[i];
-		const double x = body.positions()[i].x - m.centre_x;
-		const double y = body.positions()[i].y - m.centre_y;
+		const double x = body.positions()[i].x - m.center_x;
+		const double y = body.positions()[i].y - m.center_y;
 		m.spin += mass * (x * body.velocities()[i].y - y * body.velocities()[i].x);
 		m.inertia += mass * (x * x + y * y);
 	}
@@ -63,7 +63,7 @@ std::vector<Vec2> wobble_of(const SoftBodyData &body) {
 	std::vector<Vec2> wobble;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
 		wobble.push_back(body.velocities()[i] - frame.velocity -
-				perpendicular(body.positions()[i] - frame.centre) * frame.angular_velocity);
+				perpendicular(body.positions()[i] - frame.center) * frame.angular_velocity);
 	}
 	return wobble;
 }
@@ -82,13 +82,13 @@ TEST_CASE("an impulse on a soft body changes its momenta by J and r x J and leav
 		const Motion after = motion_of(body);
 		CHECK(after.momentum_x - before.momentum_x == doctest::Approx(2).epsilon(20 * EPSILON));
 		CHECK(after.momentum_y - before.momentum_y == doctest::Approx(-0.7).epsilon(60 * EPSILON));
-		const double lever = (4 - before.centre_x) * -0.7 - (-1.5 - before.centre_y) * 2;
+		const double lever = (4 - before.center_x) * -0.7 - (-1.5 - before.center_y) * 2;
 		CHECK(std::abs(after.spin - before.spin - lever) < 100 * EPSILON);
 		CHECK(largest_distance(wobble_of(body), wobble) < 100 * EPSILON);
 	}
 }
 
-TEST_CASE("an angular impulse turns about the centre of mass and pushes nothing") {
+TEST_CASE("an angular impulse turns about the center of mass and pushes nothing") {
 	SoftBodyData body = lively_body(3);
 	const Motion before = motion_of(body);
 	const std::vector<Vec2> wobble = wobble_of(body);
@@ -145,7 +145,7 @@ TEST_CASE("a force and a torque act during one whole step, exactly, however fast
 			const Motion after = motion_of(body);
 			CHECK(std::abs(after.momentum_x - before.momentum_x - 3 * dt) < 200 * EPSILON);
 			CHECK(std::abs(after.momentum_y - before.momentum_y - 1 * dt) < 200 * EPSILON);
-			const double torque = 0.5 + (3 - before.centre_x) * 1 - (-1 - before.centre_y) * 3;
+			const double torque = 0.5 + (3 - before.center_x) * 1 - (-1 - before.center_y) * 3;
 			// Methods with stages hold the force while the points move on: second order in the turn of a substep.
 			const double turn = 20 * dt / substeps;
 			const double gain = after.spin - motion_of(world.soft_bodies()[1]).spin;
@@ -162,8 +162,8 @@ TEST_CASE("a force on a body at rest moves it without straining a spring") {
 	SoftBodyData &body = *world.find(world.add_soft_body(thesis_body(thesis_shape(500, 1), {})));
 	Simulator simulator(world);
 	for (int tick = 0; tick < 60; ++tick) {
-		const Vec2 centre = measure_frame(body).centre;
-		REQUIRE(!add_rigid_force(body, { 6, 0 }, centre));
+		const Vec2 center = measure_frame(body).center;
+		REQUIRE(!add_rigid_force(body, { 6, 0 }, center));
 		simulator.simulate(Real(1) / 60);
 	}
 	const Energy energy = measure_energy(body, {});
@@ -175,7 +175,7 @@ TEST_CASE("pinned points stay when a body is pushed as a whole") {
 	SoftBodyData body = lively_body(1);
 	REQUIRE(!body.set_pinned(2, true));
 	const Vec2 free_before = body.velocities()[0];
-	REQUIRE(!apply_rigid_impulse(body, { 1, 0 }, measure_frame(body).centre));
+	REQUIRE(!apply_rigid_impulse(body, { 1, 0 }, measure_frame(body).center));
 	CHECK(body.velocities()[2] == Vec2{});
 	CHECK(double(body.velocities()[0].x - free_before.x) ==
 			doctest::Approx(1 / double(body.shape().total_mass())).epsilon(1e-4));

@@ -27,12 +27,12 @@ SoftBodyShape::Description rectangle() {
 
 } // namespace
 
-TEST_CASE("a shape is stored about its centre of mass, with area, inertia and radius to match") {
+TEST_CASE("a shape is stored about its center of mass, with area, inertia and radius to match") {
 	const auto shape = SoftBodyShape::create(rectangle()).value();
 	const auto description = rectangle();
 	// Means weighted by 1, 2, 3, 4, 6 of 16.
-	const Vec2 centre{ Real((10 + 28 + 42 + 40 + 66) / 16.0), Real((20 + 40 + 69 + 92 + 126) / 16.0) };
-	CHECK(distance(shape->origin_offset(), centre) <= EPSILON * 24);
+	const Vec2 center{ Real((10 + 28 + 42 + 40 + 66) / 16.0), Real((20 + 40 + 69 + 92 + 126) / 16.0) };
+	CHECK(distance(shape->origin_offset(), center) <= EPSILON * 24);
 	CHECK(shape->total_mass() == 16);
 	CHECK(shape->rest_area() == 12);
 	CHECK(shape->point_count() == 5);
@@ -44,12 +44,12 @@ TEST_CASE("a shape is stored about its centre of mass, with area, inertia and ra
 	double radius = 0;
 	for (std::size_t i = 0; i < 5; ++i) {
 		const Vec2 q = shape->rest_positions()[i];
-		CHECK(distance(q + centre, description.points[i]) <= 2 * EPSILON * 24);
+		CHECK(distance(q + center, description.points[i]) <= 2 * EPSILON * 24);
 		const double mass = description.masses[i];
 		CHECK(shape->masses()[i] == description.masses[i]);
 		x += mass * q.x;
 		y += mass * q.y;
-		const double reach = distance(description.points[i], centre);
+		const double reach = distance(description.points[i], center);
 		inertia += mass * reach * reach;
 		radius = std::fmax(radius, reach);
 	}

@@ -27,7 +27,7 @@ TEST_CASE("a border needs a finite plane with a normal of unit length") {
 }
 
 TEST_CASE("points, segments, polygons and their rounded kin are colliders") {
-	const std::vector<ConvexCollider> good{
+	const std::vector<Collider> good{
 		{ { { 3, 4 } }, 2, {} },
 		{ { { 3, 4 }, { 5, 6 } }, 0, {} },
 		{ { { 3, 4 }, { 5, 6 } }, 1, {} },
@@ -35,7 +35,7 @@ TEST_CASE("points, segments, polygons and their rounded kin are colliders") {
 		box_collider({ 5, 5 }, { 1, 2 }),
 		{ { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 2 } }, Real(0.5), {} }, // a corner of 180 degrees
 	};
-	for (const ConvexCollider &collider : good) {
+	for (const Collider &collider : good) {
 		CHECK_FALSE(check_collider(collider));
 	}
 }
@@ -43,7 +43,7 @@ TEST_CASE("points, segments, polygons and their rounded kin are colliders") {
 TEST_CASE("every kind of bad collider is refused by name") {
 	struct Case {
 		std::vector<std::string> parts;
-		ConvexCollider collider;
+		Collider collider;
 	};
 	const std::vector<Case> cases{
 		{ { "collider.vertices", "0 points" }, {} },
@@ -72,7 +72,7 @@ TEST_CASE("every kind of bad collider is refused by name") {
 
 TEST_CASE("a star that turns the same way at every corner is not convex") {
 	// A pentagram: five left turns, but two rounds.
-	ConvexCollider star;
+	Collider star;
 	for (int i = 0; i < 5; ++i) {
 		star.vertices.push_back(Rotation::from_angle(Real(i * 2 * 1.2566370614359172)).apply({ 1, 0 }));
 	}
@@ -93,7 +93,7 @@ TEST_CASE("bad surface values are refused on borders and colliders alike") {
 		CAPTURE(name);
 		Border border = floor_at(0);
 		spoil(border.surface);
-		ConvexCollider collider = box_collider({}, { 1, 1 });
+		Collider collider = box_collider({}, { 1, 1 });
 		spoil(collider.surface);
 		const Status of_border = check_border(border);
 		const Status of_collider = check_collider(collider);
@@ -114,7 +114,7 @@ TEST_CASE("a turning surface moves like a wheel about its origin") {
 }
 
 TEST_CASE("a collider's box contains its rounding") {
-	const ConvexCollider capsule{ { { 1, 2 }, { 5, -3 } }, 2, {} };
+	const Collider capsule{ { { 1, 2 }, { 5, -3 } }, 2, {} };
 	CHECK(capsule.bounds().min == Vec2{ -1, -5 });
 	CHECK(capsule.bounds().max == Vec2{ 7, 4 });
 }

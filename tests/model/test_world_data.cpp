@@ -101,7 +101,7 @@ TEST_CASE("surroundings are taken when valid, refused when not, and forgotten to
 	CHECK(world.borders().size() == 1);
 	CHECK(world.colliders().size() == 1);
 	const BodyId id = world.add_soft_body(thesis_body(thesis_shape()));
-	world.clear_surroundings();
+	world.clear_environment();
 	CHECK(world.borders().empty());
 	CHECK(world.colliders().empty());
 	CHECK(world.find(id) != nullptr);
@@ -109,7 +109,7 @@ TEST_CASE("surroundings are taken when valid, refused when not, and forgotten to
 
 TEST_CASE("a collider may belong to a rigid body that is there, and to no other") {
 	WorldData world;
-	ConvexCollider collider = box_collider({}, { 1, 1 });
+	Collider collider = box_collider({}, { 1, 1 });
 	collider.rigid_body = 0;
 	const Status status = world.add_collider(collider);
 	REQUIRE(status.has_value());
@@ -128,7 +128,7 @@ TEST_CASE("a collider may belong to a rigid body that is there, and to no other"
 	CHECK_FALSE(world.set_rigid_body(0, body));
 	CHECK(world.rigid_bodies()[0].inverse_mass == 2);
 	CHECK(world.set_rigid_body(1, body));
-	world.clear_surroundings();
+	world.clear_environment();
 	CHECK(world.rigid_bodies().empty());
 	CHECK(world.reactions().empty());
 	CHECK(world.add_collider(collider));
@@ -140,11 +140,11 @@ TEST_CASE("no two states of the surroundings share a version") {
 	std::vector<std::uint64_t> seen;
 	for (WorldData *world : { &a, &b }) {
 		world->add_border(floor_at(1));
-		seen.push_back(world->surroundings_version());
+		seen.push_back(world->environment_version());
 		world->add_collider(box_collider({}, { 1, 1 }));
-		seen.push_back(world->surroundings_version());
-		world->clear_surroundings();
-		seen.push_back(world->surroundings_version());
+		seen.push_back(world->environment_version());
+		world->clear_environment();
+		seen.push_back(world->environment_version());
 	}
 	std::ranges::sort(seen);
 	CHECK(std::ranges::adjacent_find(seen) == seen.end());

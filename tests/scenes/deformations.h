@@ -20,12 +20,12 @@ enum class Deformation { FLATTENED,
 inline constexpr int DEFORMATION_COUNT = 4;
 
 /// Replaces the positions and stops the points. Flattened: to a tenth of its height along a random
-/// direction. Pushed through: one or two hull points beyond the centre to the other side. Crumpled:
+/// direction. Pushed through: one or two hull points beyond the center to the other side. Crumpled:
 /// every point anywhere in the circle. Mirrored: reflected along a random direction, the state of
 /// equal spring energy that springs alone never leave.
 inline void deform(SoftBodyData &body, Deformation kind, Random &random) {
 	const SoftBodyShape &shape = body.shape();
-	const Vec2 centre = measure_frame(body).centre;
+	const Vec2 center = measure_frame(body).center;
 	const Rotation turn = Rotation::from_angle(random.real(0, 6.283));
 	const std::size_t first = std::size_t(random.integer(0, int(shape.hull_count()) - 1));
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
@@ -49,7 +49,7 @@ inline void deform(SoftBodyData &body, Deformation kind, Random &random) {
 				q = turn.apply({ q.x, -q.y });
 				break;
 		}
-		body.set_point(std::uint32_t(i), centre + q + noise, {});
+		body.set_point(std::uint32_t(i), center + q + noise, {});
 	}
 }
 
@@ -59,7 +59,7 @@ inline double deviation_from_rest(const SoftBodyData &body) {
 	const BodyFrame frame = measure_frame(body);
 	double largest = 0;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		const Vec2 goal = frame.centre + frame.rotation.apply(body.shape().rest_positions()[i]);
+		const Vec2 goal = frame.center + frame.rotation.apply(body.shape().rest_positions()[i]);
 		largest = std::fmax(largest, distance(goal, body.positions()[i]));
 	}
 	return largest;

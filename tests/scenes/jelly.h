@@ -14,7 +14,7 @@ inline constexpr int JELLY_HULL_POINTS = 16;
 inline constexpr Real JELLY_MASS = 1; ///< [kg]
 inline constexpr Real JELLY_STIFFNESS = 100; ///< [N/m]
 inline constexpr Real JELLY_DAMPING = Real(0.12); ///< [N·s/m]
-inline constexpr Real PIXELS_PER_METRE = 100;
+inline constexpr Real PIXELS_PER_METER = 100;
 inline constexpr Real PIXEL_GRAVITY = 980; ///< [px/s²], towards +y
 inline constexpr Real FRAME = Real(1) / 60; ///< [s]
 
@@ -28,16 +28,16 @@ inline BodySettings jelly_settings(Real stiffness = JELLY_STIFFNESS) {
 	return settings;
 }
 
-inline SoftBodyData jelly_circle(Vec2 centre, const BodySettings &settings = jelly_settings()) {
+inline SoftBodyData jelly_circle(Vec2 center, const BodySettings &settings = jelly_settings()) {
 	const auto shape = SoftBodyCreator::create_circle(JELLY_RADIUS, JELLY_HULL_POINTS,
 			{ JELLY_MASS, JELLY_STIFFNESS, JELLY_DAMPING, true });
-	return SoftBodyData::create(shape.value(), settings, Pose{ centre, {} }).value();
+	return SoftBodyData::create(shape.value(), settings, Pose{ center, {} }).value();
 }
 
 inline WorldData pixel_world() {
 	WorldData world;
 	world.set_gravity({ 0, PIXEL_GRAVITY });
-	world.set_length_unit(PIXELS_PER_METRE);
+	world.set_length_unit(PIXELS_PER_METER);
 	return world;
 }
 
@@ -47,9 +47,9 @@ inline Border floor_at(Real height, const Surface &surface = {}) {
 }
 
 /// An upright box with positive winding.
-inline ConvexCollider box_collider(Vec2 centre, Vec2 half) {
-	return { { { centre.x - half.x, centre.y - half.y }, { centre.x + half.x, centre.y - half.y },
-					 { centre.x + half.x, centre.y + half.y }, { centre.x - half.x, centre.y + half.y } },
+inline Collider box_collider(Vec2 center, Vec2 half) {
+	return { { { center.x - half.x, center.y - half.y }, { center.x + half.x, center.y - half.y },
+					 { center.x + half.x, center.y + half.y }, { center.x - half.x, center.y + half.y } },
 		0, {} };
 }
 

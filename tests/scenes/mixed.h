@@ -36,7 +36,7 @@ enum MixedTag : std::uint64_t {
 	CRATE,
 };
 
-/// In metres, y up: two piles of like bodies, one of every integrator, balloons, a body on a pin, bouncing ones, borders, a
+/// In meters, y up: two piles of like bodies, one of every integrator, balloons, a body on a pin, bouncing ones, borders, a
 /// box, a chain, a piston, a crate that is pushed. `spin` [rad/s] turns a paddle; with 0 nothing in the scene calls
 /// a sine. With `monitors` every second body monitors its contacts.
 inline WorldData mixed_world(Real spin = 0, bool monitors = true) {
@@ -52,12 +52,12 @@ inline WorldData mixed_world(Real spin = 0, bool monitors = true) {
 	world.add_border({ { { 20, 0 }, { -1, 0 } }, tagged(WALL) });
 	world.add_collider({ { { -6, 0 }, { -4, 0 }, { -4, Real(0.5) }, { -6, 1 } }, Real(0.1), tagged(BOX) });
 	const std::array<Vec2, 4> slope = { Vec2{ 6, 2 }, { 8, Real(0.8) }, { 10, Real(0.4) }, { 12, Real(0.3) } };
-	ConvexCollider link;
+	Collider link;
 	link.surface = tagged(CHAIN);
 	world.add_chain(slope, false, link);
 
 	const auto add_moving = [&](RigidBody body, MixedTag tag, Vec2 half) {
-		ConvexCollider box{ { { -half.x, -half.y }, { half.x, -half.y }, half, { -half.x, half.y } }, 0, tagged(tag) };
+		Collider box{ { { -half.x, -half.y }, { half.x, -half.y }, half, { -half.x, half.y } }, 0, tagged(tag) };
 		box.rigid_body = world.add_rigid_body(body).value();
 		world.add_collider(box);
 	};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The test body of the thesis: eight hull points and a centre, in metres.
+// The test body of the thesis: eight hull points and a center, in meters.
 #pragma once
 
 #include "core/creator/soft_body_creator.h"

@@ -88,11 +88,11 @@ TEST_CASE("vertices take their place from the points: hull, then inner ones, the
 	const Placed ring = placed(FillMesh(hull, 8, {}), moved);
 	CHECK(length(ring.vertices[3] - moved[3]) == 0);
 	CHECK(length(ring.vertices[8] - Vec2{ Real(7) / 8, Real(-4) / 8 }) < 1e-4);
-	std::vector<Vec2> with_centre = hull;
-	with_centre.push_back({ 1, 2 });
-	const Placed centred = placed(FillMesh(with_centre, 8, {}), with_centre);
-	CHECK(centred.vertices.size() == 9);
-	CHECK(length(centred.vertices[8] - Vec2{ 1, 2 }) == 0);
+	std::vector<Vec2> with_center = hull;
+	with_center.push_back({ 1, 2 });
+	const Placed centered = placed(FillMesh(with_center, 8, {}), with_center);
+	CHECK(centered.vertices.size() == 9);
+	CHECK(length(centered.vertices[8] - Vec2{ 1, 2 }) == 0);
 }
 
 TEST_CASE("a soft edge covers half a pixel more and fades as much inside") {

@@ -164,7 +164,7 @@ TEST_CASE("a point exactly on an edge between two triangles leaves no flat one")
 	CHECK(triangles.size() == 6);
 }
 
-TEST_CASE("no circle through a triangle holds the far corner of its neighbour, unless the hull forces it") {
+TEST_CASE("no circle through a triangle holds the far corner of its neighbor, unless the hull forces it") {
 	Random random(21);
 	for (const std::vector<Vec2> &hull : outlines()) {
 		const std::vector<Vec2> points = with_inner_points(random, hull, 12);
@@ -181,7 +181,7 @@ TEST_CASE("no circle through a triangle holds the far corner of its neighbour, u
 				if (shared != 2) {
 					continue;
 				}
-				// Centre of the circle from the two bisectors.
+				// Center of the circle from the two bisectors.
 				const Vec2 a = points[t[0]];
 				const double bx = double(points[t[1]].x) - a.x;
 				const double by = double(points[t[1]].y) - a.y;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/parallel_for.h"
-#include "core/base/work_team.h"
+#include "core/base/task_scheduler.h"
 
 #include <atomic>
 #include <functional>
@@ -53,7 +53,7 @@ public:
 	}
 
 private:
-	WorkTeam team_;
+	TaskScheduler team_;
 	std::vector<std::thread> helpers_;
 };
 

@@ -23,5 +23,5 @@ func _draw() -> void:
 	_disc(pupil + Vector2(-0.2, -0.2) * radius, radius * 0.18, Color.WHITE)
 
 
-func _disc(centre: Vector2, size: float, color: Color) -> void:
-	draw_circle(centre, size, color, true, -1, true)
+func _disc(center: Vector2, size: float, color: Color) -> void:
+	draw_circle(center, size, color, true, -1, true)

@@ -200,9 +200,9 @@ func _jump() -> void:
 		change.x = _wall_side * WALL_SPEED - linear_velocity.x * 0.5
 	var radius := sqrt(get_area() / PI)
 	var points := get_point_positions()
-	var centre := get_center_of_mass_position()
+	var center := get_center_of_mass_position()
 	for i in points.size():
-		var share := 1 - JUMP_STRETCH * (points[i].y - centre.y) / radius
+		var share := 1 - JUMP_STRETCH * (points[i].y - center.y) / radius
 		apply_point_impulse(i, change * share * mass / points.size())
 	_jump_age = INF
 	_ground_age = INF

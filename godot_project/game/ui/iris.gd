@@ -6,11 +6,11 @@ const Palette := preload("res://game/palette.gd")
 const TIME := 0.7
 const CODE := "
 shader_type canvas_item;
-uniform vec2 centre = vec2(640.0, 360.0);
+uniform vec2 center = vec2(640.0, 360.0);
 uniform float radius = 2000.0;
 uniform vec2 extent = vec2(1280.0, 720.0);
 void fragment() {
-	COLOR.a *= smoothstep(radius - 2.0, radius + 2.0, distance(UV * extent, centre));
+	COLOR.a *= smoothstep(radius - 2.0, radius + 2.0, distance(UV * extent, center));
 }
 "
 const OPEN_RADIUS := 1500.0
@@ -49,7 +49,7 @@ func _move(around: Node2D, from: float, to: float, then: Callable) -> void:
 		if not is_instance_valid(around):
 			return
 		var place := around.get_global_transform_with_canvas().origin
-		_material.set_shader_parameter(&"centre", place.clamp(Vector2.ZERO, extent))
+		_material.set_shader_parameter(&"center", place.clamp(Vector2.ZERO, extent))
 		_material.set_shader_parameter(&"radius", radius)
 	var tween := create_tween()
 	tween.tween_method(step, from, to, TIME).set_trans(Tween.TRANS_CUBIC) \

@@ -35,7 +35,7 @@ static func button(text: String, pressed: Callable) -> Button:
 
 
 ## A panel in the middle of the screen whose rows are added to what is returned.
-static func centred_panel(parent: Node, width := 420.0) -> VBoxContainer:
+static func centered_panel(parent: Node, width := 420.0) -> VBoxContainer:
 	var middle := CenterContainer.new()
 	middle.set_anchors_preset(Control.PRESET_FULL_RECT)
 	middle.theme = theme()

@@ -20,7 +20,7 @@ func _ready() -> void:
 	visible = false
 	process_mode = Node.PROCESS_MODE_WHEN_PAUSED
 	Look.veil(self)
-	var rows := Look.centred_panel(self)
+	var rows := Look.centered_panel(self)
 	rows.add_child(_choices)
 	rows.add_child(_settings)
 	_choices.add_theme_constant_override(&"separation", 12)

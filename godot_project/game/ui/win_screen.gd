@@ -24,7 +24,7 @@ func _ready() -> void:
 	_rain.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	_rain.draw.connect(_draw_rain)
 	add_child(_rain)
-	_rows = Look.centred_panel(self, 480)
+	_rows = Look.centered_panel(self, 480)
 
 
 func open(time: float, stars: int, possible: int, is_best: bool) -> void:

@@ -9,7 +9,7 @@ const FEW_STARS := 24
 ## How fast each row of hills passes, as a share of the camera.
 const DEPTH: Array[float] = [0.08, 0.18, 0.34]
 const HILL_STEP := 24.0
-## Where one colour of the sky has become the next, from top to bottom.
+## Where one color of the sky has become the next, from top to bottom.
 const SKY_EDGES: Array[float] = [0.0, 0.45, 0.75, 1.0]
 
 ## A cave: no moon, glow-worms for stars, stone for trees.

@@ -11,7 +11,7 @@ const POINTS: Array[int] = [8, 10, 14]
 
 
 func _ready() -> void:
-	color = TINTS[int(get_index() * 1.2) % TINTS.size()] # rows that do not repeat the colour of the one below
+	color = TINTS[int(get_index() * 1.2) % TINTS.size()] # rows that do not repeat the color of the one below
 	add_to_group(&"quality")
 
 

@@ -5,7 +5,7 @@ extends StaticBody2D
 ##
 ## Filled darker towards the inside, with a rim, and grass on what faces up. Soft bodies collide with it as with any
 ## static body. The engine would cut each outline into convex pieces that lie edge to edge, and a soft skin that is pressed
-## hard finds the seams; here each edge of the outline becomes a piece that reaches under its neighbours, with a core below.
+## hard finds the seams; here each edge of the outline becomes a piece that reaches under its neighbors, with a core below.
 
 const Palette := preload("res://game/palette.gd")
 ## How far inside each darker layer begins, in pixels.
@@ -14,7 +14,7 @@ const RIM_WIDTH := 4.0
 const GRASS_NORMAL := 0.75 # how much an edge faces up to carry grass
 const TUFT_SPACING := 34.0
 const CRUST := 22.0 # how thick the piece of an edge is
-## How far it reaches under its neighbours, as multiples of the crust: the first that stays inside the outline.
+## How far it reaches under its neighbors, as multiples of the crust: the first that stays inside the outline.
 const REACHES: Array[float] = [2.5, 1.6, 1.0, 0.6, 0.3, 0.1, 0.0, -0.3, -0.6, -1.0]
 const CORE_DEPTH := 14.0 # where the core begins
 

@@ -13,7 +13,7 @@ var _is_taken := false
 
 
 func _ready() -> void:
-	_age = global_position.x * 0.01 # neighbours do not bob in step
+	_age = global_position.x * 0.01 # neighbors do not bob in step
 	body_entered.connect(_on_body_entered)
 
 
@@ -46,11 +46,11 @@ func _on_body_entered(_body: Node2D) -> void:
 
 
 ## Five points, rounded by a corner beside each tip.
-static func outline(centre: Vector2, radius: float, turn: float) -> PackedVector2Array:
+static func outline(center: Vector2, radius: float, turn: float) -> PackedVector2Array:
 	var points := PackedVector2Array()
 	for i in 5:
 		var angle := turn + TAU * i / 5
 		for side: float in [-0.16, 0.0, 0.16]:
-			points.append(centre + Vector2.from_angle(angle + side) * radius * (1 - 0.6 * absf(side)))
-		points.append(centre + Vector2.from_angle(angle + PI / 5) * radius * 0.58)
+			points.append(center + Vector2.from_angle(angle + side) * radius * (1 - 0.6 * absf(side)))
+		points.append(center + Vector2.from_angle(angle + PI / 5) * radius * 0.58)
 	return points

@@ -16,7 +16,7 @@ func test_a_point_is_dragged_where_the_mouse_goes() -> void:
 	await shot("hull_drag")
 
 
-func test_zoom_and_the_transform_of_the_node_are_honoured() -> void:
+func test_zoom_and_the_transform_of_the_node_are_honored() -> void:
 	await open_scene({"rotation": 0.7, "scale": Vector2(1.5, 0.6)})
 	await center_on(body.global_position, 9)
 	check(plugin.canvas.scene_to_screen(body).get_scale().x > 1.2, "the view is enlarged")

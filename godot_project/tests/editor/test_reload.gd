@@ -225,8 +225,8 @@ func test_what_bodies_listen_to_and_what_they_draw_goes_on() -> void:
 	material.stiffness = 150
 	var frequency: float = body.get_stability_report(20)["frequency"]
 	var picture := await _picture()
-	check_equal(await _color_at(Vector2(-20, 0)), Color.RED, "colour of the left half")
-	check_equal(await _color_at(Vector2(20, 0)), Color.BLUE, "colour of the right half")
+	check_equal(await _color_at(Vector2(-20, 0)), Color.RED, "color of the left half")
+	check_equal(await _color_at(Vector2(20, 0)), Color.BLUE, "color of the right half")
 	_reload("ef")
 	check((await _picture()).get_data() == picture.get_data(), "the same is drawn after the reload")
 	check_equal(body.get_stability_report(20)["frequency"], frequency, "frequency after the reload")
@@ -235,7 +235,7 @@ func test_what_bodies_listen_to_and_what_they_draw_goes_on() -> void:
 	check(after > 1.5 * frequency, "a material that changes is heard of: %s rad/s after %s" % [after, frequency])
 	# Twice as wide, so that the body shows the red half only, if it is heard of.
 	(body.texture as ImageTexture).set_image(_halves(16).get_image())
-	check_equal(await _color_at(Vector2(20, 0)), Color.RED, "colour of the right half, when the texture has become wider")
+	check_equal(await _color_at(Vector2(20, 0)), Color.RED, "color of the right half, when the texture has become wider")
 
 
 func _halves(width: int) -> ImageTexture:

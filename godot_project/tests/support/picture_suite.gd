@@ -68,7 +68,7 @@ func check_same_picture(actual: Image, expected: Image, what: String, share := 0
 		for x in actual.get_width():
 			var a := actual.get_pixel(x, y)
 			var b := expected.get_pixel(x, y)
-			# Where nothing is to be seen, the colour behind it does not matter.
+			# Where nothing is to be seen, the color behind it does not matter.
 			if (a.a > 0.02 or b.a > 0.02) and color_difference(a, b) > 0.08:
 				different += 1
 			drawn += int(b.a > 0.02)

@@ -230,16 +230,16 @@ func all_finite(points: PackedVector2Array) -> bool:
 func check_rests(body: SoftBody2D, duration := 10.0, what := "the body") -> void:
 	await seconds(duration - 1)
 	var points := body.get_point_positions()
-	var centre := body.get_center_of_mass_position()
+	var center := body.get_center_of_mass_position()
 	var way := 0.0
-	var centre_way := 0.0
+	var center_way := 0.0
 	for i in Engine.physics_ticks_per_second:
 		await ticks(1)
 		way = maxf(way, largest_distance(body.get_point_positions(), points))
-		centre_way = maxf(centre_way, body.get_center_of_mass_position().distance_to(centre))
+		center_way = maxf(center_way, body.get_center_of_mass_position().distance_to(center))
 	check(all_finite(body.get_point_positions()), what + " has a point that is not finite")
 	check_below(body.get_penetration(), 1, "penetration of %s in px" % what)
-	check_below(centre_way, 1, "way of the centre of %s during the last second in px" % what)
+	check_below(center_way, 1, "way of the center of %s during the last second in px" % what)
 	check_below(way, 1, "way of a point of %s during the last second in px" % what)
 
 

@@ -37,7 +37,7 @@ inline constexpr int MIN_CONTACT_SUBSTEPS = 4;
 /// substeps [1]. Stiffer bodies take several force substeps in each.
 inline constexpr int MAX_CONTACT_SUBSTEPS = 16;
 
-/// A body whose centre of mass moves slower than this [length/s, times WorldData::length_unit], and its points, root mean
+/// A body whose center of mass moves slower than this [length/s, times WorldData::length_unit], and its points, root mean
 /// square weighted by mass, slower than SLEEP_WOBBLE times this [1], counts as at rest. Larger: bodies stop in the middle of
 /// a slow roll, or of a wobble. Smaller: piles in which a light body trembles between heavy ones never sleep.
 inline constexpr Real SLEEP_SPEED = Real(0.05);
@@ -111,7 +111,7 @@ inline constexpr Real DEFAULT_DAMPING_RATIO = Real(0.05);
 inline constexpr Real DEFAULT_SHAPE_MATCHING = Real(0.4);
 
 /// Half thickness given to a line segment [length, in world units where gravity is about 10
-/// a metre: multiplied by WorldData::length_unit]. A point rests this far from the line, so that
+/// a meter: multiplied by WorldData::length_unit]. A point rests this far from the line, so that
 /// rounding can never put it on the other side. Larger: visible gap. Smaller: leaks far from the origin.
 inline constexpr Real LINEAR_SLOP = Real(0.001);
 
@@ -168,7 +168,7 @@ inline constexpr Real BOUNCE_MEMORY = Real(0.3);
 inline constexpr Real TOUCH_MEMORY = Real(0.05);
 
 /// Share of the smaller body's radius by which a body and what it touched must also have parted for their touch to end
-/// [1]. Smaller: neighbours in a pile, which hardly press on each other, touch and part for as long as the pile creeps,
+/// [1]. Smaller: neighbors in a pile, which hardly press on each other, touch and part for as long as the pile creeps,
 /// and so does a body that hops as it comes to rest. Larger: bodies count as touching where one sees that they do not.
 inline constexpr Real TOUCH_GAP = Real(0.02);
 
@@ -188,8 +188,8 @@ inline constexpr Real JOINT_GAP_CLOSING = Real(0.02);
 /// its engine moves the body once a step. Smaller: the gap closes slowly.
 inline constexpr Real JOINT_PULL = Real(0.2);
 
-/// Least mobility of a place on a hull edge, as a share of its lighter end's [1]. An end is moved by at
+/// Least inverse_mass of a place on a hull edge, as a share of its lighter end's [1]. An end is moved by at
 /// most 1 / sqrt of this, 5 times, what the place must move.
-inline constexpr Real LEAST_EDGE_MOBILITY = Real(0.04);
+inline constexpr Real LEAST_EDGE_INVERSE_MASS = Real(0.04);
 
 } // namespace softbody

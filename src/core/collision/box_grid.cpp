@@ -40,9 +40,9 @@ BoxGrid::Entry BoxGrid::entry_of(const Aabb &box, std::uint32_t name) const {
 	for (const Real extent = extent_of(box); size < extent && entry.level + 1 < LEVELS; size *= 2) {
 		++entry.level;
 	}
-	const Vec2 centre = (box.min + box.max) * Real(0.5);
-	entry.x = cell_coordinate(centre.x, size);
-	entry.y = cell_coordinate(centre.y, size);
+	const Vec2 center = (box.min + box.max) * Real(0.5);
+	entry.x = cell_coordinate(center.x, size);
+	entry.y = cell_coordinate(center.y, size);
 	return entry;
 }
 
@@ -109,7 +109,7 @@ template <class Visit>
 bool BoxGrid::visit(const Aabb &box, const Visit &visit) const {
 	for (const Level &level : levels_) {
 		const Real size = level.cell_size;
-		// A box of this level reaches at most half a cell beyond its centre.
+		// A box of this level reaches at most half a cell beyond its center.
 		const Aabb reach = box.grown(size / 2);
 		const Real width = (reach.max.x - reach.min.x) / size + 1;
 		const Real height = (reach.max.y - reach.min.y) / size + 1;

@@ -10,7 +10,7 @@
 
 namespace softbody {
 
-/// Boxes in a hashed grid of several cell sizes: each lies in the cell of its centre, on the level whose cells are as
+/// Boxes in a hashed grid of several cell sizes: each lies in the cell of its center, on the level whose cells are as
 /// large as the box, and a question visits on every level the cells from which a box may reach. A tile map and the
 /// long floor under it thus cost what is near.
 class BoxGrid {

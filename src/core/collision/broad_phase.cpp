@@ -30,7 +30,7 @@ constexpr std::uint32_t ALL_SIZES = 23;
 // of a level that touch are less than 2 units apart, so that all who share a body with a pair are within 4 of it.
 constexpr Real GROUPED_EXTENT = Real(1.99);
 constexpr Real GROUP_SQUARE = 4;
-constexpr std::uint32_t SQUARE_COLOURS = 4;
+constexpr std::uint32_t SQUARE_COLORS = 4;
 
 // The level of pairs with a body that has no size one could tell: all in one group, after all others.
 constexpr std::uint32_t UNGROUPED = 1 << 16;
@@ -133,9 +133,9 @@ BroadPhase::Entry BroadPhase::cell_of(const Aabb &box, std::uint32_t body) const
 	if (entry.level == ALL_SIZES) {
 		return entry; // in no cell
 	}
-	const Vec2 centre = (box.min + box.max) * Real(0.5);
-	entry.x = cell_coordinate(centre.x, size);
-	entry.y = cell_coordinate(centre.y, size);
+	const Vec2 center = (box.min + box.max) * Real(0.5);
+	entry.x = cell_coordinate(center.x, size);
+	entry.y = cell_coordinate(center.y, size);
 	return entry;
 }
 
@@ -192,7 +192,7 @@ void BroadPhase::find_pairs_of(std::uint32_t i, std::span<const BroadPhaseBody> 
 	const std::uint32_t first_level = moved_only ? 0 : own_level;
 	for (std::uint32_t levels = used_levels_ >> first_level << first_level; levels != 0; levels &= levels - 1) {
 		const std::uint32_t level = std::uint32_t(std::countr_zero(levels));
-		// A body of this level reaches half a cell beyond its centre.
+		// A body of this level reaches half a cell beyond its center.
 		const Real size = std::ldexp(cell_size_, int(std::min(level, ALL_SIZES - 1)));
 		const std::int32_t left = cell_coordinate(box.min.x - size / 2, size);
 		const std::int32_t right = cell_coordinate(box.max.x + size / 2, size);
@@ -291,11 +291,11 @@ void BroadPhase::keep_overlapping(std::span<const BroadPhaseBody> bodies, std::s
 }
 
 // Pairs are sorted by the extent of their larger body into levels, each twice as large as the one before. For each level the
-// plane is divided into squares of GROUP_SQUARE of its units, coloured like the points (even, even), (odd, even), ... A pair
-// belongs to the square that holds the centre of its first body. Two pairs of one level that share a body have first bodies
-// less than the side of a square apart, while different squares of one colour are at least that far apart: so they are in the
-// same group or of different colours. Which group a pair falls into depends on its two boxes and nothing else, so that
-// what happens elsewhere does not change the order in which the contacts of a heap are answered.
+// plane is divided into squares of GROUP_SQUARE of its units, colored like the points (even, even), (odd, even), ... A pair
+// belongs to the square that holds the center of its first body. Two pairs of one level that share a body have first bodies
+// less than the side of a square apart, while different squares of one color are at least that far apart: so they are in the
+// same group or of different colors. Which group a pair falls into depends on its two boxes and nothing else, so that
+// what happens elsewhere does not change the order in which the contacts of a island are solved.
 void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 	constexpr std::uint32_t NONE = UINT32_MAX;
 	groups_.clear();
@@ -303,14 +303,14 @@ void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 	pairs_.resize(overlapping_.size());
 	squares_.clear();
 	square_at_.assign(std::bit_ceil(2 * overlapping_.size() + 4), NONE); // at most half of it is taken
-	const auto square_of = [&](std::uint64_t key, std::uint32_t colour) {
-		std::size_t slot = std::size_t(mix(key + colour)) & (square_at_.size() - 1);
-		while (square_at_[slot] != NONE && (squares_[square_at_[slot]].key != key || squares_[square_at_[slot]].colour != colour)) {
+	const auto square_of = [&](std::uint64_t key, std::uint32_t color) {
+		std::size_t slot = std::size_t(mix(key + color)) & (square_at_.size() - 1);
+		while (square_at_[slot] != NONE && (squares_[square_at_[slot]].key != key || squares_[square_at_[slot]].color != color)) {
 			slot = (slot + 1) & (square_at_.size() - 1);
 		}
 		if (square_at_[slot] == NONE) {
 			square_at_[slot] = std::uint32_t(squares_.size());
-			squares_.push_back({ key, colour, 0 });
+			squares_.push_back({ key, color, 0 });
 		}
 		return square_at_[slot];
 	};
@@ -322,33 +322,33 @@ void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 		const BodyPair pair = overlapping_[i];
 		const std::uint32_t level = level_of(std::max(extent_of(bodies[pair.a].box), extent_of(bodies[pair.b].box)));
 		if (level == UNGROUPED) {
-			last_square = square_of(0, level * SQUARE_COLOURS);
+			last_square = square_of(0, level * SQUARE_COLORS);
 		} else if (pair.a != last_body || level != last_level) {
 			const Real size = GROUP_SQUARE * unit_of(level);
-			const Vec2 centre = (bodies[pair.a].box.min + bodies[pair.a].box.max) * Real(0.5);
-			const std::int32_t x = cell_coordinate(centre.x, size);
-			const std::int32_t y = cell_coordinate(centre.y, size);
+			const Vec2 center = (bodies[pair.a].box.min + bodies[pair.a].box.max) * Real(0.5);
+			const std::int32_t x = cell_coordinate(center.x, size);
+			const std::int32_t y = cell_coordinate(center.y, size);
 			last_square = square_of((std::uint64_t(std::uint32_t(x)) << 32) | std::uint32_t(y),
-					level * SQUARE_COLOURS + std::uint32_t(x & 1) + 2 * std::uint32_t(y & 1));
+					level * SQUARE_COLORS + std::uint32_t(x & 1) + 2 * std::uint32_t(y & 1));
 		}
 		last_body = pair.a;
 		last_level = level;
 		++squares_[last_square].count;
 		square_of_pair_[i] = last_square;
 	}
-	// Squares by colour, in the order in which pairs first fell into them; then each pair to its place.
+	// Squares by color, in the order in which pairs first fell into them; then each pair to its place.
 	in_order_.resize(squares_.size());
 	std::iota(in_order_.begin(), in_order_.end(), 0u);
 	std::ranges::sort(in_order_, [&](std::uint32_t a, std::uint32_t b) { // a stable one takes memory each time
-		return squares_[a].colour != squares_[b].colour ? squares_[a].colour < squares_[b].colour : a < b;
+		return squares_[a].color != squares_[b].color ? squares_[a].color < squares_[b].color : a < b;
 	});
 	std::uint32_t begin = 0;
-	std::uint32_t colour = NONE;
+	std::uint32_t color = NONE;
 	for (const std::uint32_t i : in_order_) {
 		Square &square = squares_[i];
-		if (square.colour != colour) {
+		if (square.color != color) {
 			first_groups_.push_back(groups_.size());
-			colour = square.colour;
+			color = square.color;
 		}
 		const std::uint32_t end = begin + square.count;
 		groups_.push_back({ begin, end });
@@ -361,8 +361,8 @@ void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 	}
 }
 
-std::span<const BroadPhase::Group> BroadPhase::groups(std::size_t colour) const {
-	return { groups_.data() + first_groups_[colour], first_groups_[colour + 1] - first_groups_[colour] };
+std::span<const BroadPhase::Group> BroadPhase::groups(std::size_t color) const {
+	return { groups_.data() + first_groups_[color], first_groups_[color + 1] - first_groups_[color] };
 }
 
 } // namespace softbody

@@ -28,14 +28,14 @@ struct BodyPair {
 };
 
 /// Finds pairs with a hashed grid of several cell sizes: each body lies in one cell of the level whose cells are as
-/// large as its box, and asks the neighbouring cells of its own and all other levels. Boxes are kept with a margin: as
+/// large as its box, and asks the neighboring cells of its own and all other levels. Boxes are kept with a margin: as
 /// long as every body stays within its own, the candidates of the last time hold; of a few bodies that have left theirs,
 /// only those are sought anew. Of the candidates, those whose boxes overlap as they are now become pairs.
 ///
-/// The pairs come in groups that several threads may work on at once: no two groups of one colour share a body.
+/// The pairs come in groups that several threads may work on at once: no two groups of one color share a body.
 /// Pairs, groups and their order depend on the present boxes alone, not on where bodies were in earlier steps, so that a
 /// state that is put back goes on as it did; and the order of two pairs that share a body depends on their own boxes alone,
-/// so that a heap does the same whatever happens elsewhere.
+/// so that a island does the same whatever happens elsewhere.
 class BroadPhase {
 public:
 	/// `version` tells whether the list still means the same bodies. O(bodies) expected.
@@ -44,14 +44,14 @@ public:
 			std::span<const BodyPair> exceptions = {});
 
 	std::span<const BodyPair> pairs() const { return pairs_; }
-	/// How many colours there are now: one after the other.
-	std::size_t colour_count() const { return first_groups_.empty() ? 0 : first_groups_.size() - 1; }
+	/// How many colors there are now: one after the other.
+	std::size_t color_count() const { return first_groups_.empty() ? 0 : first_groups_.size() - 1; }
 	struct Group {
 		std::uint32_t begin = 0;
 		std::uint32_t end = 0;
 	};
-	/// The groups of a colour, which are runs of `pairs()` and follow one another.
-	std::span<const Group> groups(std::size_t colour) const;
+	/// The groups of a color, which are runs of `pairs()` and follow one another.
+	std::span<const Group> groups(std::size_t color) const;
 	/// How often candidates were sought anew, of all bodies or of some.
 	std::uint64_t rebuild_count() const { return rebuild_count_; }
 	/// Of how many bodies they were, all in all.
@@ -79,7 +79,7 @@ private:
 	std::vector<Aabb> boxes_; ///< with margin
 	std::vector<BodyPair> pairs_;
 	std::vector<Group> groups_;
-	std::vector<std::size_t> first_groups_; ///< of each colour, and the end
+	std::vector<std::size_t> first_groups_; ///< of each color, and the end
 	std::uint64_t version_ = 0;
 	std::uint64_t rebuild_count_ = 0;
 	std::uint64_t sought_bodies_ = 0;
@@ -100,7 +100,7 @@ private:
 	std::vector<std::uint32_t> starts_;
 	struct Square {
 		std::uint64_t key;
-		std::uint32_t colour;
+		std::uint32_t color;
 		std::uint32_t count; ///< of pairs, then the place of the next one
 	};
 	std::vector<Square> squares_;

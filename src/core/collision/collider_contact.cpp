@@ -92,7 +92,7 @@ std::optional<SurfaceContact> find_entered_edge(const HullMotion &hull, Vec2 fro
 } // namespace
 
 std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std::size_t point,
-		const ConvexCollider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop) {
+		const Collider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop) {
 	Vec2 from = hull.from[point];
 	Vec2 to = hull.to[point];
 	if (!motion.is_still) {
@@ -114,7 +114,7 @@ std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std:
 }
 
 std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &box,
-		const ConvexCollider &collider, std::size_t corner, const ColliderMotion &motion, Real slop) {
+		const Collider &collider, std::size_t corner, const ColliderMotion &motion, Real slop) {
 	const Vec2 vertex = collider.vertices[corner];
 	if (collider.concave) {
 		const std::size_t count = collider.vertices.size();
@@ -124,7 +124,7 @@ std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, con
 		}
 	}
 	// An end without thickness lets an edge slide over it by a rounding, and the next point down the other side.
-	const bool is_joined = (corner == 0 ? collider.joined_at_first : collider.joined_at_second).has_value();
+	const bool is_joined = (corner == 0 ? collider.ghost_at_first : collider.ghost_at_second).has_value();
 	const bool is_free_end = collider.vertices.size() == 2 && !is_joined;
 	const Real radius = is_free_end ? std::max(collider.radius, slop) : collider.radius;
 	const Vec2 now = motion.is_still ? vertex : motion.to.apply(vertex);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/vec2.h"
-#include "core/collision/surface_response.h"
+#include "core/collision/surface_constraint.h"
 #include "core/geometry/polygon.h"
 #include "core/model/pose.h"
 #include "core/model/surroundings.h"
@@ -29,12 +29,12 @@ struct HullMotion {
 /// A hull point against the collider, in whose frame the way of the point is swept: what passes through it is found,
 /// whichever of the two moves. `bounds` is the collider's box in its own frame, grown by the slop. O(vertices).
 std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std::size_t point,
-		const ConvexCollider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop);
+		const Collider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop);
 
 /// A collider's corner or round end against the hull: how far the hull must retreat from it, and where. A corner that
 /// came in during this substep goes back through the edge it came by, and if its collider moves even when it is out
 /// again. `box` contains the hull, and where it came from if the collider moves. `slop` [length] is the least radius of the free ends of a segment. O(hull points).
 std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &box,
-		const ConvexCollider &collider, std::size_t corner, const ColliderMotion &motion, Real slop = 0);
+		const Collider &collider, std::size_t corner, const ColliderMotion &motion, Real slop = 0);
 
 } // namespace softbody

@@ -10,8 +10,8 @@
 
 namespace softbody {
 
-/// A contact as those who answer contacts know it: bodies are places in `WorldData::soft_bodies()`.
-struct Sighting {
+/// A contact as those who solve contacts know it: bodies are indices into `WorldData::soft_bodies()`.
+struct ContactPoint {
 	/// Set in `feature` when it counts the corners of a collider instead of the body's hull points.
 	static constexpr std::uint32_t CORNER = 1u << 31;
 	/// As a `feature`: the bodies as wholes.
@@ -29,22 +29,22 @@ struct Sighting {
 	Real depth = 0;
 };
 
-/// Keeps sightings in the order in which their places were first seen; a place that is seen again adds its impulse and
+/// Keeps contact_points in the order in which their places were first seen; a place that is seen again adds its impulse and
 /// replaces the rest. One object serves one thread. It owns scratch memory, which grows to the busiest step.
 class ContactLog {
 public:
 	/// O(1) expected.
-	void add(const Sighting &sighting);
-	std::span<const Sighting> sightings() const { return sightings_; }
+	void add(const ContactPoint &contact_point);
+	std::span<const ContactPoint> contact_points() const { return contact_points_; }
 	/// O(1) if nothing was added.
 	void clear();
 
 private:
-	std::size_t slot_of(const Sighting &sighting) const;
+	std::size_t slot_of(const ContactPoint &contact_point) const;
 	void grow();
 
-	std::vector<Sighting> sightings_;
-	std::vector<std::uint32_t> slots_; ///< hash table: place in `sightings_` plus 1, 0 when free
+	std::vector<ContactPoint> contact_points_;
+	std::vector<std::uint32_t> slots_; ///< hash table: place in `contact_points_` plus 1, 0 when free
 };
 
 } // namespace softbody

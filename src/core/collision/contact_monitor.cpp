@@ -3,7 +3,7 @@
 #include "core/collision/contact_monitor.h"
 
 #include "core/base/constants.h"
-#include "core/collision/nearness.h"
+#include "core/collision/distance_query.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ void ContactMonitor::begin_step() {
 	events_.clear();
 }
 
-void ContactMonitor::end_step(const SurroundingsIndex &surroundings, Real dt) {
+void ContactMonitor::end_step(const ColliderIndex &surroundings, Real dt) {
 	const WorldData &world = surroundings.world();
 	collect(world);
 	begins_.clear();
@@ -71,7 +71,7 @@ void ContactMonitor::collect(const WorldData &world) {
 	entries_.clear();
 	const std::span<const SoftBodyData> bodies = world.soft_bodies();
 	for (const ContactLog *log : logs_) {
-		for (const Sighting &seen : log->sightings()) {
+		for (const ContactPoint &seen : log->contact_points()) {
 			if (!is_finite(seen.point) || !is_finite(seen.normal) || !std::isfinite(seen.normal_impulse) || !std::isfinite(seen.depth)) {
 				continue; // the body has been reset
 			}
@@ -100,7 +100,7 @@ void ContactMonitor::collect(const WorldData &world) {
 }
 
 void ContactMonitor::add_contact(const WorldData &world, const Entry &entry) {
-	const Sighting &seen = *entry.sighting;
+	const ContactPoint &seen = *entry.contact_point;
 	Contact &contact = contacts_.emplace_back();
 	contact.body = world.id_at(entry.is_mirrored ? seen.other : seen.body);
 	contact.hull_point = entry.is_mirrored ? seen.other_hull_point : seen.hull_point;
@@ -136,7 +136,7 @@ void ContactMonitor::end_lost_touches(const WorldData &world) {
 	});
 }
 
-bool ContactMonitor::has_parted(const SurroundingsIndex &surroundings, const Touch &touch) {
+bool ContactMonitor::has_parted(const ColliderIndex &surroundings, const Touch &touch) {
 	const SoftBodyData &body = *surroundings.world().find(touch.body);
 	const Real gap = TOUCH_GAP * body.shape().radius();
 	if (touch.other.kind != OtherKind::SOFT_BODY) {
@@ -147,7 +147,7 @@ bool ContactMonitor::has_parted(const SurroundingsIndex &surroundings, const Tou
 }
 
 // Contacts and touches in one order: what only one list has begins, or has had no contact in this step.
-void ContactMonitor::update_touches(const SurroundingsIndex &surroundings, Real dt) {
+void ContactMonitor::update_touches(const ColliderIndex &surroundings, Real dt) {
 	next_touches_.clear();
 	std::size_t known = 0;
 	const auto pass_over_touch = [&] {

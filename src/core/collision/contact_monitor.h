@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/collision/contact_log.h"
-#include "core/collision/surroundings_index.h"
+#include "core/collision/collider_index.h"
 #include "core/model/contact.h"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ public:
 	void add(ContactLog &log) { logs_.push_back(&log); }
 	/// Makes the lists after a step of `dt` [s] amid these surroundings. Bodies must still sleep, or not, as they did during the step.
 	/// O(n log n) in the number of contacts of bodies that monitor.
-	void end_step(const SurroundingsIndex &surroundings, Real dt);
+	void end_step(const ColliderIndex &surroundings, Real dt);
 
 	/// Sorted by body, other, and place.
 	std::span<const Contact> contacts() const { return contacts_; }
@@ -46,15 +46,15 @@ private:
 		std::uint64_t other = 0;
 		std::uint64_t part = 0;
 		std::uint32_t feature = 0;
-		bool is_mirrored = false; ///< seen from the other body of the sighting
-		const Sighting *sighting = nullptr;
+		bool is_mirrored = false; ///< seen from the other body of the contact_point
+		const ContactPoint *contact_point = nullptr;
 	};
 
 	void collect(const WorldData &world);
 	void add_contact(const WorldData &world, const Entry &entry);
 	void end_lost_touches(const WorldData &world);
-	void update_touches(const SurroundingsIndex &surroundings, Real dt);
-	bool has_parted(const SurroundingsIndex &surroundings, const Touch &touch);
+	void update_touches(const ColliderIndex &surroundings, Real dt);
+	bool has_parted(const ColliderIndex &surroundings, const Touch &touch);
 
 	std::vector<ContactLog *> logs_;
 	std::vector<Entry> entries_;

@@ -31,7 +31,7 @@ Vec2 closest_on_edge(const std::vector<Vec2> &vertices, std::size_t i, Vec2 p) {
 	return a + (b - a) * closest_parameter_on_segment(p, a, b);
 }
 
-SurfaceDistance polygon_distance(const ConvexCollider &collider, Vec2 p) {
+SurfaceDistance polygon_distance(const Collider &collider, Vec2 p) {
 	SurfaceDistance nearest{ -std::numeric_limits<Real>::max(), {} };
 	for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
 		const Vec2 normal = face_normal(collider.vertices, i);
@@ -59,26 +59,26 @@ SurfaceDistance polygon_distance(const ConvexCollider &collider, Vec2 p) {
 
 // Circle: only a point that crossed the far half needs the swept answer; elsewhere the nearest
 // surface is also the one it came through.
-std::optional<PointContact> swept_circle(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop) {
-	const Vec2 centre = collider.vertices[0];
+std::optional<PointContact> swept_circle(const Collider &collider, Vec2 from, Vec2 to, Real slop) {
+	const Vec2 center = collider.vertices[0];
 	const Real radius = collider.radius;
 	// A point that rests on the circle may lie inside by rounding; it still came from outside.
 	const Real inner = std::max(radius - slop, Real(0));
-	if (dot(to - centre, from - centre) >= 0 || length_squared(from - centre) < inner * inner) {
+	if (dot(to - center, from - center) >= 0 || length_squared(from - center) < inner * inner) {
 		return {};
 	}
-	const Vec2 closest = from + (to - from) * closest_parameter_on_segment(centre, from, to);
-	const Vec2 offset = closest - centre;
+	const Vec2 closest = from + (to - from) * closest_parameter_on_segment(center, from, to);
+	const Vec2 offset = closest - center;
 	if (length_squared(offset) >= radius * radius) {
 		return {};
 	}
 	const Vec2 path = (to - from) * (1 / length(to - from));
 	const Vec2 entry = closest - path * std::sqrt(radius * radius - length_squared(offset));
-	const Vec2 normal = (entry - centre) * (1 / radius);
+	const Vec2 normal = (entry - center) * (1 / radius);
 	return PointContact{ normal, dot(normal, entry - to) };
 }
 
-std::optional<PointContact> swept_segment(const ConvexCollider &collider, Vec2 from, Vec2 to, Real radius) {
+std::optional<PointContact> swept_segment(const Collider &collider, Vec2 from, Vec2 to, Real radius) {
 	const Vec2 a = collider.vertices[0];
 	const Vec2 b = collider.vertices[1];
 	const double side = signed_double_area(a, b, from);
@@ -89,12 +89,12 @@ std::optional<PointContact> swept_segment(const ConvexCollider &collider, Vec2 f
 	return PointContact{ normal, radius - dot(normal, to - a) };
 }
 
-bool is_inner(const ConvexCollider &collider, std::size_t edge) {
-	return edge < 32 && (collider.inner_edges >> edge & 1) != 0;
+bool is_inner(const Collider &collider, std::size_t edge) {
+	return edge < 32 && (collider.internal_edges >> edge & 1) != 0;
 }
 
-// The nearest of the faces that are not against a neighbour. A polygon that has no such face is like any other.
-SurfaceDistance way_out(const ConvexCollider &collider, Vec2 p) {
+// The nearest of the faces that are not against a neighbor. A polygon that has no such face is like any other.
+SurfaceDistance way_out(const Collider &collider, Vec2 p) {
 	SurfaceDistance nearest{ -std::numeric_limits<Real>::max(), {} };
 	for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
 		const Vec2 normal = face_normal(collider.vertices, i);
@@ -106,7 +106,7 @@ SurfaceDistance way_out(const ConvexCollider &collider, Vec2 p) {
 	return length_squared(nearest.normal) > 0 ? nearest : polygon_distance(collider, p);
 }
 
-std::optional<PointContact> polygon_contact(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop) {
+std::optional<PointContact> polygon_contact(const Collider &collider, Vec2 from, Vec2 to, Real slop) {
 	const std::vector<Vec2> &vertices = collider.vertices;
 	Real enter = 0;
 	Real leave = 1;
@@ -131,7 +131,7 @@ std::optional<PointContact> polygon_contact(const ConvexCollider &collider, Vec2
 			leave = std::min(leave, in_front / way);
 		} else {
 			if (is_inner(collider, i)) {
-				continue; // who comes this way comes out of the neighbour
+				continue; // who comes this way comes out of the neighbor
 			}
 			if (in_front > 0 && way > 0 && in_front / way >= enter) {
 				enter = in_front / way;
@@ -148,7 +148,7 @@ std::optional<PointContact> polygon_contact(const ConvexCollider &collider, Vec2
 		if (best > -std::numeric_limits<Real>::max()) {
 			return PointContact{ best_normal, collider.radius - best };
 		}
-		const SurfaceDistance surface = collider.inner_edges != 0 ? way_out(collider, to) : surface_distance(collider, to);
+		const SurfaceDistance surface = collider.internal_edges != 0 ? way_out(collider, to) : surface_distance(collider, to);
 		return PointContact{ surface.normal, -surface.distance };
 	}
 	if (enter > 0 && enter < leave) {
@@ -158,7 +158,7 @@ std::optional<PointContact> polygon_contact(const ConvexCollider &collider, Vec2
 }
 
 // Nearest place on the outline of a concave polygon.
-SurfaceDistance outline_distance(const ConvexCollider &collider, Vec2 p) {
+SurfaceDistance outline_distance(const Collider &collider, Vec2 p) {
 	const std::vector<Vec2> &vertices = collider.vertices;
 	Real least = std::numeric_limits<Real>::max();
 	std::size_t nearest = 0;
@@ -179,7 +179,7 @@ SurfaceDistance outline_distance(const ConvexCollider &collider, Vec2 p) {
 }
 
 // A concave polygon: out by the edge that the point came in by, else by the nearest one.
-std::optional<PointContact> outline_contact(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop) {
+std::optional<PointContact> outline_contact(const Collider &collider, Vec2 from, Vec2 to, Real slop) {
 	const std::vector<Vec2> &vertices = collider.vertices;
 	Real first = 2;
 	PointContact entered;
@@ -208,19 +208,19 @@ std::optional<PointContact> outline_contact(const ConvexCollider &collider, Vec2
 }
 
 // Whether p lies beyond an end of a chain's segment and beside the segment that goes on from there.
-bool is_beside_neighbour(const ConvexCollider &collider, Vec2 p) {
+bool is_beside_neighbor(const Collider &collider, Vec2 p) {
 	const Vec2 a = collider.vertices[0];
 	const Vec2 b = collider.vertices[1];
 	const Real along = dot(p - a, b - a);
 	if (along < 0) {
-		return collider.joined_at_first && dot(p - a, *collider.joined_at_first - a) > 0;
+		return collider.ghost_at_first && dot(p - a, *collider.ghost_at_first - a) > 0;
 	}
-	return along > length_squared(b - a) && collider.joined_at_second && dot(p - b, *collider.joined_at_second - b) > 0;
+	return along > length_squared(b - a) && collider.ghost_at_second && dot(p - b, *collider.ghost_at_second - b) > 0;
 }
 
 } // namespace
 
-SurfaceDistance surface_distance(const ConvexCollider &collider, Vec2 p, Real least_radius) {
+SurfaceDistance surface_distance(const Collider &collider, Vec2 p, Real least_radius) {
 	const std::vector<Vec2> &vertices = collider.vertices;
 	const Real radius = std::max(collider.radius, least_radius);
 	switch (vertices.size()) {
@@ -233,7 +233,7 @@ SurfaceDistance surface_distance(const ConvexCollider &collider, Vec2 p, Real le
 	}
 }
 
-std::optional<PointContact> find_point_contact(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop) {
+std::optional<PointContact> find_point_contact(const Collider &collider, Vec2 from, Vec2 to, Real slop) {
 	const std::size_t count = collider.vertices.size();
 	const Real radius = count == 2 ? std::max(collider.radius, slop) : collider.radius;
 	std::optional<PointContact> contact;
@@ -248,7 +248,7 @@ std::optional<PointContact> find_point_contact(const ConvexCollider &collider, V
 	}
 	if (!contact && (count < 3 || collider.radius > 0)) {
 		const SurfaceDistance surface = surface_distance(collider, to, radius);
-		if (surface.distance < 0 && !(count == 2 && is_beside_neighbour(collider, to))) {
+		if (surface.distance < 0 && !(count == 2 && is_beside_neighbor(collider, to))) {
 			contact = PointContact{ surface.normal, -surface.distance };
 		}
 	}

@@ -18,7 +18,7 @@ struct SurfaceDistance {
 /// Distance of p from the surface. Exact everywhere for rounded and concave shapes and inside polygons; outside a
 /// convex polygon without rounding it is the largest distance to a face line, a lower bound that has the right
 /// sign. `least_radius` thickens shapes of fewer than three vertices, which have no inside. O(vertices).
-SurfaceDistance surface_distance(const ConvexCollider &collider, Vec2 p, Real least_radius = 0);
+SurfaceDistance surface_distance(const Collider &collider, Vec2 p, Real least_radius = 0);
 
 /// A point that went into or through a collider.
 struct PointContact {
@@ -33,6 +33,6 @@ struct PointContact {
 /// leaves by the edge it came in by, or by the nearest if it started inside. Points
 /// that passed right through are caught too (swept test). `slop` [length] > 0 is the half thickness
 /// of bare segments and the tolerance of "in front". O(vertices).
-std::optional<PointContact> find_point_contact(const ConvexCollider &collider, Vec2 from, Vec2 to, Real slop);
+std::optional<PointContact> find_point_contact(const Collider &collider, Vec2 from, Vec2 to, Real slop);
 
 } // namespace softbody

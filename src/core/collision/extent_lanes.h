@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much room bodies side by side take: `TouchingBody::measure_extent` for any scalar type.
+// How much room bodies side by side take: `SolverBody::measure_extent` for any scalar type.
 #pragma once
 
 #include "core/base/pack.h"
@@ -11,12 +11,12 @@
 
 namespace softbody {
 
-/// As in `TouchingBody`, a number for each lane.
+/// As in `SolverBody`, a number for each lane.
 template <class T>
 struct BasicExtent {
 	BasicVec2<T> min; ///< of the box
 	BasicVec2<T> max;
-	BasicVec2<T> centre;
+	BasicVec2<T> center;
 	T radius;
 	T way;
 };
@@ -33,14 +33,14 @@ BasicExtent<T> measure_extent(std::span<const BasicVec2<T>> now, std::span<const
 		max = { greater(p.x, max.x), greater(p.y, max.y) };
 		longest = greater(length_squared(p - before[i]), longest);
 	}
-	const BasicVec2<T> centre = (min + max) * T(Real(0.5));
+	const BasicVec2<T> center = (min + max) * T(Real(0.5));
 	T farthest(0);
 	for (const BasicVec2<T> &p : now) {
-		farthest = greater(length_squared(p - centre), farthest);
+		farthest = greater(length_squared(p - center), farthest);
 	}
 	const T way = sqrt(longest);
 	const BasicVec2<T> margin{ way, way };
-	return { min - margin, max + margin, centre, sqrt(farthest) + way, way };
+	return { min - margin, max + margin, center, sqrt(farthest) + way, way };
 }
 
 } // namespace softbody

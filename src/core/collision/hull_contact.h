@@ -45,7 +45,7 @@ private:
 	std::optional<HullContact> contact_at(std::size_t edge, Vec2 p) const;
 
 	// Room for 32 edges at once, so that the buffers of threads that work beside each other are lines of the cache apart
-	// from the start (two threads answered the contacts of 6,000 bodies in 1.8 times less time so, 1.3 without).
+	// from the start (two threads solved the contacts of 6,000 bodies in 1.8 times less time so, 1.3 without).
 	std::vector<EdgePack> edges_ = std::vector<EdgePack>(8);
 	std::span<const Vec2> hull_;
 };

@@ -29,7 +29,7 @@ Place place_of(Vec2 p, Vec2 direction) {
 
 // How far the front of the collider reaches along its direction, beside the given place across it: the edges, moved out
 // by the radius, and the round corners.
-Real front_at(Real across, const ConvexCollider &collider) {
+Real front_at(Real across, const Collider &collider) {
 	const std::vector<Vec2> &vertices = collider.vertices;
 	Real front = NOWHERE;
 	for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -77,7 +77,7 @@ Real hull_behind(std::span<const Vec2> hull, const Place &from, Vec2 direction) 
 
 } // namespace
 
-std::uint64_t one_way_name(const ConvexCollider &collider) {
+std::uint64_t one_way_name(const Collider &collider) {
 	Hash hash;
 	for (const Vec2 vertex : collider.vertices) {
 		hash.add(vertex);
@@ -88,7 +88,7 @@ std::uint64_t one_way_name(const ConvexCollider &collider) {
 	return hash.value();
 }
 
-Real one_way_depth(std::span<const Vec2> hull, const ConvexCollider &collider, Real raised) {
+Real one_way_depth(std::span<const Vec2> hull, const Collider &collider, Real raised) {
 	if (!bounding_box(hull).overlaps(collider.bounds().grown(raised))) {
 		return 0;
 	}
@@ -113,7 +113,7 @@ Real one_way_depth(std::span<const Vec2> hull, const ConvexCollider &collider, R
 	return deepest;
 }
 
-OneWay::OneWay(SoftBodyData &body, const ConvexCollider &collider, const ColliderMotion &motion, Real length_unit) :
+OneWay::OneWay(SoftBodyData &body, const Collider &collider, const ColliderMotion &motion, Real length_unit) :
 		body_(body), collider_(collider), motion_(motion), name_(one_way_name(collider)),
 		margin_(collider.one_way_margin < 0 ? ONE_WAY_MARGIN * length_unit : collider.one_way_margin) {
 	recall();
@@ -196,7 +196,7 @@ void OneWay::hold(std::span<const Vec2> hull_now, std::vector<Vec2> &scratch) {
 	}
 }
 
-bool is_passing(const SoftBodyData &body, const ConvexCollider &collider) {
+bool is_passing(const SoftBodyData &body, const Collider &collider) {
 	if (!collider.is_one_way() || body.one_ways().empty()) {
 		return false;
 	}

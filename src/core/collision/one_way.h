@@ -14,19 +14,19 @@
 namespace softbody {
 
 /// By what a body remembers a one-way collider, however often the list of colliders is made anew. O(vertices).
-std::uint64_t one_way_name(const ConvexCollider &collider);
+std::uint64_t one_way_name(const Collider &collider);
 
 /// How deep a hull, given in the collider's frame, is in a one-way collider, along its direction [length]: the most that a
 /// place of its front, moved out by `raised`, is inside the hull, or a hull point inside the collider. 0 where they do not
 /// overlap. O(hull points² + hull points × vertices).
-Real one_way_depth(std::span<const Vec2> hull, const ConvexCollider &collider, Real raised = 0);
+Real one_way_depth(std::span<const Vec2> hull, const Collider &collider, Real raised = 0);
 
 /// One body and one collider that holds from one side, in one substep. All must outlive it.
 class OneWay {
 public:
-	OneWay(SoftBodyData &body, const ConvexCollider &collider, const ColliderMotion &motion, Real length_unit);
+	OneWay(SoftBodyData &body, const Collider &collider, const ColliderMotion &motion, Real length_unit);
 
-	/// Once a substep, before any collider is answered: decides by where the hull is when the substep begins, and by what
+	/// Once a substep, before any collider is solved: decides by where the hull is when the substep begins, and by what
 	/// the body remembers. It passes until it is clear, and is held until it is farther away than the margin.
 	void begin_substep(std::span<const Vec2> hull_before, std::vector<Vec2> &scratch);
 	bool passes() const { return passes_; }
@@ -48,7 +48,7 @@ private:
 	Real depth_of(std::span<const Vec2> hull, const Pose &pose, Real raised, std::vector<Vec2> &scratch) const;
 
 	SoftBodyData &body_;
-	const ConvexCollider &collider_;
+	const Collider &collider_;
 	const ColliderMotion &motion_;
 	std::uint64_t name_ = 0;
 	Real margin_ = 0;
@@ -57,6 +57,6 @@ private:
 };
 
 /// Whether a body is on its way through the collider, as it remembers.
-bool is_passing(const SoftBodyData &body, const ConvexCollider &collider);
+bool is_passing(const SoftBodyData &body, const Collider &collider);
 
 } // namespace softbody

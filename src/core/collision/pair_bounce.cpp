@@ -16,10 +16,10 @@ namespace {
 struct Bouncing {
 	SoftBodyData &body;
 	BodyFrame frame;
-	Real mobility; // of the body as a whole; 0 where a point is pinned
+	Real inverse_mass; // of the body as a whole; 0 where a point is pinned
 
 	Vec2 rigid_velocity(std::size_t i) const {
-		return frame.velocity + perpendicular(body.positions()[i] - frame.centre) * frame.angular_velocity;
+		return frame.velocity + perpendicular(body.positions()[i] - frame.center) * frame.angular_velocity;
 	}
 	double kinetic_energy() const {
 		double twice = 0;
@@ -56,21 +56,21 @@ void give_back_pair_bounce(SoftBodyData &first, SoftBodyData &second, Vec2 push,
 		return;
 	}
 	std::array<Bouncing, 2> pair = { bouncing(first), bouncing(second) };
-	const Real mobility = pair[0].mobility + pair[1].mobility;
-	const Vec2 line = pair[0].frame.centre - pair[1].frame.centre;
+	const Real inverse_mass = pair[0].inverse_mass + pair[1].inverse_mass;
+	const Vec2 line = pair[0].frame.center - pair[1].frame.center;
 	const Real distance = length(line);
-	if (!(mobility > 0) || !(distance > 0)) {
+	if (!(inverse_mass > 0) || !(distance > 0)) {
 		return;
 	}
 	const Vec2 normal = line * (1 / distance);
 	const Real leaving = dot(pair[0].frame.velocity - pair[1].frame.velocity, normal);
 	if (push != Vec2{}) {
 		// What this substep's contacts have just taken belongs to the approach.
-		const Real approach = dot(push, normal) * mobility - leaving;
+		const Real approach = dot(push, normal) * inverse_mass - leaving;
 		if (!touch.touching) {
 			touch.approach = 0;
 			touch.energy = pair[0].kinetic_energy() + pair[1].kinetic_energy() +
-					double(approach * approach - leaving * leaving) / (2 * double(mobility));
+					double(approach * approach - leaving * leaving) / (2 * double(inverse_mass));
 		} else if (std::abs(approach) <= bounce_threshold) {
 			touch.approach *= std::max(Real(0), 1 - h / BOUNCE_MEMORY); // as on a surface
 		}
@@ -87,23 +87,23 @@ void give_back_pair_bounce(SoftBodyData &first, SoftBodyData &second, Vec2 push,
 		double wobble = 0;
 		for (const Bouncing &body : pair) {
 			energy += body.kinetic_energy();
-			wobble += body.mobility > 0 ? body.wobble_energy() : 0.0;
+			wobble += body.inverse_mass > 0 ? body.wobble_energy() : 0.0;
 		}
 		// What the contacts have destroyed may be given back, then what wobbles; on average as much as moves is wound up.
-		const double price = double(wanted * wanted - leaving * leaving) / (2 * double(mobility));
+		const double price = double(wanted * wanted - leaving * leaving) / (2 * double(inverse_mass));
 		const double lost = std::max(0.0, touch.energy - energy - wobble);
 		const double from_wobble = std::clamp(price - lost, 0.0, wobble);
 		const double paid = std::min(price, lost + from_wobble);
 		const Real keep = Real(std::sqrt(1 - from_wobble / std::max(wobble, 1e-300)));
-		const Real parting = std::sqrt(leaving * leaving + 2 * mobility * Real(paid));
-		const Vec2 impulse = normal * ((parting - leaving) / mobility);
+		const Real parting = std::sqrt(leaving * leaving + 2 * inverse_mass * Real(paid));
+		const Vec2 impulse = normal * ((parting - leaving) / inverse_mass);
 		if (!is_finite(impulse) || !std::isfinite(keep)) {
 			touch = {};
 			return; // who is about to be reset must not take the other along
 		}
 		for (Bouncing &body : pair) {
-			if (body.mobility > 0) {
-				body.change(impulse * (&body == &pair[0] ? body.mobility : -body.mobility), keep);
+			if (body.inverse_mass > 0) {
+				body.change(impulse * (&body == &pair[0] ? body.inverse_mass : -body.inverse_mass), keep);
 			}
 		}
 	}

@@ -3,7 +3,7 @@
 #include "core/collision/pair_contacts.h"
 
 #include "core/base/constants.h"
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 
 #include <algorithm>
 #include <numeric>
@@ -17,7 +17,7 @@ constexpr std::size_t BODIES_A_TASK = 64;
 constexpr std::size_t GROUPS_A_TASK = 4;
 
 // How many pairs before its turn what is known of a body is asked for, and then its points. Together 3 % of a step of
-// 12,800 bodies in a heap on two threads.
+// 12,800 bodies in a pile on two threads.
 constexpr std::uint32_t BODIES_AHEAD = 8;
 constexpr std::uint32_t POINTS_AHEAD = 4;
 
@@ -26,25 +26,25 @@ constexpr std::uint32_t POINTS_AHEAD = 4;
 #if defined(__GNUC__) || defined(__clang__)
 [[gnu::always_inline]]
 #endif
-inline void ask_ahead(std::span<const TouchingBody> bodies, std::span<const BodyPair> pairs, std::uint32_t now) {
+inline void prefetch_pairs(std::span<const SolverBody> bodies, std::span<const BodyPair> pairs, std::uint32_t now) {
 #if defined(__GNUC__) || defined(__clang__)
 	constexpr std::size_t LINE = 64; // bytes of a line of the cache, on nearly all processors
 	if (now + BODIES_AHEAD < pairs.size()) {
 		const BodyPair pair = pairs[now + BODIES_AHEAD];
-		for (const std::uint32_t row : { pair.a, pair.b }) {
-			const char *body = reinterpret_cast<const char *>(&bodies[row]);
+		for (const std::uint32_t active_index : { pair.a, pair.b }) {
+			const char *body = reinterpret_cast<const char *>(&bodies[active_index]);
 			__builtin_prefetch(body);
 			__builtin_prefetch(body + LINE);
 		}
 	}
 	if (now + POINTS_AHEAD < pairs.size()) {
 		const BodyPair pair = pairs[now + POINTS_AHEAD];
-		for (const std::uint32_t row : { pair.a, pair.b }) {
-			const char *points = reinterpret_cast<const char *>(bodies[row].positions.data()); // velocities follow
+		for (const std::uint32_t active_index : { pair.a, pair.b }) {
+			const char *points = reinterpret_cast<const char *>(bodies[active_index].positions.data()); // velocities follow
 			__builtin_prefetch(points, 1);
 			__builtin_prefetch(points + LINE, 1);
 			__builtin_prefetch(points + 2 * LINE, 1);
-			__builtin_prefetch(bodies[row].before.data());
+			__builtin_prefetch(bodies[active_index].before.data());
 		}
 	}
 #else
@@ -54,29 +54,29 @@ inline void ask_ahead(std::span<const TouchingBody> bodies, std::span<const Body
 #endif
 }
 
-constexpr std::uint32_t NO_ROW = UINT32_MAX; // removed, or inactive
+constexpr std::uint32_t NOT_ACTIVE = UINT32_MAX; // removed, or inactive
 
-std::uint32_t row_of(const PairBodies &bodies, BodyId id) {
+std::uint32_t active_index_of(const PairBodies &bodies, BodyId id) {
 	const SoftBodyData *body = bodies.world.find(id);
 	if (body == nullptr) {
-		return NO_ROW;
+		return NOT_ACTIVE;
 	}
-	const std::uint32_t place = std::uint32_t(body - bodies.world.soft_bodies().data());
-	const auto found = std::ranges::lower_bound(bodies.places, place);
-	return found != bodies.places.end() && *found == place ? std::uint32_t(found - bodies.places.begin()) : NO_ROW;
+	const std::uint32_t body_index = std::uint32_t(body - bodies.world.soft_bodies().data());
+	const auto found = std::ranges::lower_bound(bodies.body_indices, body_index);
+	return found != bodies.body_indices.end() && *found == body_index ? std::uint32_t(found - bodies.body_indices.begin()) : NOT_ACTIVE;
 }
 
 // Of gravity, and of what the body has of its own.
-Real pull_on(const PairBodies &bodies, std::uint32_t row) {
+Real pull_on(const PairBodies &bodies, std::uint32_t active_index) {
 	const Real gravity = length(bodies.world.gravity());
-	const SoftBodyData &body = bodies.data(row);
+	const SoftBodyData &body = bodies.data(active_index);
 	return body.acceleration() == Vec2{} ? gravity : std::max(gravity, length(body.total_acceleration(bodies.world.gravity())));
 }
 
 } // namespace
 
 PairContacts::PairContacts() :
-		handlings_(MOST_SLICES), contacts_(MOST_SLICES) {}
+		solvers_(MOST_SLICES), contacts_(MOST_SLICES) {}
 
 void PairContacts::begin_arranging() {
 	boxes_.clear();
@@ -107,7 +107,7 @@ void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t v
 	}
 	run_slices(parallel_for, boxes_.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
-			const TouchingBody &body = bodies.touching[i];
+			const SolverBody &body = bodies.solver_bodies[i];
 			boxes_[i].rests = bodies.asleep[i] != 0;
 			boxes_[i].box = bodies.asleep[i] ? body.box : sweep_box(body.positions.first(body.before.size()), body.velocities, dt);
 		}
@@ -127,10 +127,10 @@ void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t v
 void PairContacts::find_exceptions(const PairBodies &bodies, std::span<const BodyPair> separated) {
 	exceptions_.assign(separated.begin(), separated.end());
 	for (const auto &[a, b] : bodies.world.collision_exceptions()) {
-		const std::uint32_t row = row_of(bodies, a);
-		const std::uint32_t other = row_of(bodies, b);
-		if (row != NO_ROW && other != NO_ROW) {
-			exceptions_.push_back({ std::min(row, other), std::max(row, other) });
+		const std::uint32_t active_index = active_index_of(bodies, a);
+		const std::uint32_t other = active_index_of(bodies, b);
+		if (active_index != NOT_ACTIVE && other != NOT_ACTIVE) {
+			exceptions_.push_back({ std::min(active_index, other), std::max(active_index, other) });
 		}
 	}
 	std::ranges::sort(exceptions_);
@@ -141,11 +141,11 @@ void PairContacts::recall_touches(const PairBodies &bodies) {
 		return;
 	}
 	open_.clear();
-	for (std::uint32_t row = 0; row < boxes_.size(); ++row) {
-		for (const PairMemory &memory : bodies.data(row).pair_memories()) {
-			const std::uint32_t other = row_of(bodies, memory.other);
-			if (other != NO_ROW) {
-				open_.push_back({ { std::min(row, other), std::max(row, other) }, memory.touch });
+	for (std::uint32_t active_index = 0; active_index < boxes_.size(); ++active_index) {
+		for (const PairMemory &memory : bodies.data(active_index).pair_memories()) {
+			const std::uint32_t other = active_index_of(bodies, memory.other);
+			if (other != NOT_ACTIVE) {
+				open_.push_back({ { std::min(active_index, other), std::max(active_index, other) }, memory.touch });
 			}
 		}
 	}
@@ -161,32 +161,32 @@ void PairContacts::recall_touches(const PairBodies &bodies) {
 
 void PairContacts::begin_substeps(const PairBodies &bodies, Real h) {
 	h_ = h;
-	for (PairHandling &handling : handlings_) {
+	for (PairContactSolver &handling : solvers_) {
 		handling.begin_substep(h);
 		handling.begin_response(bodies.world);
 	}
 }
 
-void PairContacts::answer(const PairBodies &bodies, const HeapTurn &turn, const ParallelFor &parallel_for) {
+void PairContacts::solve(const PairBodies &bodies, const SubstepGroup &group, const ParallelFor &parallel_for) {
 	if (!is_used_) {
 		return; // coupled by a rigid body alone
 	}
 	const auto bounce_threshold = [&](BodyPair pair) {
 		return RESTITUTION_SUBSTEPS * h_ * std::max(pull_on(bodies, pair.a), pull_on(bodies, pair.b));
 	};
-	for (std::size_t colour = 0; colour < broad_phase_.colour_count(); ++colour) {
-		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(colour);
+	for (std::size_t color = 0; color < broad_phase_.color_count(); ++color) {
+		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(color);
 		run_slices(parallel_for, groups.size(), GROUPS_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
-			PairHandling &handling = handlings_[task];
+			PairContactSolver &handling = solvers_[task];
 			std::uint64_t all_contacts = 0;
 			const std::span<const BodyPair> ours = pairs().first(groups[end - 1].end);
 			for (std::uint32_t k = groups[begin].begin; k < ours.size(); ++k) {
-				ask_ahead(bodies.touching, ours, k);
+				prefetch_pairs(bodies.solver_bodies, ours, k);
 				const BodyPair pair = ours[k];
-				if (!turn.has(pair.a) && !turn.has(pair.b)) {
+				if (!group.has(pair.a) && !group.has(pair.b)) {
 					continue;
 				}
-				const std::size_t contacts = handling.handle(bodies.touching[pair.a], bodies.touching[pair.b]);
+				const std::size_t contacts = handling.handle(bodies.solver_bodies[pair.a], bodies.solver_bodies[pair.b]);
 				all_contacts += contacts;
 				touched_[k] |= char(contacts > 0);
 				impulses_[k] += handling.last_impulse();
@@ -205,7 +205,7 @@ void PairContacts::resist_rolling(const PairBodies &bodies) {
 	for (std::size_t i = 0; i < all.size(); ++i) {
 		const auto [a, b] = all[i];
 		if (impulses_[i] > 0 && !bodies.asleep[a] && !bodies.asleep[b]) {
-			resist_pair_rolling(bodies.touching[a], bodies.touching[b], impulses_[i]);
+			resist_pair_rolling(bodies.solver_bodies[a], bodies.solver_bodies[b], impulses_[i]);
 		}
 	}
 }
@@ -214,13 +214,13 @@ void PairContacts::end_step(const PairBodies &bodies) {
 	if (!is_used_ || !bounces_) {
 		return;
 	}
-	for (std::uint32_t row = 0; row < boxes_.size(); ++row) {
-		bodies.data(row).pair_memories().clear();
+	for (std::uint32_t active_index = 0; active_index < boxes_.size(); ++active_index) {
+		bodies.data(active_index).pair_memories().clear();
 	}
 	const std::span<const BodyPair> all = pairs();
 	for (std::size_t i = 0; i < all.size(); ++i) {
 		if (touches_[i].touching) {
-			bodies.data(all[i].a).pair_memories().push_back({ bodies.world.id_at(bodies.places[all[i].b]), touches_[i] });
+			bodies.data(all[i].a).pair_memories().push_back({ bodies.world.id_at(bodies.body_indices[all[i].b]), touches_[i] });
 		}
 	}
 }

@@ -15,7 +15,7 @@ constexpr std::size_t BODIES_A_TASK = 8;
 
 } // namespace
 
-void RigidContacts::begin_step(WorldData &world, const SurroundingsIndex &surroundings) {
+void RigidContacts::begin_step(WorldData &world, const ColliderIndex &surroundings) {
 	world_ = &world;
 	surroundings_ = &surroundings;
 	bodies_.clear();
@@ -61,7 +61,7 @@ void RigidContacts::find(const NearBody &near, Task &task) const {
 	surroundings_->collect_dynamic(swept, task.colliders);
 	const Real slop = LINEAR_SLOP * world_->length_unit();
 	for (const std::uint32_t i : task.colliders) {
-		const ConvexCollider &collider = world_->colliders()[i];
+		const Collider &collider = world_->colliders()[i];
 		if (!notices(body, collider.surface)) {
 			continue;
 		}
@@ -87,13 +87,13 @@ void RigidContacts::find(const NearBody &near, Task &task) const {
 		}
 		for (std::uint32_t corner = 0; corner < collider.vertices.size(); ++corner) {
 			if (const auto at = find_contact_of_corner(hull, swept, collider, corner, motion, slop)) {
-				add(*at, Sighting::CORNER | corner);
+				add(*at, ContactPoint::CORNER | corner);
 			}
 		}
 	}
 }
 
-std::uint64_t RigidContacts::answer(const ParallelFor &parallel_for) {
+std::uint64_t RigidContacts::solve(const ParallelFor &parallel_for) {
 	const std::size_t tasks = std::clamp<std::size_t>(bodies_.size() / BODIES_A_TASK, 1, TASKS);
 	run_tasks(parallel_for, tasks, [&](std::size_t task) {
 		tasks_[task].contacts.clear();
@@ -126,23 +126,23 @@ std::uint64_t RigidContacts::answer(const ParallelFor &parallel_for) {
 // A held body has less inverse mass along s, the direction in which it is held, by the share a: W = (1 - a s sᵀ) / m. So a
 // contact that presses the body against its support finds it there, where with the mass alone the two would sink together
 // until the engine puts the body back. With h = s sqrt(a), W x = (x - h (h · x)) / m.
-Vec2 RigidContacts::mobility_along(const Contact &contact, Vec2 impulse) const {
+Vec2 RigidContacts::inverse_mass_along(const Contact &contact, Vec2 impulse) const {
 	return (impulse - contact.held * dot(contact.held, impulse)) * world_->rigid_bodies()[contact.rigid_body].inverse_mass;
 }
 
 // An impulse J n on the place and its opposite on the rigid body change their relative normal velocity by J k with
-// k = w + 1/m + (r × n)² / I; w = w_a (1-t)² + w_b t² as in `answer_contact`.
+// k = w + 1/m + (r × n)² / I; w = w_a (1-t)² + w_b t² as in `solve_surface_contact`.
 void RigidContacts::prepare(Contact &contact) {
 	const auto [a, b, t] = contact.at.place;
 	const RigidBody &rigid = world_->rigid_bodies()[contact.rigid_body];
 	const std::span<const Real> inverse_masses = contact.body->inverse_masses();
 	const Real share_a = 1 - t;
 	const Real share_b = a == b ? Real(0) : t;
-	contact.mobility_a = inverse_masses[a] * share_a;
-	contact.mobility_b = inverse_masses[b] * share_b;
-	contact.mobility = std::max(contact.mobility_a * share_a + contact.mobility_b * share_b,
-			LEAST_EDGE_MOBILITY * std::max(inverse_masses[a], inverse_masses[b]));
-	contact.arm = contact.place - rigid.centre();
+	contact.inverse_mass_a = inverse_masses[a] * share_a;
+	contact.inverse_mass_b = inverse_masses[b] * share_b;
+	contact.inverse_mass = std::max(contact.inverse_mass_a * share_a + contact.inverse_mass_b * share_b,
+			LEAST_EDGE_INVERSE_MASS * std::max(inverse_masses[a], inverse_masses[b]));
+	contact.arm = contact.place - rigid.center();
 	const Real share = length(rigid.support);
 	const bool is_pressed = share > 0 && dot(contact.at.normal, rigid.support) > 0;
 	contact.held = is_pressed ? rigid.support * (1 / std::sqrt(share)) : Vec2{};
@@ -151,7 +151,7 @@ void RigidContacts::prepare(Contact &contact) {
 	const Real side_lever = cross(contact.arm, perpendicular(contact.at.normal));
 	const auto straight = [&](Vec2 direction) {
 		const Real along = dot(contact.held, direction);
-		return contact.mobility + rigid.inverse_mass * (1 - along * along);
+		return contact.inverse_mass + rigid.inverse_mass * (1 - along * along);
 	};
 	contact.normal_response = straight(contact.at.normal) + contact.inverse_inertia * lever * lever;
 	contact.tangent_response = straight(perpendicular(contact.at.normal)) + contact.inverse_inertia * side_lever * side_lever;
@@ -192,23 +192,23 @@ void RigidContacts::push(Contact &contact) {
 void RigidContacts::apply(Contact &contact, Vec2 impulse) {
 	RigidBody &rigid = world_->mutable_rigid_bodies()[contact.rigid_body];
 	const Real turning = cross(contact.arm, impulse);
-	if (!rigid.change_velocities(-mobility_along(contact, impulse), -turning * contact.inverse_inertia)) {
+	if (!rigid.change_velocities(-inverse_mass_along(contact, impulse), -turning * contact.inverse_inertia)) {
 		return; // as for what is about to be reset
 	}
 	const HullPlace &place = contact.at.place;
 	const std::span<Vec2> v = contact.body->mutable_velocities();
-	v[place.a] += impulse * contact.mobility_a;
+	v[place.a] += impulse * contact.inverse_mass_a;
 	if (place.a != place.b) {
-		v[place.b] += impulse * contact.mobility_b;
+		v[place.b] += impulse * contact.inverse_mass_b;
 	}
 	Reaction &reaction = world_->mutable_reactions()[contact.rigid_body];
 	reaction.impulse -= impulse;
 	reaction.angular_impulse -= turning;
 }
 
-// With the way slid that friction takes back, as in `answer_contact`. Other contacts may have moved the place already.
+// With the way slid that friction takes back, as in `solve_surface_contact`. Other contacts may have moved the place already.
 void RigidContacts::move_out(Contact &contact) {
-	if (!(contact.mobility > 0) || !(contact.normal_response > 0)) {
+	if (!(contact.inverse_mass > 0) || !(contact.normal_response > 0)) {
 		return;
 	}
 	const auto [a, b, t] = contact.at.place;
@@ -216,10 +216,10 @@ void RigidContacts::move_out(Contact &contact) {
 	const Vec2 moved = x[a] * (1 - t) + x[b] * t - contact.place;
 	const Real depth = std::max(contact.at.depth - dot(moved, contact.at.normal), Real(0));
 	const Real braked = contact.tangent_impulse * contact.tangent_response * h_;
-	const Vec2 shift = (contact.at.normal * depth + perpendicular(contact.at.normal) * braked) * (1 / contact.mobility);
-	x[a] += shift * contact.mobility_a;
+	const Vec2 shift = (contact.at.normal * depth + perpendicular(contact.at.normal) * braked) * (1 / contact.inverse_mass);
+	x[a] += shift * contact.inverse_mass_a;
 	if (a != b) {
-		x[b] += shift * contact.mobility_b;
+		x[b] += shift * contact.inverse_mass_b;
 	}
 }
 

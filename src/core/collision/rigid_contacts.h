@@ -5,7 +5,7 @@
 #include "core/base/parallel_for.h"
 #include "core/collision/collider_contact.h"
 #include "core/collision/contact_log.h"
-#include "core/collision/surroundings_index.h"
+#include "core/collision/collider_index.h"
 #include "core/model/world_data.h"
 
 #include <array>
@@ -15,9 +15,9 @@
 
 namespace softbody {
 
-/// Moves the rigid bodies of the surroundings through a step, and answers the contacts of soft bodies with the dynamic
-/// ones. These couple bodies that are stepped on different threads, so they are answered between substeps: contacts are
-/// found for all bodies at once, in parallel, and then answered together, one after the other in the order of the
+/// Moves the rigid bodies of the surroundings through a step, and solves the contacts of soft bodies with the dynamic
+/// ones. These couple bodies that are stepped on different threads, so they are solved between substeps: contacts are
+/// found for all bodies at once, in parallel, and then solved together, one after the other in the order of the
 /// bodies, so that every contact feels what the ones before it did to the rigid body. Answering all of them from the
 /// same velocity instead would push a light crate on fifty points fifty times too hard, or need the crate divided into
 /// fifty parts (mass splitting), which takes more passes.
@@ -27,7 +27,7 @@ namespace softbody {
 class RigidContacts {
 public:
 	/// Forgets the last step's bodies and reactions. Both must outlive the step.
-	void begin_step(WorldData &world, const SurroundingsIndex &surroundings);
+	void begin_step(WorldData &world, const ColliderIndex &surroundings);
 	/// A soft body that may meet a dynamic collider in this step.
 	void add_body(SoftBodyData &body);
 	bool has_bodies() const { return !bodies_.empty(); }
@@ -36,8 +36,8 @@ public:
 	/// last. In this order a body at rest does not sink by what it gains between two contacts.
 	void begin_substep(Real h);
 	/// Answers every contact of the substep. Returns how many. O(points of the bodies added × colliders near).
-	std::uint64_t answer(const ParallelFor &parallel_for);
-	/// The contacts answered with bodies that are monitored, since it was last cleared.
+	std::uint64_t solve(const ParallelFor &parallel_for);
+	/// The contacts solved with bodies that are monitored, since it was last cleared.
 	ContactLog &log() { return log_; }
 	/// Moves the kinematic bodies to the end of a step of `dt` [s].
 	void end_step(Real dt);
@@ -50,23 +50,23 @@ private:
 		SoftBodyData *body = nullptr;
 		std::size_t first_before = 0; ///< of its hull points in `before_`
 	};
-	/// Ready to be answered, and what it has got so far.
+	/// Ready to be solved, and what it has got so far.
 	struct Contact {
 		SoftBodyData *body = nullptr;
 		SurfaceContact at;
 		std::uint32_t rigid_body = 0;
 		std::uint32_t collider = 0;
-		std::uint32_t feature = 0; ///< see Sighting
+		std::uint32_t feature = 0; ///< see ContactPoint
 		Vec2 place; ///< where it was found
 		Vec2 belt; ///< velocity of the collider's surface beyond that of its body [length/s]
-		Vec2 arm; ///< from the rigid body's centre of mass
+		Vec2 arm; ///< from the rigid body's center of mass
 		Vec2 held; ///< the direction in which the rigid body is held, times the root of the share that is taken
 		Real inverse_inertia = 0; ///< of the rigid body, as held
 		Real friction = 0;
 		Real restitution = 0;
-		Real mobility_a = 0; ///< share times inverse mass of the ends of the place
-		Real mobility_b = 0;
-		Real mobility = 0; ///< of the place
+		Real inverse_mass_a = 0; ///< share times inverse mass of the ends of the place
+		Real inverse_mass_b = 0;
+		Real inverse_mass = 0; ///< of the place
 		Real normal_response = 0; ///< change of relative velocity per impulse
 		Real tangent_response = 0;
 		Real wanted = 0; ///< normal relative velocity [length/s]
@@ -84,11 +84,11 @@ private:
 	void push(Contact &contact);
 	void apply(Contact &contact, Vec2 impulse);
 	Vec2 relative_velocity(const Contact &contact) const;
-	Vec2 mobility_along(const Contact &contact, Vec2 impulse) const;
+	Vec2 inverse_mass_along(const Contact &contact, Vec2 impulse) const;
 	void note(const Contact &contact);
 
 	WorldData *world_ = nullptr;
-	const SurroundingsIndex *surroundings_ = nullptr;
+	const ColliderIndex *surroundings_ = nullptr;
 	std::vector<NearBody> bodies_;
 	std::vector<Vec2> before_; ///< hull points at the start of the substep
 	std::vector<Pose> from_; ///< of every rigid body, at the start of the substep

@@ -45,17 +45,17 @@ void restore_angular_momentum(SoftBodyData &body, std::span<const Vec2> hull, Ve
 	const auto arm_of = [&](std::size_t i) {
 		return i < body.shape().hull_count() ? difference(hull[i], {}) : difference(body.positions()[i], origin);
 	};
-	Vec2d centre;
+	Vec2d center;
 	double mass = 0;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
 		const double own = 1 / double(body.inverse_masses()[i]);
-		centre = centre + arm_of(i) * own;
+		center = center + arm_of(i) * own;
 		mass += own;
 	}
-	centre = centre * (1 / mass);
+	center = center * (1 / mass);
 	double inertia = 0;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		const Vec2d arm = arm_of(i) - centre;
+		const Vec2d arm = arm_of(i) - center;
 		inertia += dot(arm, arm) / double(body.inverse_masses()[i]);
 	}
 	if (!(inertia > 0)) {
@@ -63,7 +63,7 @@ void restore_angular_momentum(SoftBodyData &body, std::span<const Vec2> hull, Ve
 	}
 	const double spin = (wanted - angular_momentum(body, hull, origin)) / inertia;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		const Vec2d arm = arm_of(i) - centre;
+		const Vec2d arm = arm_of(i) - center;
 		body.mutable_velocities()[i] += Vec2(Vec2d{ -arm.y, arm.x } * spin);
 	}
 }
@@ -96,7 +96,7 @@ std::size_t SelfCollision::handle(SoftBodyData &body, std::span<const Vec2> befo
 				spin = !body.is_free() ? 0 : angular_momentum(body, to_, origin_);
 			}
 			++contacts;
-			answer(body, point, edge, *contact, h);
+			solve(body, point, edge, *contact, h);
 		});
 		if (contacts == known) {
 			break;
@@ -181,8 +181,8 @@ SelfCollision::Boxes SelfCollision::edge_boxes(std::uint32_t run) const {
 	return boxes;
 }
 
-// A tree of boxes over the order of the hull, PACK_WIDTH of each level in one of the next: neighbours on the hull are
-// neighbours in the plane, so that nothing needs to be sorted.
+// A tree of boxes over the order of the hull, PACK_WIDTH of each level in one of the next: neighbors on the hull are
+// neighbors in the plane, so that nothing needs to be sorted.
 void SelfCollision::build_boxes() {
 	std::fill(to_.begin() + count_, to_.end(), to_[0]);
 	boxes_.clear();
@@ -210,7 +210,7 @@ void SelfCollision::build_boxes() {
 }
 
 // Whether two runs in a row go on in one direction, at the start, at the end and so all along: a chain that does meets
-// no part of itself. Most of a hull is such, and its neighbouring runs, whose boxes always overlap, need no other look.
+// no part of itself. Most of a hull is such, and its neighboring runs, whose boxes always overlap, need no other look.
 bool SelfCollision::is_straight(std::uint32_t run, std::uint32_t next) const {
 	const std::uint32_t last = std::min(std::uint32_t((next + 1) * PACK_WIDTH), count_);
 	const std::uint32_t first = run * PACK_WIDTH;
@@ -257,7 +257,7 @@ void SelfCollision::visit_run_pairs(Real gap, const Visit &visit) const {
 		}
 		was_straight = goes_straight;
 		if (runs <= 3) {
-			continue; // all are neighbours
+			continue; // all are neighbors
 		}
 		const Boxes &own = boxes_[run / PACK_WIDTH];
 		const Aabb box{ lane_of(own.min, run % PACK_WIDTH), lane_of(own.max, run % PACK_WIDTH) };
@@ -323,12 +323,12 @@ std::optional<SelfCollision::Contact> SelfCollision::find_contact(std::uint32_t 
 	const double middle = (cross(edge_from, offset_to) + cross(edge_to, offset_from)) / 2;
 	const double last = cross(edge_to, offset_to);
 	if ((first > 0 && middle > 0 && last > 0) || (first < 0 && middle < 0 && last < 0)) {
-		return find_nearness(point, edge, sign_of(first), gap);
+		return find_near_contact(point, edge, sign_of(first), gap);
 	}
 	const std::optional<SegmentImpact> impact = point_segment_impact({ from_[point], to_[point] },
 			{ from_[edge], to_[edge] }, { from_[next], to_[next] });
 	if (!impact) {
-		return find_nearness(point, edge, sign_of(last), gap); // went around an end, if at all
+		return find_near_contact(point, edge, sign_of(last), gap); // went around an end, if at all
 	}
 	// The point came from where f was before: of two roots, the second is met by one that first went around an end.
 	Real side = first == 0 ? side_of_chain(point, edge) : sign_of(first);
@@ -348,7 +348,7 @@ std::optional<SelfCollision::Contact> SelfCollision::find_contact(std::uint32_t 
 }
 
 // A point that stays on its side of the edge, but nearer than the gap.
-std::optional<SelfCollision::Contact> SelfCollision::find_nearness(std::uint32_t point, std::uint32_t edge, Real side,
+std::optional<SelfCollision::Contact> SelfCollision::find_near_contact(std::uint32_t point, std::uint32_t edge, Real side,
 		Real gap) const {
 	const std::uint32_t next = after(edge);
 	const Vec2 way = to_[next] - to_[edge];
@@ -379,21 +379,21 @@ std::optional<SelfCollision::Contact> SelfCollision::find_nearness(std::uint32_t
 // Of an edge that the point starts right on: where the hull comes from and goes to.
 Real SelfCollision::side_of_chain(std::uint32_t point, std::uint32_t edge) const {
 	double sum = 0;
-	for (const std::uint32_t neighbour : { point == 0 ? count_ - 1 : point - 1, after(point) }) {
-		sum += signed_double_area(from_[edge], from_[after(edge)], from_[neighbour]);
+	for (const std::uint32_t neighbor : { point == 0 ? count_ - 1 : point - 1, after(point) }) {
+		sum += signed_double_area(from_[edge], from_[after(edge)], from_[neighbor]);
 	}
 	return sum < 0 ? Real(-1) : Real(1); // in doubt the inner
 }
 
-void SelfCollision::answer(SoftBodyData &body, std::uint32_t point, std::uint32_t edge, const Contact &contact, Real h) {
+void SelfCollision::solve(SoftBodyData &body, std::uint32_t point, std::uint32_t edge, const Contact &contact, Real h) {
 	const std::uint32_t next = after(edge);
 	const Real share_a = 1 - contact.t;
 	const Real share_b = contact.t;
-	const Real mobility_p = body.inverse_masses()[point];
-	const Real mobility_a = body.inverse_masses()[edge] * share_a;
-	const Real mobility_b = body.inverse_masses()[next] * share_b;
-	const Real mobility = mobility_p + mobility_a * share_a + mobility_b * share_b;
-	if (!(mobility > 0)) {
+	const Real inverse_mass_p = body.inverse_masses()[point];
+	const Real inverse_mass_a = body.inverse_masses()[edge] * share_a;
+	const Real inverse_mass_b = body.inverse_masses()[next] * share_b;
+	const Real inverse_mass = inverse_mass_p + inverse_mass_a * share_a + inverse_mass_b * share_b;
+	if (!(inverse_mass > 0)) {
 		return; // pinned
 	}
 	const std::span<Vec2> velocities = body.mutable_velocities();
@@ -413,14 +413,14 @@ void SelfCollision::answer(SoftBodyData &body, std::uint32_t point, std::uint32_
 			push += brake * h;
 		}
 	}
-	push *= 1 / mobility;
-	change *= 1 / mobility;
-	to_[point] += push * mobility_p;
-	velocities[point] += change * mobility_p;
-	to_[edge] -= push * mobility_a;
-	velocities[edge] -= change * mobility_a;
-	to_[next] -= push * mobility_b;
-	velocities[next] -= change * mobility_b;
+	push *= 1 / inverse_mass;
+	change *= 1 / inverse_mass;
+	to_[point] += push * inverse_mass_p;
+	velocities[point] += change * inverse_mass_p;
+	to_[edge] -= push * inverse_mass_a;
+	velocities[edge] -= change * inverse_mass_a;
+	to_[next] -= push * inverse_mass_b;
+	velocities[next] -= change * inverse_mass_b;
 	is_moved_[point] = is_moved_[edge] = is_moved_[next] = 1;
 }
 
@@ -460,8 +460,8 @@ void SelfCollision::hold_zones(SoftBodyData &body) {
 // As a rigid piece from where it was, with the momentum and the angular momentum that its points have.
 void SelfCollision::move_zone(SoftBodyData &body, std::uint32_t zone) {
 	const std::span<Vec2> velocities = body.mutable_velocities();
-	Vec2d centre_from;
-	Vec2d centre_to;
+	Vec2d center_from;
+	Vec2d center_to;
 	Vec2d momentum;
 	double mass = 0;
 	bool is_pinned = false;
@@ -474,8 +474,8 @@ void SelfCollision::move_zone(SoftBodyData &body, std::uint32_t zone) {
 	};
 	for_points([&](std::uint32_t i, double own) {
 		is_pinned |= body.inverse_masses()[i] == 0;
-		centre_from = centre_from + difference(from_[i], {}) * own;
-		centre_to = centre_to + difference(to_[i], {}) * own;
+		center_from = center_from + difference(from_[i], {}) * own;
+		center_to = center_to + difference(to_[i], {}) * own;
 		momentum = momentum + difference(velocities[i], {}) * own;
 		mass += own;
 	});
@@ -487,16 +487,16 @@ void SelfCollision::move_zone(SoftBodyData &body, std::uint32_t zone) {
 		});
 		return;
 	}
-	centre_from = centre_from * (1 / mass);
-	centre_to = centre_to * (1 / mass);
+	center_from = center_from * (1 / mass);
+	center_to = center_to * (1 / mass);
 	const Vec2d velocity = momentum * (1 / mass);
 	double along = 0;
 	double across = 0;
 	double angular = 0;
 	double inertia = 0;
 	for_points([&](std::uint32_t i, double own) {
-		const Vec2d q = difference(from_[i], {}) - centre_from;
-		const Vec2d r = difference(to_[i], {}) - centre_to;
+		const Vec2d q = difference(from_[i], {}) - center_from;
+		const Vec2d r = difference(to_[i], {}) - center_to;
 		along += own * dot(q, r);
 		across += own * cross(q, r);
 		angular += own * cross(r, difference(velocities[i], {}) - velocity);
@@ -507,9 +507,9 @@ void SelfCollision::move_zone(SoftBodyData &body, std::uint32_t zone) {
 	const double s = norm > 0 ? across / norm : 0.0;
 	const double spin = inertia > 0 ? angular / inertia : 0.0;
 	for_points([&](std::uint32_t i, double) {
-		const Vec2d q = difference(from_[i], {}) - centre_from;
+		const Vec2d q = difference(from_[i], {}) - center_from;
 		const Vec2d r{ c * q.x - s * q.y, s * q.x + c * q.y };
-		to_[i] = Vec2(centre_to + r);
+		to_[i] = Vec2(center_to + r);
 		velocities[i] = Vec2(velocity + Vec2d{ -r.y, r.x } * spin);
 		is_moved_[i] = 1;
 	});

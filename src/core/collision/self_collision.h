@@ -30,8 +30,8 @@ namespace softbody {
 /// One object serves one thread and owns nothing but scratch memory, which grows to the largest hull.
 class SelfCollision {
 public:
-	/// Answers the contacts of a body whose hull moved from `before` (as many points or more) to where it is in a substep
-	/// of `h` [s]. Returns how many it answered. O(hull points) where the hull keeps away from itself.
+	/// Solves the contacts of a body whose hull moved from `before` (as many points or more) to where it is in a substep
+	/// of `h` [s]. Returns how many it solved. O(hull points) where the hull keeps away from itself.
 	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Real h);
 
 private:
@@ -66,9 +66,9 @@ private:
 	bool was_folded() const;
 
 	std::optional<Contact> find_contact(std::uint32_t point, std::uint32_t edge, Real gap) const;
-	std::optional<Contact> find_nearness(std::uint32_t point, std::uint32_t edge, Real side, Real gap) const;
+	std::optional<Contact> find_near_contact(std::uint32_t point, std::uint32_t edge, Real side, Real gap) const;
 	Real side_of_chain(std::uint32_t point, std::uint32_t edge) const;
-	void answer(SoftBodyData &body, std::uint32_t point, std::uint32_t edge, const Contact &contact, Real h);
+	void solve(SoftBodyData &body, std::uint32_t point, std::uint32_t edge, const Contact &contact, Real h);
 	void hold_zones(SoftBodyData &body);
 	void move_zone(SoftBodyData &body, std::uint32_t zone);
 

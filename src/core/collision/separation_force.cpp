@@ -26,7 +26,7 @@ void SeparationForce::begin_substep(Real stiffness, Real h) {
 	h_ = h;
 }
 
-Real SeparationForce::handle(TouchingBody &a, TouchingBody &b) {
+Real SeparationForce::handle(SolverBody &a, SolverBody &b) {
 	const Real force = stiffness_ * Real(overlap_area(a.hull(), b.hull()));
 	if (!(force > 0)) {
 		return 0;
@@ -40,7 +40,7 @@ Real SeparationForce::handle(TouchingBody &a, TouchingBody &b) {
 	return force;
 }
 
-void SeparationForce::push(TouchingBody &body, const TouchingBody &other, Vec2 impulse) {
+void SeparationForce::push(SolverBody &body, const SolverBody &other, Vec2 impulse) {
 	edges_.assign(other.positions.first(other.before.size()));
 	loaded_.clear();
 	for (std::size_t i = 0; i < body.before.size(); ++i) {

@@ -4,14 +4,14 @@
 
 #include "core/base/vec2.h"
 #include "core/collision/hull_contact.h"
-#include "core/collision/pair_response.h"
+#include "core/collision/pair_constraint.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace softbody {
 
-/// Pushes two overlapping bodies apart with F = κ A (thesis 4.4, "CollisionHandling"): A the area that their hulls share, κ a
+/// Pushes two overlapping bodies apart with F = κ A (thesis 4.4, "EnvironmentContactSolver"): A the area that their hulls share, κ a
 /// coefficient, the direction away from the other body. What the thesis leaves open is completed with the simplest reading:
 /// - A is the exact area, which for concave hulls may be several pieces. The thesis takes the found points in the order in
 ///   which it finds them, which gives another, mostly smaller number.
@@ -28,10 +28,10 @@ public:
 	void begin_substep(Real stiffness, Real h);
 	/// Changes the velocities of both bodies if they overlap. Returns the force [force]; 0 without overlap.
 	/// O(product of hull points).
-	Real handle(TouchingBody &a, TouchingBody &b);
+	Real handle(SolverBody &a, SolverBody &b);
 
 private:
-	void push(TouchingBody &body, const TouchingBody &other, Vec2 impulse);
+	void push(SolverBody &body, const SolverBody &other, Vec2 impulse);
 
 	HullEdges edges_;
 	std::vector<std::size_t> loaded_;

@@ -33,10 +33,10 @@ Vec2 on_circle(double angle) {
 	return { std::abs(x) < 1e-12 ? Real(0) : Real(x), std::abs(y) < 1e-12 ? Real(0) : Real(y) };
 }
 
-void append_arc(std::vector<Vec2> &hull, Vec2 centre, Real radius, double from, int pieces) {
+void append_arc(std::vector<Vec2> &hull, Vec2 center, Real radius, double from, int pieces) {
 	for (int i = 0; i < pieces; ++i) {
 		const double angle = from + std::numbers::pi * i / pieces;
-		hull.push_back(centre + on_circle(angle) * radius);
+		hull.push_back(center + on_circle(angle) * radius);
 	}
 }
 

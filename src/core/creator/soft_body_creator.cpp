@@ -129,18 +129,18 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	}
 	std::vector<Vec2> points(hull.begin(), hull.end());
 	points.insert(points.end(), inner_points.begin(), inner_points.end());
-	std::optional<Vec2> centre;
-	if (options.centre_point && !options.elastic_triangles) {
-		centre = mean_of(hull);
-		points.push_back(*centre);
-		const auto same = std::ranges::find(hull, *centre);
+	std::optional<Vec2> center;
+	if (options.center_point && !options.elastic_triangles) {
+		center = mean_of(hull);
+		points.push_back(*center);
+		const auto same = std::ranges::find(hull, *center);
 		if (options.springs.empty() && same != hull.end()) {
 			return Error{ "hull[" + std::to_string(same - hull.begin()) + "]", "the mean of the hull points",
-				"must not coincide with the centre point", "move this point or switch the centre point off" };
+				"must not coincide with the center point", "move this point or switch the center point off" };
 		}
 	}
 	const std::vector<SpringEnds> springs =
-			options.springs.empty() ? automatic_springs(hull, inner_points, centre) : options.springs;
+			options.springs.empty() ? automatic_springs(hull, inner_points, center) : options.springs;
 	if (Status status = check_spring_ends(springs, points)) {
 		return *status;
 	}

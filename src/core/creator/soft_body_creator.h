@@ -14,12 +14,12 @@
 namespace softbody {
 
 /// What `SoftBodyCreator` puts inside an outline. Points are counted in the order in which they are given: the outline, the
-/// inner points, the centre point; springs in the order of `springs`, or of `automatic_springs` if that is empty.
+/// inner points, the center point; springs in the order of `springs`, or of `automatic_springs` if that is empty.
 struct StructureOptions {
 	Real mass = 1; ///< of the whole body [mass], > 0; every point gets an equal share
 	Real stiffness = 100; ///< k of every spring [force/length], >= 0
 	Real damping = 1; ///< c of every spring [force·s/length], >= 0
-	bool centre_point = true; ///< add a point at the hull's mean; the automatic springs join it to every hull point
+	bool center_point = true; ///< add a point at the hull's mean; the automatic springs join it to every hull point
 	std::vector<Vec2> inner_points = {}; ///< further points, meant to lie inside the outline [length]
 	std::vector<SpringEnds> springs = {}; ///< all springs of the body; empty: the automatic ones
 	// Factors on the values above and on the length as designed, one a spring; empty: all 1. A body that is painted so
@@ -31,7 +31,7 @@ struct StructureOptions {
 	/// `reduce_solid` says, instead of into equal shares.
 	bool elastic = false;
 	/// Whether the body is filled with elastic triangles (BodySettings::shear_modulus), whose corners are all of its points.
-	/// Every point then gets a third of its triangles' mass instead of an equal share. There is no centre point, and `elastic`
+	/// Every point then gets a third of its triangles' mass instead of an equal share. There is no center point, and `elastic`
 	/// must be false.
 	bool elastic_triangles = false;
 	/// How many points are placed evenly inside a body of triangles, beside `inner_points`, which they follow [1],
@@ -46,14 +46,14 @@ struct StructureOptions {
 /// Builds soft bodies (thesis 4.4.2, "SoftBodyCreator"; Alg. 4.9 to 4.11). Fills data, simulates nothing.
 class SoftBodyCreator {
 public:
-	/// The thesis's test body and its relatives: `point_count` hull points on a circle and a centre point.
+	/// The thesis's test body and its relatives: `point_count` hull points on a circle and a center point.
 	/// Refuses what `circle_hull` and `create_polygon` refuse.
 	static Result<std::shared_ptr<const SoftBodyShape>> create_circle(Real radius, int point_count,
 			const StructureOptions &options);
 
-	/// Any simple polygon, convex or not; the centre point sits at the mean of its points. A hull of negative winding is
+	/// Any simple polygon, convex or not; the center point sits at the mean of its points. A hull of negative winding is
 	/// reversed about its first point: point i becomes (n - i) mod n, and springs follow; their order stays.
-	/// Refuses a bad hull (see `check_hull`), mass <= 0, negative or non-finite values, a centre that coincides with a
+	/// Refuses a bad hull (see `check_hull`), mass <= 0, negative or non-finite values, a center that coincides with a
 	/// hull point unless springs are given, more than MAX_HULL_POINTS inner points, inner points that cannot be corners of triangles where there are triangles, springs that name a point twice or one
 	/// that is not there, repeat another or have no length, and as many scales as there are no springs.
 	static Result<std::shared_ptr<const SoftBodyShape>> create_polygon(std::span<const Vec2> hull,

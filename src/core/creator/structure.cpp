@@ -49,14 +49,14 @@ bool is_shadowed(std::span<const Vec2> points, Vec2 from, Vec2 to, std::span<con
 } // namespace
 
 std::vector<SpringEnds> automatic_springs(std::span<const Vec2> hull, std::span<const Vec2> inner_points,
-		std::optional<Vec2> centre) {
+		std::optional<Vec2> center) {
 	const std::uint32_t hull_count = std::uint32_t(hull.size());
 	const std::uint32_t inner_end = hull_count + std::uint32_t(inner_points.size());
 	std::vector<SpringEnds> springs;
 	for (std::uint32_t i = 0; i < hull_count; ++i) {
 		springs.push_back({ i, (i + 1) % hull_count });
 	}
-	for (std::uint32_t i = 0; centre && i < hull_count; ++i) {
+	for (std::uint32_t i = 0; center && i < hull_count; ++i) {
 		springs.push_back({ i, inner_end });
 	}
 	if (inner_points.empty()) {
@@ -65,8 +65,8 @@ std::vector<SpringEnds> automatic_springs(std::span<const Vec2> hull, std::span<
 
 	std::vector<Vec2> points(hull.begin(), hull.end());
 	points.insert(points.end(), inner_points.begin(), inner_points.end());
-	if (centre) {
-		points.push_back(*centre);
+	if (center) {
+		points.push_back(*center);
 	}
 	std::vector<std::uint32_t> others(points.size());
 	std::iota(others.begin(), others.end(), 0u);

@@ -32,8 +32,8 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 	const std::size_t count = hull.size();
 	const auto next_of = [&](std::size_t i) { return i + 1 == count ? 0 : i + 1; };
 	const auto last_of = [&](std::size_t i) { return i == 0 ? count - 1 : i - 1; };
-	T mobility = T(0);
-	T start_mobility = T(0); // of the same gradient with the one at the start
+	T inverse_mass = T(0);
+	T start_inverse_mass = T(0); // of the same gradient with the one at the start
 	T start_size = T(0);
 	T rate = T(0);
 	for (std::size_t i = 0; i < count; ++i) {
@@ -41,14 +41,14 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 		const BasicVec2<T> turned = body.velocities[last_of(i)] - body.velocities[next_of(i)];
 		const BasicVec2<T> start = gradient - perpendicular(turned) * T(Real(0.5) * h);
 		const T weight(body.inverse_masses[i]);
-		mobility += length_squared(gradient) * weight;
-		start_mobility += dot(gradient, start) * weight;
+		inverse_mass += length_squared(gradient) * weight;
+		start_inverse_mass += dot(gradient, start) * weight;
 		start_size += length_squared(start) * weight;
 		rate += dot(gradient, body.velocities[i]);
 	}
 	// Where the hull has changed so much in the substep that the two gradients differ, the present one is safe.
-	const auto is_calm = both(start_mobility > mobility * T(Real(0.5)), start_size < mobility * T(2));
-	mobility = select(is_calm, start_mobility, mobility);
+	const auto is_calm = both(start_inverse_mass > inverse_mass * T(Real(0.5)), start_size < inverse_mass * T(2));
+	inverse_mass = select(is_calm, start_inverse_mass, inverse_mass);
 	const T back = select(is_calm, T(h), T(0));
 	const T target(std::max(settings.inflation, LEAST_AIMED_AREA) * shape.rest_area());
 	const T fill = hull_area<T>(hull) / target;
@@ -59,7 +59,7 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 	const T excess = (held - T(1) / held) * T(Real(0.5)) * target;
 	const T elastic = slope * T(settings.area_stiffness / shape.rest_area() * h * h);
 	const T viscous = slope * slope * T(settings.area_stiffness / shape.rest_area() * settings.elastic_damping_time * h);
-	const T impulse = -(elastic * excess + viscous * rate * T(h)) / (T(1) + (elastic * slope + viscous) * mobility);
+	const T impulse = -(elastic * excess + viscous * rate * T(h)) / (T(1) + (elastic * slope + viscous) * inverse_mass);
 	// The ways between neighbors are those before any point is moved.
 	const auto place = [&](std::size_t i) { return body.positions[i] - body.velocities[i] * back; };
 	const T per_h(1 / h);

@@ -38,9 +38,9 @@ bool is_together(const SoftBodyData &body) {
 	return is_sound<Real>(body.positions(), body.velocities(), CREDIBLE_REACH * body.shape().radius());
 }
 
-// Where the centre of a body at rest has to be for its pins, on average, to be where they are: torn off from them, it would
+// Where the center of a body at rest has to be for its pins, on average, to be where they are: torn off from them, it would
 // be torn again in every step. Without pins that can be believed, `otherwise`.
-Vec2 centre_by_pins(const SoftBodyData &data, Rotation rotation, Vec2 otherwise) {
+Vec2 center_by_pins(const SoftBodyData &data, Rotation rotation, Vec2 otherwise) {
 	Vec2 sum;
 	std::size_t count = 0;
 	for (std::uint32_t i = 0; i < data.point_count(); ++i) {
@@ -54,7 +54,7 @@ Vec2 centre_by_pins(const SoftBodyData &data, Rotation rotation, Vec2 otherwise)
 }
 
 // Where a body with points that are no numbers most probably is: amid those that are, else where the step began.
-Vec2 centre_by_finite_points(const SoftBodyData &data) {
+Vec2 center_by_finite_points(const SoftBodyData &data) {
 	for (const std::span<const Vec2> points : { data.positions(), data.previous_positions() }) {
 		Vec2 sum;
 		std::size_t count = 0;
@@ -74,7 +74,7 @@ Vec2 centre_by_finite_points(const SoftBodyData &data) {
 
 } // namespace
 
-void BodyStepper::begin_step(WorldData &world, const SurroundingsIndex &surroundings, bool has_forces) {
+void BodyStepper::begin_step(WorldData &world, const ColliderIndex &surroundings, bool has_forces) {
 	world_ = &world;
 	surroundings_ = &surroundings;
 	has_forces_ = has_forces;
@@ -85,45 +85,45 @@ void BodyStepper::begin_step(WorldData &world, const SurroundingsIndex &surround
 	counts_.non_finite.clear();
 }
 
-void BodyStepper::begin(const Crew &crew, std::uint32_t lanes) {
+void BodyStepper::begin(const Batch &batch, std::uint32_t lanes) {
 	if (!world_->is_interpolated()) {
 		return;
 	}
-	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-		SoftBodyData &data = body(crew.bodies[lane]);
+	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+		SoftBodyData &data = body(batch.bodies[lane]);
 		if ((lanes >> lane & 1) && is_finite(data.positions()[0])) { // or else this is all that tells where it was
 			std::ranges::copy(data.positions(), data.mutable_previous_positions().begin());
 		}
 	}
 }
 
-void BodyStepper::advance(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
-		int substeps, const SweptFrom &swept_from, bool are_coupled) {
-	if (!can_go_side_by_side(crew, lanes, plan)) {
-		advance_one_by_one(crew, lanes, plan, elapsed, duration, substeps, swept_from, are_coupled);
+void BodyStepper::advance(Batch &batch, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed, Real duration,
+		int substeps, const SweepStarts &sweep_start, bool are_coupled) {
+	if (!can_go_side_by_side(batch, lanes, plan)) {
+		advance_one_by_one(batch, lanes, plan, elapsed, duration, substeps, sweep_start, are_coupled);
 	} else if (lanes == ALL_LANES) {
-		const std::uint32_t alone = lanes_answered_alone(crew, lanes, elapsed, duration);
-		advance_side_by_side(crew, lanes, alone, plan, duration, substeps, swept_from, are_coupled);
+		const std::uint32_t alone = lanes_solved_alone(batch, lanes, elapsed, duration);
+		advance_side_by_side(batch, lanes, alone, plan, duration, substeps, sweep_start, are_coupled);
 	} else {
-		Crew some = with_stand_ins(crew, lanes);
-		const std::uint32_t alone = lanes_answered_alone(some, lanes, elapsed, duration);
-		advance_side_by_side(some, lanes, alone, plan, duration, substeps, swept_from, are_coupled);
-		crew.touching = (crew.touching & ~lanes) | (some.touching & lanes);
+		Batch some = with_stand_ins(batch, lanes);
+		const std::uint32_t alone = lanes_solved_alone(some, lanes, elapsed, duration);
+		advance_side_by_side(some, lanes, alone, plan, duration, substeps, sweep_start, are_coupled);
+		batch.touching = (batch.touching & ~lanes) | (some.touching & lanes);
 	}
 }
 
 // Where a lane takes no part, a copy of a body that does goes along: all lanes are computed, and nobody asks for that one.
-Crew BodyStepper::with_stand_ins(const Crew &crew, std::uint32_t lanes) {
-	Crew some = crew;
+Batch BodyStepper::with_stand_ins(const Batch &batch, std::uint32_t lanes) {
+	Batch some = batch;
 	const std::uint32_t model = std::uint32_t(std::countr_zero(lanes));
-	const std::size_t size = 2 * crew.shape->point_count() + 1; // positions, velocities, rotation memory
+	const std::size_t size = 2 * batch.shape->point_count() + 1; // positions, velocities, rotation memory
 	stand_ins_.resize(std::max(stand_ins_.size(), PACK_WIDTH * size));
 	for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
 		if (!(lanes >> lane & 1)) {
-			some.bodies[lane] = crew.bodies[model];
+			some.bodies[lane] = batch.bodies[model];
 			some.positions[lane] = &stand_ins_[lane * size];
-			some.velocities[lane] = some.positions[lane] + crew.shape->point_count();
-			std::copy_n(crew.positions[model], size, some.positions[lane]);
+			some.velocities[lane] = some.positions[lane] + batch.shape->point_count();
+			std::copy_n(batch.positions[model], size, some.positions[lane]);
 		}
 	}
 	some.monitored &= lanes;
@@ -131,126 +131,126 @@ Crew BodyStepper::with_stand_ins(const Crew &crew, std::uint32_t lanes) {
 	return some;
 }
 
-bool BodyStepper::advance_both(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real elapsed,
-		Real duration, int substeps, const std::array<SweptFrom, 2> &swept_from, bool are_coupled,
-		const std::array<TouchingBody *, WIDE_WIDTH> &touching, StateAhead &ahead) {
+bool BodyStepper::advance_both(const std::array<Batch *, 2> &batches, const SubstepPlan &plan, Real elapsed,
+		Real duration, int substeps, const std::array<SweepStarts, 2> &sweep_start, bool are_coupled,
+		const std::array<SolverBody *, WIDE_WIDTH> &solver_bodies, StatePrefetch &prefetch) {
 	const auto advance_one = [&](std::size_t i) {
-		advance(*crews[i], ALL_LANES, plan, elapsed, duration, substeps, swept_from[i], are_coupled);
+		advance(*batches[i], ALL_LANES, plan, elapsed, duration, substeps, sweep_start[i], are_coupled);
 	};
-	if (!can_go_side_by_side(*crews[0], ALL_LANES, plan) || !can_go_side_by_side(*crews[1], ALL_LANES, plan)) {
-		ahead.ask_all();
+	if (!can_go_side_by_side(*batches[0], ALL_LANES, plan) || !can_go_side_by_side(*batches[1], ALL_LANES, plan)) {
+		prefetch.prefetch_all();
 		advance_one(0);
 		advance_one(1);
 		return false;
 	}
-	const std::uint32_t alone = lanes_answered_alone(*crews[0], ALL_LANES, elapsed, duration);
+	const std::uint32_t alone = lanes_solved_alone(*batches[0], ALL_LANES, elapsed, duration);
 	if (alone != 0) {
-		ahead.ask_all();
-		advance_side_by_side(*crews[0], ALL_LANES, alone, plan, duration, substeps, swept_from[0], are_coupled);
+		prefetch.prefetch_all();
+		advance_side_by_side(*batches[0], ALL_LANES, alone, plan, duration, substeps, sweep_start[0], are_coupled);
 		advance_one(1);
 		return false;
 	}
-	const std::uint32_t other_alone = lanes_answered_alone(*crews[1], ALL_LANES, elapsed, duration);
-	if (other_alone != 0 || !advance_wide(crews, plan, duration, substeps, touching, ahead)) {
-		ahead.ask_all();
-		advance_side_by_side(*crews[0], ALL_LANES, alone, plan, duration, substeps, swept_from[0], are_coupled);
-		advance_side_by_side(*crews[1], ALL_LANES, other_alone, plan, duration, substeps, swept_from[1], are_coupled);
+	const std::uint32_t other_alone = lanes_solved_alone(*batches[1], ALL_LANES, elapsed, duration);
+	if (other_alone != 0 || !advance_wide(batches, plan, duration, substeps, solver_bodies, prefetch)) {
+		prefetch.prefetch_all();
+		advance_side_by_side(*batches[0], ALL_LANES, alone, plan, duration, substeps, sweep_start[0], are_coupled);
+		advance_side_by_side(*batches[1], ALL_LANES, other_alone, plan, duration, substeps, sweep_start[1], are_coupled);
 		return false;
 	}
-	return touching[0] != nullptr;
+	return solver_bodies[0] != nullptr;
 }
 
-void BodyStepper::advance_one_by_one(Crew &crew, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed,
-		Real duration, int substeps, const SweptFrom &swept_from, bool are_coupled) {
-	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+void BodyStepper::advance_one_by_one(Batch &batch, std::uint32_t lanes, const SubstepPlan &plan, Real elapsed,
+		Real duration, int substeps, const SweepStarts &sweep_start, bool are_coupled) {
+	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
 		if (lanes >> lane & 1) {
-			advance_alone(crew.bodies[lane], plan, elapsed, duration, substeps, swept_from[lane], are_coupled);
-			const std::uint32_t is_touching = body(crew.bodies[lane]).touch_memory().touching;
-			crew.touching = (crew.touching & ~(1u << lane)) | is_touching << lane;
+			advance_alone(batch.bodies[lane], plan, elapsed, duration, substeps, sweep_start[lane], are_coupled);
+			const std::uint32_t is_touching = body(batch.bodies[lane]).touch_memory().touching;
+			batch.touching = (batch.touching & ~(1u << lane)) | is_touching << lane;
 			counts_.substeps += std::uint64_t(substeps);
 		}
 	}
 }
 
-void BodyStepper::time_rest(const Crew &crew, std::uint32_t lanes, Real dt) {
-	const std::span<const Real> masses = crew.shape->masses();
-	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+void BodyStepper::time_rest(const Batch &batch, std::uint32_t lanes, Real dt) {
+	const std::span<const Real> masses = batch.shape->masses();
+	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
 		if (!(lanes >> lane & 1)) {
 			continue;
 		}
-		const bool is_weightless = body(crew.bodies[lane]).total_acceleration(world_->gravity()) == Vec2{};
+		const bool is_weightless = body(batch.bodies[lane]).total_acceleration(world_->gravity()) == Vec2{};
 		const Real slow = (is_weightless ? SLEEP_SPEED_WEIGHTLESS : SLEEP_SPEED) * world_->length_unit();
 		const Real wobble = is_weightless ? Real(1) : SLEEP_WOBBLE;
 		Real twice_energy = 0;
 		Vec2 momentum;
 		for (std::size_t i = 0; i < masses.size(); ++i) {
-			twice_energy += masses[i] * length_squared(crew.velocities[lane][i]);
-			momentum += crew.velocities[lane][i] * masses[i];
+			twice_energy += masses[i] * length_squared(batch.velocities[lane][i]);
+			momentum += batch.velocities[lane][i] * masses[i];
 		}
-		const Real mass = crew.shape->total_mass();
+		const Real mass = batch.shape->total_mass();
 		const bool is_slow = length_squared(momentum) < slow * slow * mass * mass &&
 				twice_energy < slow * slow * mass * wobble * wobble;
-		RestState &rest = body(crew.bodies[lane]).rest_state();
+		RestState &rest = body(batch.bodies[lane]).rest_state();
 		rest.rest_time = is_slow ? rest.rest_time + dt : Real(0);
-		if (crew.settings->can_sleep && rest.rest_time > DROWSY_TIME) {
+		if (batch.settings->can_sleep && rest.rest_time > DROWSY_TIME) {
 			const Real keep = std::max(Real(0), 1 - dt / DROWSY_DECAY);
 			for (std::size_t i = 0; i < masses.size(); ++i) {
-				crew.velocities[lane][i] *= keep;
+				batch.velocities[lane][i] *= keep;
 			}
 		}
 	}
 }
 
-bool BodyStepper::can_go_side_by_side(const Crew &crew, std::uint32_t lanes, const SubstepPlan &plan) const {
-	if (crew.count < PACK_WIDTH || std::popcount(lanes) < 2 || !integrator_traits(plan.integrator).step_side_by_side) {
+bool BodyStepper::can_go_side_by_side(const Batch &batch, std::uint32_t lanes, const SubstepPlan &plan) const {
+	if (batch.count < PACK_WIDTH || std::popcount(lanes) < 2 || !integrator_traits(plan.integrator).step_side_by_side) {
 		return false;
 	}
 	// Thousands of bodies are many megabytes: what need not be read is left where it is.
 	return !has_forces_ ||
-			std::ranges::none_of(crew.bodies, [&](std::uint32_t place) { return body(place).is_pushed(); });
+			std::ranges::none_of(batch.bodies, [&](std::uint32_t body_index) { return body(body_index).is_pushed(); });
 }
 
-std::uint32_t BodyStepper::lanes_answered_alone(const Crew &crew, std::uint32_t taking_part, Real elapsed, Real duration) {
-	std::uint32_t lanes = borders_bounce_ ? taking_part : crew.touching; // each body remembers its own bounce
+std::uint32_t BodyStepper::lanes_solved_alone(const Batch &batch, std::uint32_t taking_part, Real elapsed, Real duration) {
+	std::uint32_t lanes = borders_bounce_ ? taking_part : batch.touching; // each body remembers its own bounce
 	for (std::uint32_t lane = 0; lane < PACK_WIDTH && (surroundings_->has_colliders() || lanes != 0); ++lane) {
 		if (!(taking_part >> lane & 1)) {
 			continue;
 		}
-		const bool is_near = collision_.begin_body(*surroundings_, body(crew.bodies[lane]), elapsed, duration, lane);
+		const bool is_near = collision_.begin_body(*surroundings_, body(batch.bodies[lane]), elapsed, duration, lane);
 		lanes |= std::uint32_t(is_near) << lane;
 	}
-	// Borders are answered for all lanes at once, or for each alone.
+	// Borders are solved for all lanes at once, or for each alone.
 	return lanes == 0 || world_->borders().empty() ? lanes : taking_part;
 }
 
 // The rotations of the last step only where shape matching asks for them: what need not be read is left where it is.
-BodyLanes<RealPack> BodyStepper::gather_lanes(const Crew &crew) {
-	const std::size_t count = crew.shape->point_count();
+BodyLanes<RealPack> BodyStepper::gather_lanes(const Batch &batch) {
+	const std::size_t count = batch.shape->point_count();
 	pack_positions_.resize(std::max(pack_positions_.size(), count));
 	pack_velocities_.resize(std::max(pack_velocities_.size(), count));
-	BodyLanes<RealPack> lanes{ { *crew.shape, *crew.settings, {} }, crew.shape->inverse_masses(),
+	BodyLanes<RealPack> lanes{ { *batch.shape, *batch.settings, {} }, batch.shape->inverse_masses(),
 		{ pack_positions_.data(), count }, { pack_velocities_.data(), count } };
-	if (crew.settings->turns_with_body()) {
+	if (batch.settings->turns_with_body()) {
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-			const Rotation memory = crew.rotation_memory(lane);
+			const Rotation memory = batch.rotation_memory(lane);
 			lanes.model.rotation_memory.c.set(lane, memory.c);
 			lanes.model.rotation_memory.s.set(lane, memory.s);
 		}
 	}
 	for (std::size_t i = 0; i < count; ++i) {
-		lanes.positions[i] = gather(crew.positions, i);
-		lanes.velocities[i] = gather(crew.velocities, i);
+		lanes.positions[i] = gather(batch.positions, i);
+		lanes.velocities[i] = gather(batch.velocities, i);
 	}
 	return lanes;
 }
 
-void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, std::uint32_t answered_alone,
-		const SubstepPlan &plan, Real duration, int substeps, const SweptFrom &swept_from, bool are_coupled) {
+void BodyStepper::advance_side_by_side(Batch &batch, std::uint32_t taking_part, std::uint32_t solved_alone,
+		const SubstepPlan &plan, Real duration, int substeps, const SweepStarts &sweep_start, bool are_coupled) {
 	counts_.substeps += std::uint64_t(substeps) * std::uint64_t(std::popcount(taking_part));
-	const SoftBodyShape &shape = *crew.shape;
+	const SoftBodyShape &shape = *batch.shape;
 	const std::size_t count = shape.point_count();
-	const BodyLanes<RealPack> lanes = gather_lanes(crew);
-	if (answered_alone != 0) {
+	const BodyLanes<RealPack> lanes = gather_lanes(batch);
+	if (solved_alone != 0) {
 		pack_start_.assign(lanes.positions.begin(), lanes.positions.end());
 		pack_start_.insert(pack_start_.end(), lanes.velocities.begin(), lanes.velocities.end());
 	}
@@ -259,25 +259,25 @@ void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, st
 	const Real h = duration / Real(substeps);
 	for (int i = 0; i < substeps; ++i) {
 		step(lanes, { world_->gravity(), {}, h }, pack_workspace_);
-		if (holds_area(shape, *crew.settings)) {
+		if (holds_area(shape, *batch.settings)) {
 			hold_area<RealPack>(lanes, h);
 			pack_workspace_.forces_are_current = RealPack(0) < RealPack(0);
 		}
-		if (crew.settings->has_limits()) { // before contacts, which have the last word and look along the whole way
+		if (batch.settings->has_limits()) { // before contacts, which have the last word and look along the whole way
 			const PackMask crushed = may_break_limits<RealPack>(lanes.model, lanes.positions);
 			if (any(crushed)) {
-				keep_whole_in_lanes(crew, taking_part, bits(crushed), lanes, h, are_coupled || world_->has_surroundings());
+				keep_whole_in_lanes(batch, taking_part, bits(crushed), lanes, h, are_coupled || world_->has_environment());
 				pack_workspace_.forces_are_current = RealPack(0) < RealPack(0);
 			}
 		}
-		if (crew.settings->has_damp()) {
+		if (batch.settings->has_damp()) {
 			damp_rigid_motion<RealPack>(lanes, h);
 		}
 		RealPack contacts(0);
-		if (answered_alone != 0) {
-			contacts = answer_alone(crew, answered_alone, lanes, h, i == 0 ? swept_from : SweptFrom{});
+		if (solved_alone != 0) {
+			contacts = solve_alone(batch, solved_alone, lanes, h, i == 0 ? sweep_start : SweepStarts{});
 		} else if (!world_->borders().empty()) {
-			contacts = collision_.handle_borders_side_by_side(lanes, world_->borders(), h, crew.bodies, crew.monitored);
+			contacts = collision_.solve_borders_side_by_side(lanes, world_->borders(), h, batch.bodies, batch.monitored);
 		}
 		pack_workspace_.forces_are_current = both(pack_workspace_.forces_are_current, !(contacts > RealPack(0)));
 		for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
@@ -289,34 +289,34 @@ void BodyStepper::advance_side_by_side(Crew &crew, std::uint32_t taking_part, st
 		// Bodies keep what they started from until here; those that are ruined fall back on it.
 		for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
 			if (!sound[lane] && (taking_part >> lane & 1)) {
-				for (std::size_t i = 0; answered_alone != 0 && i < count; ++i) {
-					crew.positions[lane][i] = lane_of(pack_start_[i], lane);
-					crew.velocities[lane][i] = lane_of(pack_start_[count + i], lane);
+				for (std::size_t i = 0; solved_alone != 0 && i < count; ++i) {
+					batch.positions[lane][i] = lane_of(pack_start_[i], lane);
+					batch.velocities[lane][i] = lane_of(pack_start_[count + i], lane);
 				}
-				reset(crew.bodies[lane], duration);
+				reset(batch.bodies[lane], duration);
 				for (std::size_t i = 0; i < count; ++i) {
-					set_lane(lanes.positions[i], lane, crew.positions[lane][i]);
-					set_lane(lanes.velocities[i], lane, crew.velocities[lane][i]);
+					set_lane(lanes.positions[i], lane, batch.positions[lane][i]);
+					set_lane(lanes.velocities[i], lane, batch.velocities[lane][i]);
 				}
 			}
 		}
 	}
 	for (std::size_t i = 0; i < count; ++i) {
-		scatter(lanes.positions[i], crew.positions, i);
-		scatter(lanes.velocities[i], crew.velocities, i);
+		scatter(lanes.positions[i], batch.positions, i);
+		scatter(lanes.velocities[i], batch.velocities, i);
 	}
-	for (std::uint32_t lane = 0; answered_alone != 0 && lane < PACK_WIDTH; ++lane) {
-		const std::uint32_t is_touching = body(crew.bodies[lane]).touch_memory().touching;
-		crew.touching = (crew.touching & ~(1u << lane)) | is_touching << lane;
+	for (std::uint32_t lane = 0; solved_alone != 0 && lane < PACK_WIDTH; ++lane) {
+		const std::uint32_t is_touching = body(batch.bodies[lane]).touch_memory().touching;
+		batch.touching = (batch.touching & ~(1u << lane)) | is_touching << lane;
 	}
 }
 
 // Few bodies are crushed at a time.
-void BodyStepper::keep_whole_in_lanes(const Crew &crew, std::uint32_t taking_part, std::uint32_t crushed,
+void BodyStepper::keep_whole_in_lanes(const Batch &batch, std::uint32_t taking_part, std::uint32_t crushed,
 		const BodyLanes<RealPack> &lanes, Real h, bool bears_load) {
 	for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
 		if ((taking_part & crushed) >> lane & 1) {
-			SoftBodyData &data = body(crew.bodies[lane]);
+			SoftBodyData &data = body(batch.bodies[lane]);
 			limited_.resize(std::max(limited_.size(), 2 * lanes.positions.size()));
 			const std::span<Vec2> positions = data.mutable_positions();
 			const std::span<Vec2> velocities = data.mutable_velocities();
@@ -338,53 +338,53 @@ void BodyStepper::keep_whole_in_lanes(const Crew &crew, std::uint32_t taking_par
 }
 
 // Springs and integrators are most of what a body costs: a body on the ground keeps nobody from going side by side.
-RealPack BodyStepper::answer_alone(const Crew &crew, std::uint32_t answered_alone, const BodyLanes<RealPack> &lanes, Real h,
-		const SweptFrom &swept_from) {
-	const std::size_t hull_count = crew.shape->hull_count();
+RealPack BodyStepper::solve_alone(const Batch &batch, std::uint32_t solved_alone, const BodyLanes<RealPack> &lanes, Real h,
+		const SweepStarts &sweep_start) {
+	const std::size_t hull_count = batch.shape->hull_count();
 	before_.resize(std::max(before_.size(), PACK_WIDTH * hull_count));
 	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-		if (answered_alone >> lane & 1) {
-			std::copy_n(swept_from[lane] != nullptr ? swept_from[lane] : crew.positions[lane], hull_count, &before_[lane * hull_count]);
+		if (solved_alone >> lane & 1) {
+			std::copy_n(sweep_start[lane] != nullptr ? sweep_start[lane] : batch.positions[lane], hull_count, &before_[lane * hull_count]);
 		}
 	}
 	for (std::size_t i = 0; i < lanes.positions.size(); ++i) {
-		scatter(lanes.positions[i], crew.positions, i);
-		scatter(lanes.velocities[i], crew.velocities, i);
+		scatter(lanes.positions[i], batch.positions, i);
+		scatter(lanes.velocities[i], batch.velocities, i);
 	}
 	RealPack contacts(0);
 	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-		if (answered_alone >> lane & 1) {
-			SoftBodyData &data = body(crew.bodies[lane]);
+		if (solved_alone >> lane & 1) {
+			SoftBodyData &data = body(batch.bodies[lane]);
 			const std::span<const Vec2> before(&before_[lane * hull_count], hull_count);
 			contacts.set(lane, Real(collision_.handle(data, before, data.total_acceleration(world_->gravity()), h, lane)));
 		}
 	}
 	for (std::size_t i = 0; i < lanes.positions.size(); ++i) {
-		lanes.positions[i] = gather(crew.positions, i);
-		lanes.velocities[i] = gather(crew.velocities, i);
+		lanes.positions[i] = gather(batch.positions, i);
+		lanes.velocities[i] = gather(batch.velocities, i);
 	}
 	return contacts;
 }
 
 // What is monitored writes a log, and what is ruined is reset, by the narrower code alone.
-bool BodyStepper::advance_wide(const std::array<Crew *, 2> &crews, const SubstepPlan &plan, Real duration,
-		int substeps, const std::array<TouchingBody *, WIDE_WIDTH> &touching, StateAhead &ahead) {
-	if (wide_ == nullptr || (crews[0]->monitored | crews[1]->monitored) != 0) {
+bool BodyStepper::advance_wide(const std::array<Batch *, 2> &batches, const SubstepPlan &plan, Real duration,
+		int substeps, const std::array<SolverBody *, WIDE_WIDTH> &solver_bodies, StatePrefetch &prefetch) {
+	if (wide_ == nullptr || (batches[0]->monitored | batches[1]->monitored) != 0) {
 		return false;
 	}
-	WideStretch stretch;
-	stretch.crews = { crews[0], crews[1] };
-	stretch.borders = world_->borders();
-	stretch.integrator = plan.integrator;
-	stretch.gravity = world_->gravity();
-	stretch.h = duration / Real(substeps);
-	stretch.substeps = substeps;
-	stretch.reach = credible_reach(*crews[0]->shape, plan);
-	stretch.touching = touching;
-	for (std::size_t lane = 0; crews[0]->settings->turns_with_body() && lane < WIDE_WIDTH; ++lane) {
-		stretch.rotation_memories[lane] = crews[lane / PACK_WIDTH]->rotation_memory(lane % PACK_WIDTH);
+	WideTimeSlice slice;
+	slice.batches = { batches[0], batches[1] };
+	slice.borders = world_->borders();
+	slice.integrator = plan.integrator;
+	slice.gravity = world_->gravity();
+	slice.h = duration / Real(substeps);
+	slice.substeps = substeps;
+	slice.reach = credible_reach(*batches[0]->shape, plan);
+	slice.solver_bodies = solver_bodies;
+	for (std::size_t lane = 0; batches[0]->settings->turns_with_body() && lane < WIDE_WIDTH; ++lane) {
+		slice.rotation_memories[lane] = batches[lane / PACK_WIDTH]->rotation_memory(lane % PACK_WIDTH);
 	}
-	const std::optional<std::uint64_t> contacts = wide_->advance(stretch, ahead);
+	const std::optional<std::uint64_t> contacts = wide_->advance(slice, prefetch);
 	if (!contacts) {
 		return false;
 	}
@@ -393,9 +393,9 @@ bool BodyStepper::advance_wide(const std::array<Crew *, 2> &crews, const Substep
 	return true;
 }
 
-void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
-		const Vec2 *swept_from, bool is_coupled) {
-	SoftBodyData &data = body(place);
+void BodyStepper::advance_alone(std::uint32_t body_index, const SubstepPlan &plan, Real elapsed, Real duration, int substeps,
+		const Vec2 *sweep_start, bool is_coupled) {
+	SoftBodyData &data = body(body_index);
 	const std::size_t count = data.point_count();
 	workspace_.begin_body(count);
 	before_.resize(std::max(before_.size(), count));
@@ -419,18 +419,18 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 	collision_.begin_body(*surroundings_, data, elapsed, duration);
 	const bool meets_itself = data.settings().self_collision && !is_coupled;
 	// Nor may what a body pushes itself by carry it through a thin wall, not even between two steps.
-	std::vector<Vec2> &outside = data.outside_hull();
-	if (swept_from == nullptr && !outside.empty()) {
-		swept_from = outside.data();
+	std::vector<Vec2> &outside = data.last_valid_hull();
+	if (sweep_start == nullptr && !outside.empty()) {
+		sweep_start = outside.data();
 	}
 	for (int i = 0; i < substeps; ++i) {
 		std::ranges::copy(data.positions(), before.begin());
 		if (meets_itself) {
 			hull_before_.assign(data.hull().begin(), data.hull().end());
 		}
-		if (swept_from != nullptr) {
-			std::copy_n(swept_from, data.shape().hull_count(), before.begin());
-			swept_from = nullptr;
+		if (sweep_start != nullptr) {
+			std::copy_n(sweep_start, data.shape().hull_count(), before.begin());
+			sweep_start = nullptr;
 		}
 		if (has_load) {
 			load_.assign(external_.begin(), external_.end());
@@ -444,7 +444,7 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 			workspace_.forces_are_current = false;
 		}
 		// Before contacts, which have the last word and look along the whole way.
-		if (keep_whole(data, h, is_coupled || world_->has_surroundings())) {
+		if (keep_whole(data, h, is_coupled || world_->has_environment())) {
 			workspace_.forces_are_current = false;
 		}
 		if (data.settings().has_damp()) {
@@ -457,7 +457,7 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 			outside.assign(data.hull().begin(), data.hull().end());
 			const std::size_t self_contacts = self_collision_.handle(data, hull_before_, h);
 			if (self_contacts > 0) {
-				swept_from = outside.data();
+				sweep_start = outside.data();
 			} else {
 				outside.clear();
 			}
@@ -471,62 +471,62 @@ void BodyStepper::advance_alone(std::uint32_t place, const SubstepPlan &plan, Re
 	if (!is_sound<Real>(data.positions(), data.velocities(), credible_reach(data.shape(), plan))) {
 		std::ranges::copy(std::span(start_).first(count), data.mutable_positions().begin());
 		std::ranges::copy(std::span(start_).last(count), data.mutable_velocities().begin());
-		reset(place, duration);
+		reset(body_index, duration);
 	}
 }
 
-std::array<BodyFrame, PACK_WIDTH> BodyStepper::measure_frames(const Crew &crew) {
+std::array<BodyFrame, PACK_WIDTH> BodyStepper::measure_frames(const Batch &batch) {
 	std::array<BodyFrame, PACK_WIDTH> frames;
-	if (crew.count < PACK_WIDTH) {
-		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-			frames[lane] = measure_frame(body(crew.bodies[lane]));
+	if (batch.count < PACK_WIDTH) {
+		for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+			frames[lane] = measure_frame(body(batch.bodies[lane]));
 		}
 		return frames;
 	}
-	const BodyLanes<RealPack> lanes = gather_lanes(crew);
-	const auto all = measure_frame<RealPack>(*crew.shape, lanes.model.rotation_memory, lanes.positions, lanes.velocities);
+	const BodyLanes<RealPack> lanes = gather_lanes(batch);
+	const auto all = measure_frame<RealPack>(*batch.shape, lanes.model.rotation_memory, lanes.positions, lanes.velocities);
 	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-		frames[lane] = { lane_of(all.centre, lane), lane_of(all.velocity, lane), { all.rotation.c[lane], all.rotation.s[lane] },
+		frames[lane] = { lane_of(all.center, lane), lane_of(all.velocity, lane), { all.rotation.c[lane], all.rotation.s[lane] },
 			all.rotation_defined[lane] != 0, all.inertia[lane], all.angular_velocity[lane] };
 	}
 	return frames;
 }
 
-void BodyStepper::remember_rotations(const Crew &crew, std::uint32_t lanes, const std::array<BodyFrame, PACK_WIDTH> &frames) {
-	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
+void BodyStepper::remember_rotations(const Batch &batch, std::uint32_t lanes, const std::array<BodyFrame, PACK_WIDTH> &frames) {
+	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
 		if (lanes >> lane & 1) {
-			body(crew.bodies[lane]).set_rotation_memory(frames[lane].rotation); // the memory itself where it is not defined
+			body(batch.bodies[lane]).set_rotation_memory(frames[lane].rotation); // the memory itself where it is not defined
 		}
 	}
 }
 
-void BodyStepper::answer_self_contacts(std::uint32_t place, std::span<const Vec2> before, Real h) {
-	counts_.self_contacts += self_collision_.handle(body(place), before, h);
+void BodyStepper::solve_self_contacts(std::uint32_t body_index, std::span<const Vec2> before, Real h) {
+	counts_.self_contacts += self_collision_.handle(body(body_index), before, h);
 }
 
-void BodyStepper::end(const Crew &crew, std::uint32_t lanes) {
-	for (std::uint32_t lane = 0; has_forces_ && lane < crew.count; ++lane) {
+void BodyStepper::end(const Batch &batch, std::uint32_t lanes) {
+	for (std::uint32_t lane = 0; has_forces_ && lane < batch.count; ++lane) {
 		if (lanes >> lane & 1) {
-			body(crew.bodies[lane]).clear_external_forces();
+			body(batch.bodies[lane]).clear_external_forces();
 		}
 	}
 }
 
-void BodyStepper::check(const Crew &crew, std::uint32_t lanes, Real dt) {
-	for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-		const std::size_t count = crew.shape->point_count();
-		if ((lanes >> lane & 1) && !is_finite({ crew.positions[lane], count }, { crew.velocities[lane], count })) {
-			reset(crew.bodies[lane], dt);
+void BodyStepper::check(const Batch &batch, std::uint32_t lanes, Real dt) {
+	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+		const std::size_t count = batch.shape->point_count();
+		if ((lanes >> lane & 1) && !is_finite({ batch.positions[lane], count }, { batch.velocities[lane], count })) {
+			reset(batch.bodies[lane], dt);
 		}
 	}
 }
 
 // The rest shape where the body was, moving as it did, as far as that can be believed. Not the shape it had: what
 // ruined the body may already have been in it, and would again.
-void BodyStepper::reset(std::uint32_t place, Real dt) {
-	SoftBodyData &data = body(place);
+void BodyStepper::reset(std::uint32_t body_index, Real dt) {
+	SoftBodyData &data = body(body_index);
 	const BodyFrame frame = measure_frame(data);
-	Vec2 centre = frame.centre;
+	Vec2 center = frame.center;
 	Rotation rotation = data.rotation_memory();
 	const Real size = length(Vec2{ rotation.c, rotation.s });
 	if (!(size > Real(0.5) && size < 2)) { // NaN compares false; roundings do not get so far
@@ -534,9 +534,9 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 		data.set_rotation_memory(rotation);
 	}
 	Vec2 velocity;
-	const bool is_whole = is_finite(centre) && is_together(data);
-	if (!is_finite(centre)) {
-		centre = centre_by_finite_points(data);
+	const bool is_whole = is_finite(center) && is_together(data);
+	if (!is_finite(center)) {
+		center = center_by_finite_points(data);
 	} else if (is_whole) {
 		rotation = frame.rotation;
 		if (!data.has_pins() && length(frame.velocity) * dt <= CREDIBLE_REACH * data.shape().radius()) {
@@ -544,19 +544,19 @@ void BodyStepper::reset(std::uint32_t place, Real dt) {
 		}
 	}
 	if (!is_whole) {
-		centre = centre_by_pins(data, rotation, centre);
+		center = center_by_pins(data, rotation, center);
 	}
 	for (std::size_t i = 0; i < data.point_count(); ++i) {
 		const bool is_pinned = data.inverse_masses()[i] == 0;
-		const Vec2 home = centre + rotation.apply(data.shape().rest_positions()[i]);
+		const Vec2 home = center + rotation.apply(data.shape().rest_positions()[i]);
 		data.mutable_positions()[i] = is_pinned && is_finite(data.positions()[i]) ? data.positions()[i] : home;
 		data.mutable_velocities()[i] = is_pinned ? Vec2{} : velocity;
 	}
 	data.touch_memory() = {};
 	data.one_ways().clear();
-	data.outside_hull().clear();
+	data.last_valid_hull().clear();
 	data.clear_external_forces(); // or they might ruin it once more
-	counts_.non_finite.push_back(place);
+	counts_.non_finite.push_back(body_index);
 }
 
 } // namespace softbody

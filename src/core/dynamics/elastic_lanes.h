@@ -51,7 +51,7 @@ void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> pos
 	const T damping(body.settings.elastic_damping_time);
 	const Real per_mass = 1 / shape.total_mass();
 	const auto displacement = [&](std::size_t i) {
-		const BasicVec2<T> arm = positions[i] - frame.centre;
+		const BasicVec2<T> arm = positions[i] - frame.center;
 		const BasicVec2<T> drift = velocities[i] - frame.velocity - perpendicular(arm) * frame.angular_velocity;
 		return frame.rotation.apply_inverse(arm + drift * damping) - in_all_lanes<T>(shape.rest_positions()[i]);
 	};
@@ -91,7 +91,7 @@ void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> pos
 		if (i < shape.hull_count()) {
 			force -= in_all_lanes<T>(modes.dilation[i]) * along_force;
 		}
-		const BasicVec2<T> arm = frame.rotation.apply_inverse(positions[i] - frame.centre);
+		const BasicVec2<T> arm = frame.rotation.apply_inverse(positions[i] - frame.center);
 		torque -= cross(arm, force);
 		reach += dot(arm, rest) * T(shape.masses()[i]);
 		force = frame.rotation.apply(force);

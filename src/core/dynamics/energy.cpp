@@ -23,7 +23,7 @@ double mode_energy(const SoftBodyData &body, const BodyFrame &frame) {
 	double squares = 0;
 	for (std::size_t i = 0; i < shape.point_count(); ++i) {
 		const Vec2 q = shape.rest_positions()[i];
-		const Vec2 y = frame.rotation.apply_inverse(body.positions()[i] - frame.centre) - q;
+		const Vec2 y = frame.rotation.apply_inverse(body.positions()[i] - frame.center) - q;
 		const double share = double(shape.masses()[i]) / shape.total_mass();
 		const std::span<const Vec2> mode = modes.shape_of_point(i);
 		for (std::size_t j = 0; j < mode.size(); ++j) {
@@ -71,7 +71,7 @@ Energy measure_energy(const SoftBodyData &body, Vec2 gravity) {
 		const double mass = shape.masses()[i];
 		const Vec2 v = body.velocities()[i];
 		const Vec2 p = body.positions()[i];
-		const Vec2 strain = frame.centre + frame.rotation.apply(shape.rest_positions()[i]) - p;
+		const Vec2 strain = frame.center + frame.rotation.apply(shape.rest_positions()[i]) - p;
 		energy.kinetic += mass * (double(v.x) * v.x + double(v.y) * v.y) / 2;
 		energy.shape += mass * per_mass * body.settings().shape_stiffness *
 				(double(strain.x) * strain.x + double(strain.y) * strain.y) / 2;

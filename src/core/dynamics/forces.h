@@ -30,7 +30,7 @@ void add_spring_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> p
 
 /// Adds shape matching: m k_s / mean(m) (c + R q - x) on each point, and damping of the motion relative
 /// to the rigid one (Müller et al. 2005, as a force; Müller et al. 2007, sec. 3.5). With weights
-/// proportional to mass the sum of the forces and their torque about the centre of mass vanish
+/// proportional to mass the sum of the forces and their torque about the center of mass vanish
 /// identically, and the highest frequency it adds is sqrt(k_s / mean(m)) whatever the masses.
 template <class T>
 void add_shape_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,

@@ -38,12 +38,12 @@ void add_shape_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> po
 	const T damping(body.settings.shape_damping * per_mass);
 	const BasicBodyFrame<T> frame = measure_frame<T>(shape, body.rotation_memory, positions, velocities);
 	const auto pull_on = [&](std::size_t i) {
-		const BasicVec2<T> arm = positions[i] - frame.centre;
+		const BasicVec2<T> arm = positions[i] - frame.center;
 		const BasicVec2<T> strain = frame.rotation.apply(in_all_lanes<T>(shape.rest_positions()[i])) - arm;
 		const BasicVec2<T> drift = frame.velocity + perpendicular(arm) * frame.angular_velocity - velocities[i];
 		return strain * stiffness + drift * damping;
 	};
-	// The mean pull is zero but for the rounding of the centre and of the rest positions. That rest turns with
+	// The mean pull is zero but for the rounding of the center and of the rest positions. That rest turns with
 	// the body and drives it like a motor (5 mm in 10 s at k = 1e4 in float), so it is taken away.
 	BasicVec2<T> mean;
 	for (std::size_t i = 0; i < positions.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds what joints join, and answers them.
+// Finds what joints join, and solves them.
 #include "core/dynamics/joint_solver.h"
 
 #include "core/base/constants.h"
@@ -41,7 +41,7 @@ JointSolver::Side JointSolver::side_of(const JointAnchor &anchor) const {
 		return side;
 	}
 	side.body = world_->find(anchor.body);
-	side.row = rows_[std::size_t(side.body - world_->soft_bodies().data())];
+	side.active_index = active_indices_[std::size_t(side.body - world_->soft_bodies().data())];
 	const std::uint32_t hull_count = std::uint32_t(side.body->shape().hull_count());
 	const bool is_on_edge = anchor.fraction != 0;
 	side.place.a = anchor.point;
@@ -50,14 +50,14 @@ JointSolver::Side JointSolver::side_of(const JointAnchor &anchor) const {
 	const std::span<const Real> w = side.body->inverse_masses();
 	const Real share_a = 1 - side.place.t;
 	const Real share_b = side.place.t;
-	side.mobility_a = w[side.place.a] * share_a;
-	side.mobility_b = w[side.place.b] * share_b;
-	side.mobility = std::max(side.mobility_a * share_a + side.mobility_b * share_b,
-			LEAST_EDGE_MOBILITY * std::max(w[side.place.a], w[side.place.b]));
+	side.inverse_mass_a = w[side.place.a] * share_a;
+	side.inverse_mass_b = w[side.place.b] * share_b;
+	side.inverse_mass = std::max(side.inverse_mass_a * share_a + side.inverse_mass_b * share_b,
+			LEAST_EDGE_INVERSE_MASS * std::max(w[side.place.a], w[side.place.b]));
 	return side;
 }
 
-void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> places, bool is_rearranged, Real dt) {
+void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> body_indices, bool is_rearranged, Real dt) {
 	active_.clear();
 	const std::span<const Joint> joints = world.joints();
 	const bool has_changed = is_rearranged || seen_joints_ != world.change_counts().joints || world_ != &world;
@@ -67,12 +67,12 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> pl
 	if (has_changed) {
 		joined_.clear();
 		separated_.clear();
-		is_held_.assign(joints.empty() ? 0 : places.size(), 0);
-		rigid_ends_.assign(joints.empty() ? 0 : places.size(), 0);
+		is_held_.assign(joints.empty() ? 0 : body_indices.size(), 0);
+		rigid_ends_.assign(joints.empty() ? 0 : body_indices.size(), 0);
 		held_to_rigid_.clear();
-		rows_.assign(joints.empty() ? 0 : world.soft_bodies().size(), UINT32_MAX);
-		for (std::uint32_t row = 0; !joints.empty() && row < places.size(); ++row) {
-			rows_[places[row]] = row;
+		active_indices_.assign(joints.empty() ? 0 : world.soft_bodies().size(), UINT32_MAX);
+		for (std::uint32_t active_index = 0; !joints.empty() && active_index < body_indices.size(); ++active_index) {
+			active_indices_[body_indices[active_index]] = active_index;
 		}
 	}
 	if (joints.empty()) {
@@ -86,8 +86,8 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> pl
 	}
 	std::ranges::sort(tags_);
 	std::ranges::fill(is_held_, char(0));
-	for (const std::uint32_t row : held_to_rigid_) {
-		rigid_ends_[row] = 0;
+	for (const std::uint32_t active_index : held_to_rigid_) {
+		rigid_ends_[active_index] = 0;
 	}
 	held_to_rigid_.clear();
 	for (std::uint32_t i = 0; i < joints.size(); ++i) {
@@ -99,7 +99,7 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> pl
 		for (std::size_t end = 0; end < 2; ++end) {
 			const Side &side = active.sides[end];
 			const JointAnchor &anchor = end == 0 ? joints[i].first : joints[i].second;
-			is_there &= anchor.is_soft() ? side.row != UINT32_MAX
+			is_there &= anchor.is_soft() ? side.active_index != UINT32_MAX
 										 : anchor.kind == JointAnchor::Kind::WORLD || side.rigid != NO_RIGID_BODY;
 		}
 		if (!is_there) {
@@ -110,12 +110,12 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> pl
 			const std::uint32_t other = active.sides[1 - end].rigid;
 			const bool is_to_dynamic = other != NO_RIGID_BODY && world.rigid_bodies()[other].is_dynamic();
 			if (side.body) {
-				is_held_[side.row] = std::max(is_held_[side.row], char(is_to_dynamic ? 2 : 1));
+				is_held_[side.active_index] = std::max(is_held_[side.active_index], char(is_to_dynamic ? 2 : 1));
 			}
 		}
 		active_.push_back(active);
 		if (has_changed && active.sides[0].body && active.sides[1].body) {
-			const auto [a, b] = std::minmax(active.sides[0].row, active.sides[1].row);
+			const auto [a, b] = std::minmax(active.sides[0].active_index, active.sides[1].active_index);
 			joined_.push_back({ a, b });
 			if (!joints[i].collide_joined) {
 				separated_.push_back({ a, b });
@@ -133,7 +133,7 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> pl
 void JointSolver::note_rigid_ends(const Joint &joint, const std::array<Side, 2> &sides) {
 	for (std::size_t end = 0; end < 2; ++end) {
 		const JointAnchor &other = end == 0 ? joint.second : joint.first;
-		if (sides[end].row == UINT32_MAX || other.kind != JointAnchor::Kind::RIGID_BODY) {
+		if (sides[end].active_index == UINT32_MAX || other.kind != JointAnchor::Kind::RIGID_BODY) {
 			continue;
 		}
 		const std::uint32_t rigid = sides[1 - end].rigid;
@@ -141,8 +141,8 @@ void JointSolver::note_rigid_ends(const Joint &joint, const std::array<Side, 2> 
 		if (rigid != NO_RIGID_BODY) {
 			hash.add(world_->rigid_bodies()[rigid].pose.apply(other.position));
 		}
-		rigid_ends_[sides[end].row] += hash.value();
-		held_to_rigid_.push_back(sides[end].row);
+		rigid_ends_[sides[end].active_index] += hash.value();
+		held_to_rigid_.push_back(sides[end].active_index);
 	}
 }
 
@@ -189,7 +189,7 @@ void JointSolver::update_place(Side &side, Real elapsed) const {
 		const RigidBody &rigid = world_->rigid_bodies()[side.rigid];
 		const Pose pose = rigid.is_dynamic() ? rigid.pose : rigid.pose_after(elapsed);
 		side.at = pose.apply(side.position);
-		side.arm = side.at - pose.apply(rigid.centre_of_mass);
+		side.arm = side.at - pose.apply(rigid.center_of_mass);
 	} else {
 		side.at = side.position;
 	}
@@ -211,9 +211,9 @@ void JointSolver::move(Side &side, Vec2 way) const {
 		return;
 	}
 	const std::span<Vec2> x = side.body->mutable_positions();
-	x[side.place.a] += way * side.mobility_a;
+	x[side.place.a] += way * side.inverse_mass_a;
 	if (side.place.a != side.place.b) {
-		x[side.place.b] += way * side.mobility_b;
+		x[side.place.b] += way * side.inverse_mass_b;
 	}
 	side.at = position_of(side.place, x);
 }
@@ -221,9 +221,9 @@ void JointSolver::move(Side &side, Vec2 way) const {
 void JointSolver::apply(Side &side, Vec2 impulse) const {
 	if (side.body) {
 		const std::span<Vec2> v = side.body->mutable_velocities();
-		v[side.place.a] += impulse * side.mobility_a;
+		v[side.place.a] += impulse * side.inverse_mass_a;
 		if (side.place.a != side.place.b) {
-			v[side.place.b] += impulse * side.mobility_b;
+			v[side.place.b] += impulse * side.inverse_mass_b;
 		}
 	} else if (side.rigid != NO_RIGID_BODY) {
 		RigidBody &rigid = world_->mutable_rigid_bodies()[side.rigid];
@@ -245,9 +245,9 @@ void JointSolver::apply(Side &side, Vec2 impulse) const {
 void JointSolver::close_gap(Active &active, Vec2 gap, Vec2 relative_velocity, Real h) {
 	Side &first = active.sides[0];
 	Side &second = active.sides[1];
-	const Real mobility = first.mobility + second.mobility;
+	const Real inverse_mass = first.inverse_mass + second.inverse_mass;
 	const Real size = length(gap);
-	if (!(mobility > 0) || !(size > 0)) {
+	if (!(inverse_mass > 0) || !(size > 0)) {
 		return;
 	}
 	Real radius = std::numeric_limits<Real>::max();
@@ -256,7 +256,7 @@ void JointSolver::close_gap(Active &active, Vec2 gap, Vec2 relative_velocity, Re
 	}
 	const Real fresh = length(relative_velocity) * h;
 	const Real most = fresh + JOINT_GAP_CLOSING * radius;
-	const Vec2 way = gap * (std::min(size, most) / (size * mobility));
+	const Vec2 way = gap * (std::min(size, most) / (size * inverse_mass));
 	move(first, way);
 	move(second, -way);
 	if (active.is_line && size <= fresh) {
@@ -269,15 +269,15 @@ void JointSolver::close_gap(Active &active, Vec2 gap, Vec2 relative_velocity, Re
 void JointSolver::keep_spin(Active &active, Real closed) {
 	auto &[first, second] = active.sides;
 	const Real distance = dot(second.at - first.at, active.direction);
-	const Real mobility = first.mobility + second.mobility;
+	const Real inverse_mass = first.inverse_mass + second.inverse_mass;
 	const bool is_soft = first.rigid == NO_RIGID_BODY && second.rigid == NO_RIGID_BODY;
-	if (!is_soft || !(mobility > 0) || !(distance > 2 * std::abs(closed))) {
+	if (!is_soft || !(inverse_mass > 0) || !(distance > 2 * std::abs(closed))) {
 		return;
 	}
 	const Vec2 across = perpendicular(active.direction);
 	const Real faster = dot(velocity_of(second) - velocity_of(first), across) * closed / distance;
-	apply(first, across * (-faster / mobility));
-	apply(second, across * (faster / mobility));
+	apply(first, across * (-faster / inverse_mass));
+	apply(second, across * (faster / inverse_mass));
 }
 
 void JointSolver::prepare(Active &active, Real elapsed, Real h) {
@@ -307,7 +307,7 @@ void JointSolver::prepare(Active &active, Real elapsed, Real h) {
 		gap = active.direction * (distance - joint.rest_length);
 	}
 	if (is_rigid(joint)) {
-		if (first.mobility + second.mobility > 0) {
+		if (first.inverse_mass + second.inverse_mass > 0) {
 			close_gap(active, gap, relative_velocity, h);
 			update_place(first, elapsed);
 			update_place(second, elapsed);
@@ -318,7 +318,7 @@ void JointSolver::prepare(Active &active, Real elapsed, Real h) {
 	if (!active.is_line) {
 		return;
 	}
-	active.response = first.mobility + second.mobility;
+	active.response = first.inverse_mass + second.inverse_mass;
 	for (const Side &side : active.sides) {
 		if (side.rigid != NO_RIGID_BODY) {
 			const RigidBody &rigid = world_->rigid_bodies()[side.rigid];
@@ -339,7 +339,7 @@ void JointSolver::push(Active &active) {
 		}
 		change = n * (dot(relative, n) / active.response);
 	} else {
-		Real a = first.mobility + second.mobility;
+		Real a = first.inverse_mass + second.inverse_mass;
 		Real b = 0;
 		Real c = a;
 		for (const Side &side : active.sides) {
@@ -388,24 +388,24 @@ void JointSolver::stretch(Active &active, Real h) {
 	move(second, change * -h);
 	apply(first, change);
 	apply(second, -change);
-	keep_spin(active, impulse * h * (first.mobility + second.mobility));
+	keep_spin(active, impulse * h * (first.inverse_mass + second.inverse_mass));
 	active.impulse += change;
 	active.total += change;
 }
 
-void JointSolver::begin_substep(const HeapTurn &turn) {
+void JointSolver::begin_substep(const SubstepGroup &group) {
 	for (Active &active : active_) {
 		for (Side &side : active.sides) {
-			if (side.body && active.has_turn(turn)) {
+			if (side.body && active.is_in(group)) {
 				side.before = position_of(side.place, side.body->positions());
 			}
 		}
 	}
 }
 
-void JointSolver::solve(Real elapsed, Real h, const HeapTurn &turn) {
+void JointSolver::solve(Real elapsed, Real h, const SubstepGroup &group) {
 	for (Active &active : active_) {
-		if (active.has_turn(turn)) {
+		if (active.is_in(group)) {
 			prepare(active, elapsed, h);
 		} else {
 			active.is_idle = true;

@@ -71,7 +71,7 @@ Result<LoadTrial> LoadTrial::create(SoftBodyData body, Vec2 gravity, Real length
 
 	trial.dt_ = dt;
 	trial.hangs_ = body.has_pins();
-	trial.first_centre_ = measure_frame(body).centre;
+	trial.first_center_ = measure_frame(body).center;
 	const Vec2 pull = body.total_acceleration(gravity);
 	if (length(pull) > 0) {
 		trial.down_ = pull * (1 / length(pull));
@@ -125,7 +125,7 @@ LoadOutcome LoadTrial::outcome() const {
 	if (length(down_) > 0) {
 		// A body that has rolled or toppled is compared with the height that it has lying so.
 		const Real height = height_along(frame.rotation.apply_inverse(down_), shape.rest_hull());
-		outcome.sag = hangs_ ? dot(frame.centre - first_centre_, down_) / height
+		outcome.sag = hangs_ ? dot(frame.center - first_center_, down_) / height
 							 : 1 - height_along(down_, body().hull()) / height;
 	}
 	return outcome;

@@ -19,7 +19,7 @@ inline constexpr Real FOLDED_AREA_LOSS = Real(0.21);
 /// How far a body has given way.
 struct LoadOutcome {
 	/// What the weight has taken of the body's height, as a share of it [1]; of a body that hangs from pins, how far its
-	/// centre of mass has come down, as a share of its height.
+	/// center of mass has come down, as a share of its height.
 	Real sag = 0;
 	Real area_loss = 0; ///< share of the rest area [1]; negative for one that has been blown up
 	bool folded = false; ///< its hull meets itself or has turned over
@@ -54,7 +54,7 @@ private:
 	std::unique_ptr<WorldData> world_;
 	std::unique_ptr<Simulator> simulator_;
 	Vec2 down_; ///< unit vector, zero when nothing weighs
-	Vec2 first_centre_;
+	Vec2 first_center_;
 	Real dt_ = 0;
 	Real elapsed_ = 0;
 	bool hangs_ = false;

@@ -22,7 +22,7 @@ public:
 	void end_step(WorldData &world);
 
 private:
-	std::vector<std::uint32_t> places_; ///< of bodies in the world
+	std::vector<std::uint32_t> body_indices_; ///< of bodies in the world
 	std::uint64_t seen_targets_ = 0;
 };
 

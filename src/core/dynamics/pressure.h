@@ -12,7 +12,7 @@
 namespace softbody {
 
 /// Signed area of the hull [length²], and its derivative with respect to each hull point [length]:
-/// half the vector between the point's neighbours, turned outward. `gradient` has at least as many
+/// half the vector between the point's neighbors, turned outward. `gradient` has at least as many
 /// entries as `hull`. O(hull points).
 Real area_and_gradient(std::span<const Vec2> hull, std::span<Vec2> gradient);
 

@@ -19,7 +19,7 @@ void damp_rigid_motion(const BodyLanes<T> &body, Real h) {
 	const T turn_back = frame.angular_velocity * T(-lost_spin);
 	for (std::size_t i = 0; i < body.velocities.size(); ++i) {
 		if (body.inverse_masses[i] != 0) {
-			body.velocities[i] += brake + perpendicular(body.positions[i] - frame.centre) * turn_back;
+			body.velocities[i] += brake + perpendicular(body.positions[i] - frame.center) * turn_back;
 		}
 	}
 }

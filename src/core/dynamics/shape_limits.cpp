@@ -100,7 +100,7 @@ std::optional<Excess> find_excess(const SoftBodyData &body, const BodyFrame &fra
 	for (std::size_t i = 0; i < shape.point_count(); ++i) {
 		const Vec2 q = shape.rest_positions()[i];
 		const double mass = shape.masses()[i];
-		positions.add(body.positions()[i] - frame.centre, q, mass);
+		positions.add(body.positions()[i] - frame.center, q, mass);
 		rest.add(q, q, mass);
 	}
 	Excess excess;
@@ -133,9 +133,9 @@ void restore_rigid_motion(SoftBodyData &body, const BodyFrame &before) {
 	const BodyFrame after = measure_frame(body);
 	const Real turn = after.inertia > 0 ? before.angular_velocity * before.inertia / after.inertia - after.angular_velocity : Real(0);
 	const Vec2 push = before.velocity - after.velocity;
-	const Vec2 back = before.centre - after.centre;
+	const Vec2 back = before.center - after.center;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		body.mutable_velocities()[i] += push + perpendicular(body.positions()[i] - after.centre) * turn;
+		body.mutable_velocities()[i] += push + perpendicular(body.positions()[i] - after.center) * turn;
 		body.mutable_positions()[i] += back;
 	}
 }
@@ -168,7 +168,7 @@ bool keep_whole(SoftBodyData &body, Real h, bool bears_load) {
 		const Vec2 q = body.shape().rest_positions()[i];
 		Vec2 &position = body.mutable_positions()[i];
 		Vec2 &velocity = body.mutable_velocities()[i];
-		const Vec2 home = frame.centre + excess->now.apply(q);
+		const Vec2 home = frame.center + excess->now.apply(q);
 		const Vec2 shift = excess->shift.apply(q);
 		const Vec2 smoothed = (home - position) * smoothing;
 		position += shift + smoothed;

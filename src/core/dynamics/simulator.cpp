@@ -10,11 +10,11 @@ namespace softbody {
 
 namespace {
 
-constexpr std::size_t CREWS_A_TASK = 16;
+constexpr std::size_t BATCHES_A_TASK = 16;
 
 // Whose state is asked for meanwhile (353,400 bodies in explicit Euler steps on one thread: 47 ns a body with three, 50 with
 // six).
-constexpr std::size_t CREWS_AHEAD = 3;
+constexpr std::size_t BATCHES_AHEAD = 3;
 
 int share_of(const SubstepPlan &plan, int parts) {
 	return (plan.substeps + parts - 1) / parts;
@@ -27,107 +27,107 @@ Simulator::Simulator(WorldData &world, ParallelFor parallel_for) :
 		sleep_(world, bodies_, surroundings_, joint_solver_), steppers_(MOST_SLICES) {}
 
 SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
-	return plan_substeps(body, dt, world_.has_surroundings());
+	return plan_substeps(body, dt, world_.has_environment());
 }
 
 template <class Work>
-void Simulator::for_crews(std::span<const std::uint32_t> crews, const Work &work) {
-	run_slices(parallel_for_, crews.size(), CREWS_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
+void Simulator::for_batches(std::span<const std::uint32_t> batches, const Work &work) {
+	run_slices(parallel_for_, batches.size(), BATCHES_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
-			if (i + CREWS_AHEAD < end) {
-				StateAhead ahead;
-				ahead.add(bodies_.crew(crews[i + CREWS_AHEAD]));
-				ahead.ask_all();
+			if (i + BATCHES_AHEAD < end) {
+				StatePrefetch prefetch;
+				prefetch.add(bodies_.batch(batches[i + BATCHES_AHEAD]));
+				prefetch.prefetch_all();
 			}
-			work(steppers_[task], crews[i]);
+			work(steppers_[task], batches[i]);
 		}
 	});
 }
 
 template <class Before, class After>
-void Simulator::advance_crews(std::span<const std::uint32_t> crews, const Stretch &stretch, const Before &before,
+void Simulator::advance_batches(std::span<const std::uint32_t> batches, const TimeSlice &slice, const Before &before,
 		const After &after) {
-	run_slices(parallel_for_, crews.size(), CREWS_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
+	run_slices(parallel_for_, batches.size(), BATCHES_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
 		BodyStepper &stepper = steppers_[task];
 		for (std::size_t i = begin, next = begin; i < end; i = next) {
-			const bool are_two = i + 1 < end && bodies_.move_alike_now(crews[i], crews[i + 1]);
+			const bool are_two = i + 1 < end && bodies_.move_alike_now(batches[i], batches[i + 1]);
 			next = i + 1 + std::size_t(are_two);
-			StateAhead ahead;
+			StatePrefetch prefetch;
 			for (std::size_t k = i; k < next; ++k) {
-				if (k + CREWS_AHEAD < end) {
-					ahead.add(bodies_.crew(crews[k + CREWS_AHEAD]));
+				if (k + BATCHES_AHEAD < end) {
+					prefetch.add(bodies_.batch(batches[k + BATCHES_AHEAD]));
 				}
-				before(stepper, crews[k]);
+				before(stepper, batches[k]);
 			}
 			if (are_two) {
-				advance_both(stepper, crews[i], crews[i + 1], stretch, ahead);
+				advance_both(stepper, batches[i], batches[i + 1], slice, prefetch);
 			} else {
-				ahead.ask_all();
-				advance(stepper, crews[i], stretch);
+				prefetch.prefetch_all();
+				advance(stepper, batches[i], slice);
 			}
 			for (std::size_t k = i; k < next; ++k) {
-				after(stepper, crews[k]);
+				after(stepper, batches[k]);
 			}
 		}
 	});
 }
 
-void Simulator::for_stepped(std::uint32_t crew, const auto &work) const {
-	const CrewState &state = bodies_.state(crew);
-	for (std::uint32_t lane = 0; lane < bodies_.crew(crew).count; ++lane) {
+void Simulator::for_stepped(std::uint32_t batch, const auto &work) const {
+	const BatchState &state = bodies_.state(batch);
+	for (std::uint32_t lane = 0; lane < bodies_.batch(batch).count; ++lane) {
 		if (state.stepped() >> lane & 1) {
-			work(state.rows[lane]);
+			work(state.active_indices[lane]);
 		}
 	}
 }
 
 // Other bodies may have pushed it through a thin wall since it last looked at the surroundings.
-SweptFrom Simulator::swept_from(std::uint32_t crew, const Stretch &stretch) const {
-	SweptFrom from{};
-	for (std::uint32_t lane = 0; stretch.elapsed > 0 && surroundings_.has_colliders() && lane < PACK_WIDTH; ++lane) {
-		from[lane] = bodies_.swept_from(bodies_.state(crew).rows[lane]);
+SweepStarts Simulator::sweep_start(std::uint32_t batch, const TimeSlice &slice) const {
+	SweepStarts from{};
+	for (std::uint32_t lane = 0; slice.elapsed > 0 && surroundings_.has_colliders() && lane < PACK_WIDTH; ++lane) {
+		from[lane] = bodies_.sweep_start(bodies_.state(batch).active_indices[lane]);
 	}
 	return from;
 }
 
-void Simulator::advance(BodyStepper &stepper, std::uint32_t i, const Stretch &stretch) {
-	Crew &crew = bodies_.crew(i);
-	const CrewState &state = bodies_.state(i);
-	const SweptFrom from = swept_from(i, stretch);
+void Simulator::advance(BodyStepper &stepper, std::uint32_t i, const TimeSlice &slice) {
+	Batch &batch = bodies_.batch(i);
+	const BatchState &state = bodies_.state(i);
+	const SweepStarts from = sweep_start(i, slice);
 	const std::size_t resets = stepper.counts().non_finite.size();
 	if (!state.has_own_plans()) {
-		stepper.advance(crew, state.stepped(), state.plan, stretch.elapsed, stretch.duration,
-				share_of(state.plan, stretch.parts), from, stretch.is_coupled);
+		stepper.advance(batch, state.stepped(), state.plan, slice.elapsed, slice.duration,
+				share_of(state.plan, slice.parts), from, slice.is_coupled);
 	}
-	for (std::uint32_t lane = 0; state.has_own_plans() && lane < crew.count; ++lane) {
+	for (std::uint32_t lane = 0; state.has_own_plans() && lane < batch.count; ++lane) {
 		const SubstepPlan &own = bodies_.plan_of(state, lane);
-		stepper.advance(crew, state.stepped() & 1u << lane, own, stretch.elapsed, stretch.duration,
-				share_of(own, stretch.parts), from, stretch.is_coupled);
+		stepper.advance(batch, state.stepped() & 1u << lane, own, slice.elapsed, slice.duration,
+				share_of(own, slice.parts), from, slice.is_coupled);
 	}
-	if (stretch.is_coupled && crew.settings->self_collision && stepper.counts().non_finite.size() > resets) {
-		bodies_.touching(state.rows[0]).begin_substep(); // in its rest shape again: no way behind it that could be blocked
+	if (slice.is_coupled && batch.settings->self_collision && stepper.counts().non_finite.size() > resets) {
+		bodies_.solver_body(state.active_indices[0]).begin_substep(); // in its rest shape again: no way behind it that could be blocked
 	}
-	if (stretch.is_coupled) {
+	if (slice.is_coupled) {
 		measure_extents(i);
 	}
 }
 
-void Simulator::measure_extents(std::uint32_t crew) {
-	for_stepped(crew, [&](std::uint32_t row) { bodies_.touching(row).measure_extent(); });
+void Simulator::measure_extents(std::uint32_t batch) {
+	for_stepped(batch, [&](std::uint32_t active_index) { bodies_.solver_body(active_index).measure_extent(); });
 }
 
-void Simulator::advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const Stretch &stretch,
-		StateAhead &ahead) {
+void Simulator::advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const TimeSlice &slice,
+		StatePrefetch &prefetch) {
 	const SubstepPlan &plan = bodies_.state(a).plan;
-	std::array<TouchingBody *, WIDE_WIDTH> touching{};
-	for (std::size_t lane = 0; stretch.is_coupled && lane < PACK_WIDTH; ++lane) {
-		touching[lane] = &bodies_.touching(bodies_.state(a).rows[lane]);
-		touching[PACK_WIDTH + lane] = &bodies_.touching(bodies_.state(b).rows[lane]);
+	std::array<SolverBody *, WIDE_WIDTH> solver_bodies{};
+	for (std::size_t lane = 0; slice.is_coupled && lane < PACK_WIDTH; ++lane) {
+		solver_bodies[lane] = &bodies_.solver_body(bodies_.state(a).active_indices[lane]);
+		solver_bodies[PACK_WIDTH + lane] = &bodies_.solver_body(bodies_.state(b).active_indices[lane]);
 	}
-	const bool are_measured = stepper.advance_both({ &bodies_.crew(a), &bodies_.crew(b) }, plan, stretch.elapsed,
-			stretch.duration, share_of(plan, stretch.parts), { swept_from(a, stretch), swept_from(b, stretch) },
-			stretch.is_coupled, touching, ahead);
-	if (stretch.is_coupled && !are_measured) {
+	const bool are_measured = stepper.advance_both({ &bodies_.batch(a), &bodies_.batch(b) }, plan, slice.elapsed,
+			slice.duration, share_of(plan, slice.parts), { sweep_start(a, slice), sweep_start(b, slice) },
+			slice.is_coupled, solver_bodies, prefetch);
+	if (slice.is_coupled && !are_measured) {
 		measure_extents(a);
 		measure_extents(b);
 	}
@@ -144,10 +144,10 @@ StepReport Simulator::simulate(Real dt) {
 	find_rigid_contacts(dt);
 	if (!sleep_.sleepers().is_everybody() || rigid_contacts_.has_bodies()) {
 		bodies_.plan_pressure(dt);
-		divide_crews(dt);
+		divide_batches(dt);
 	}
 	step_free(dt);
-	if (!coupled_crews_.empty() || rigid_contacts_.has_bodies()) {
+	if (!coupled_batches_.empty() || rigid_contacts_.has_bodies()) {
 		step_coupled(dt);
 	} else {
 		move_rigid_bodies_alone(dt);
@@ -171,11 +171,11 @@ void Simulator::begin_step(Real dt) {
 	const bool is_arranged = bodies_.update(dt);
 	if (is_arranged) {
 		pair_contacts_.begin_arranging();
-		for (std::uint32_t row = 0; row < bodies_.count(); ++row) {
-			pair_contacts_.add_body(bodies_.data(row).settings());
+		for (std::uint32_t active_index = 0; active_index < bodies_.count(); ++active_index) {
+			pair_contacts_.add_body(bodies_.data(active_index).settings());
 		}
 	}
-	joint_solver_.begin_step(world_, bodies_.places(), is_arranged, dt);
+	joint_solver_.begin_step(world_, bodies_.body_indices(), is_arranged, dt);
 	sleep_.begin_step(is_arranged);
 	// Bodies that came or were activated may have brought forces along.
 	const bool is_rearranged = bodies_.version() != old_version;
@@ -189,10 +189,10 @@ void Simulator::begin_step(Real dt) {
 		stepper.begin_step(world_, surroundings_, has_forces || has_accelerated_bodies_);
 	}
 	pair_contacts_.forget_step();
-	free_crews_.clear();
-	coupled_crews_.clear();
+	free_batches_.clear();
+	coupled_batches_.clear();
 	beside_dynamic_.clear();
-	sleep_.wake_by_surroundings();
+	sleep_.wake_by_environment();
 	while (joint_solver_.wake_joined()) {
 		sleep_.take_over();
 	}
@@ -201,120 +201,120 @@ void Simulator::begin_step(Real dt) {
 void Simulator::find_rigid_contacts(Real dt) {
 	rigid_contacts_.begin_step(world_, surroundings_);
 	rigid_contact_count_ = 0;
-	rigid_neighbours_.find(bodies_, world_, surroundings_, sleep_.sleepers().flags(), dt, parallel_for_);
-	if (!rigid_neighbours_.has_any()) {
+	rigid_neighbors_.find(bodies_, world_, surroundings_, sleep_.sleepers().flags(), dt, parallel_for_);
+	if (!rigid_neighbors_.has_any()) {
 		return;
 	}
 	sleep_.take_over();
-	rigid_neighbours_.report_sleepers(bodies_, world_, sleep_.sleepers().flags());
-	for (std::uint32_t row = 0; row < bodies_.count(); ++row) {
-		SoftBodyData &body = bodies_.data(row);
-		if (rigid_neighbours_.has(row) && body.is_frozen()) { // it is in no crew that is stepped
+	rigid_neighbors_.report_sleepers(bodies_, world_, sleep_.sleepers().flags());
+	for (std::uint32_t active_index = 0; active_index < bodies_.count(); ++active_index) {
+		SoftBodyData &body = bodies_.data(active_index);
+		if (rigid_neighbors_.has(active_index) && body.is_frozen()) { // it is in no batch that is stepped
 			rigid_contacts_.add_body(body);
-			beside_dynamic_.push_back(row);
+			beside_dynamic_.push_back(active_index);
 		}
 	}
 }
 
 // Which bodies take contact substeps: those that may touch another or a dynamic rigid body, or are joined to something.
-void Simulator::divide_crews(Real dt) {
+void Simulator::divide_batches(Real dt) {
 	pair_contacts_.begin_step(pair_bodies(), dt, bodies_.version(), joint_solver_.separated(), parallel_for_);
-	if (sleep_.sleepers().count() == 0 && !pair_contacts_.is_used() && !rigid_neighbours_.has_any() && !joint_solver_.has_joints()) {
+	if (sleep_.sleepers().count() == 0 && !pair_contacts_.is_used() && !rigid_neighbors_.has_any() && !joint_solver_.has_joints()) {
 		// Nobody meets anybody: no need to look at each.
-		free_crews_.resize(bodies_.crew_count());
-		std::iota(free_crews_.begin(), free_crews_.end(), 0u);
+		free_batches_.resize(bodies_.batch_count());
+		std::iota(free_batches_.begin(), free_batches_.end(), 0u);
 		return;
 	}
-	for (std::uint32_t i = 0; i < bodies_.crew_count(); ++i) {
-		CrewState &state = bodies_.state(i);
+	for (std::uint32_t i = 0; i < bodies_.batch_count(); ++i) {
+		BatchState &state = bodies_.state(i);
 		if (state.awake == 0) {
 			continue;
 		}
 		state.coupled = 0;
-		for (std::uint32_t lane = 0; lane < bodies_.crew(i).count; ++lane) {
-			const std::uint32_t row = state.rows[lane];
+		for (std::uint32_t lane = 0; lane < bodies_.batch(i).count; ++lane) {
+			const std::uint32_t active_index = state.active_indices[lane];
 			if ((state.awake >> lane & 1) == 0) {
-				continue; // or a sleeper would be moved where others of its crew are awake
+				continue; // or a sleeper would be moved where others of its batch are awake
 			}
-			const bool has_rigid_body = rigid_neighbours_.has(row);
+			const bool has_rigid_body = rigid_neighbors_.has(active_index);
 			if (has_rigid_body) {
-				rigid_contacts_.add_body(bodies_.data(row));
-				beside_dynamic_.push_back(row);
+				rigid_contacts_.add_body(bodies_.data(active_index));
+				beside_dynamic_.push_back(active_index);
 			}
-			const bool is_coupled = has_rigid_body || pair_contacts_.has_pair(row) || joint_solver_.holds(row);
+			const bool is_coupled = has_rigid_body || pair_contacts_.has_pair(active_index) || joint_solver_.holds(active_index);
 			state.coupled |= std::uint32_t(is_coupled) << lane;
 		}
-		(state.coupled != 0 ? coupled_crews_ : free_crews_).push_back(i);
+		(state.coupled != 0 ? coupled_batches_ : free_batches_).push_back(i);
 	}
-	if (coupled_crews_.empty() && !rigid_contacts_.has_bodies()) {
+	if (coupled_batches_.empty() && !rigid_contacts_.has_bodies()) {
 		return;
 	}
-	for (std::uint32_t row = 0; joint_solver_.has_dynamic_ends() && row < bodies_.count(); ++row) {
-		if (joint_solver_.holds_to_dynamic(row)) {
-			beside_dynamic_.push_back(row);
+	for (std::uint32_t active_index = 0; joint_solver_.has_dynamic_ends() && active_index < bodies_.count(); ++active_index) {
+		if (joint_solver_.holds_to_dynamic(active_index)) {
+			beside_dynamic_.push_back(active_index);
 		}
 	}
-	contact_substeps_.choose(bodies_, coupled_crews_, { pair_contacts_.pairs(), joint_solver_.joined(), beside_dynamic_ },
-			substeps_of_step(world_.contact_substeps(), dt), free_crews_);
+	contact_substeps_.choose(bodies_, coupled_batches_, { pair_contacts_.pairs(), joint_solver_.joined(), beside_dynamic_ },
+			substeps_of_step(world_.contact_substeps(), dt), free_batches_);
 }
 
 void Simulator::step_free(Real dt) {
-	const auto begin = [&](BodyStepper &stepper, std::uint32_t i) { stepper.begin(bodies_.crew(i), bodies_.state(i).stepped()); };
-	advance_crews(free_crews_, { 0, dt, 1, false }, begin, [&](BodyStepper &stepper, std::uint32_t i) {
-		const Crew &crew = bodies_.crew(i);
+	const auto begin = [&](BodyStepper &stepper, std::uint32_t i) { stepper.begin(bodies_.batch(i), bodies_.state(i).stepped()); };
+	advance_batches(free_batches_, { 0, dt, 1, false }, begin, [&](BodyStepper &stepper, std::uint32_t i) {
+		const Batch &batch = bodies_.batch(i);
 		const std::uint32_t stepped = bodies_.state(i).stepped();
-		if (crew.settings->turns_with_body()) {
-			stepper.remember_rotations(crew, stepped, stepper.measure_frames(crew));
+		if (batch.settings->turns_with_body()) {
+			stepper.remember_rotations(batch, stepped, stepper.measure_frames(batch));
 		}
-		stepper.end(crew, stepped);
+		stepper.end(batch, stepped);
 		if (world_.has_sleeping()) {
-			stepper.time_rest(crew, stepped, dt);
+			stepper.time_rest(batch, stepped, dt);
 		}
 	});
 }
 
 void Simulator::step_coupled(Real dt) {
-	for (const int substeps : contact_substeps_.heaps().counts()) {
-		step_heaps(substeps, dt);
+	for (const int substeps : contact_substeps_.island_substeps().counts()) {
+		step_islands(substeps, dt);
 	}
 	if (contact_substeps_.of_rigid_bodies() == 0) {
 		move_rigid_bodies_alone(dt);
 	}
-	for (const std::uint32_t i : coupled_crews_) {
-		bodies_.state(i).turn = contact_substeps_.heaps().are_common() ? ALL_LANES : bodies_.state(i).coupled;
+	for (const std::uint32_t i : coupled_batches_) {
+		bodies_.state(i).active_mask = contact_substeps_.island_substeps().are_common() ? ALL_LANES : bodies_.state(i).coupled;
 	}
 	pair_contacts_.end_step(pair_bodies());
 	measure_frames();
 	resist_rolling_between_bodies();
-	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
-		const Crew &crew = bodies_.crew(i);
-		CrewState &state = bodies_.state(i);
-		if (crew.settings->self_collision && surroundings_.has_colliders()) {
-			const std::span<const Vec2> outside = bodies_.swept_from(state.rows[0]);
-			bodies_.data(state.rows[0]).outside_hull().assign(outside.begin(), outside.end());
+	for_batches(coupled_batches_, [&](BodyStepper &stepper, std::uint32_t i) {
+		const Batch &batch = bodies_.batch(i);
+		BatchState &state = bodies_.state(i);
+		if (batch.settings->self_collision && surroundings_.has_colliders()) {
+			const std::span<const Vec2> outside = bodies_.sweep_start(state.active_indices[0]);
+			bodies_.data(state.active_indices[0]).last_valid_hull().assign(outside.begin(), outside.end());
 		}
-		stepper.check(crew, state.turn, dt);
-		stepper.end(crew, state.turn);
+		stepper.check(batch, state.active_mask, dt);
+		stepper.end(batch, state.active_mask);
 		if (world_.has_sleeping()) {
-			stepper.time_rest(crew, state.stepped(), dt);
+			stepper.time_rest(batch, state.stepped(), dt);
 		}
-		state.turn = ALL_LANES;
+		state.active_mask = ALL_LANES;
 	});
 	check_touched_sleepers(dt);
 }
 
-// A turn of the heaps that take so many contact substeps.
-void Simulator::step_heaps(int substeps, Real dt) {
-	const HeapTurn turn = contact_substeps_.heaps().turn(substeps);
-	turn_crews_.clear();
-	for (const std::uint32_t i : coupled_crews_) {
-		CrewState &state = bodies_.state(i);
-		state.turn = 0;
-		for (std::uint32_t lane = 0; lane < bodies_.crew(i).count; ++lane) {
-			state.turn |= std::uint32_t(turn.has(state.rows[lane])) << lane;
+// A turn of the islands that take so many contact substeps.
+void Simulator::step_islands(int substeps, Real dt) {
+	const SubstepGroup group = contact_substeps_.island_substeps().group(substeps);
+	group_batches_.clear();
+	for (const std::uint32_t i : coupled_batches_) {
+		BatchState &state = bodies_.state(i);
+		state.active_mask = 0;
+		for (std::uint32_t lane = 0; lane < bodies_.batch(i).count; ++lane) {
+			state.active_mask |= std::uint32_t(group.has(state.active_indices[lane])) << lane;
 		}
 		if (state.stepped() != 0) {
-			turn_crews_.push_back(i);
+			group_batches_.push_back(i);
 		}
 	}
 	const bool moves_rigid_bodies = substeps == contact_substeps_.of_rigid_bodies();
@@ -324,41 +324,41 @@ void Simulator::step_heaps(int substeps, Real dt) {
 		if (moves_rigid_bodies) {
 			rigid_contacts_.begin_substep(duration);
 		}
-		joint_solver_.begin_substep(turn);
+		joint_solver_.begin_substep(group);
 		const auto begin = [&](BodyStepper &stepper, std::uint32_t i) {
 			if (substep == 0) {
-				stepper.begin(bodies_.crew(i), bodies_.state(i).stepped());
+				stepper.begin(bodies_.batch(i), bodies_.state(i).stepped());
 			}
-			for_stepped(i, [&](std::uint32_t row) { bodies_.touching(row).begin_substep(); });
+			for_stepped(i, [&](std::uint32_t active_index) { bodies_.solver_body(active_index).begin_substep(); });
 		};
-		const Stretch stretch{ Real(substep) * duration, duration, substeps, true };
-		advance_crews(turn_crews_, stretch, begin, [&](BodyStepper &, std::uint32_t i) {
+		const TimeSlice slice{ Real(substep) * duration, duration, substeps, true };
+		advance_batches(group_batches_, slice, begin, [&](BodyStepper &, std::uint32_t i) {
 			if (surroundings_.has_colliders()) {
-				for_stepped(i, [&](std::uint32_t row) {
-					std::ranges::copy(bodies_.touching(row).hull(), bodies_.swept_from(row).begin());
+				for_stepped(i, [&](std::uint32_t active_index) {
+					std::ranges::copy(bodies_.solver_body(active_index).hull(), bodies_.sweep_start(active_index).begin());
 				});
 			}
 		});
-		pair_contacts_.answer(pair_bodies(), turn, parallel_for_);
-		joint_solver_.solve(Real(substep + 1) * duration, duration, turn);
+		pair_contacts_.solve(pair_bodies(), group, parallel_for_);
+		joint_solver_.solve(Real(substep + 1) * duration, duration, group);
 		if (moves_rigid_bodies && rigid_contacts_.has_bodies()) {
-			rigid_contact_count_ += rigid_contacts_.answer(parallel_for_);
+			rigid_contact_count_ += rigid_contacts_.solve(parallel_for_);
 		}
-		answer_self_contacts(duration);
+		solve_self_contacts(duration);
 	}
 }
 
 // Who sleeps is not stepped, but what has blown up may have touched it.
 void Simulator::check_touched_sleepers(Real dt) {
-	for (std::uint32_t i = 0; sleep_.sleepers().count() > 0 && i < bodies_.crew_count(); ++i) {
-		const CrewState &state = bodies_.state(i);
+	for (std::uint32_t i = 0; sleep_.sleepers().count() > 0 && i < bodies_.batch_count(); ++i) {
+		const BatchState &state = bodies_.state(i);
 		std::uint32_t touched = 0;
-		for (std::uint32_t lane = 0; lane < bodies_.crew(i).count; ++lane) {
-			const bool is_touched = (state.awake >> lane & 1) == 0 && pair_contacts_.has_pair(state.rows[lane]);
+		for (std::uint32_t lane = 0; lane < bodies_.batch(i).count; ++lane) {
+			const bool is_touched = (state.awake >> lane & 1) == 0 && pair_contacts_.has_pair(state.active_indices[lane]);
 			touched |= std::uint32_t(is_touched) << lane;
 		}
 		if (touched != 0) {
-			steppers_[0].check(bodies_.crew(i), touched, dt);
+			steppers_[0].check(bodies_.batch(i), touched, dt);
 		}
 	}
 }
@@ -372,30 +372,30 @@ void Simulator::move_rigid_bodies_alone(Real dt) {
 }
 
 void Simulator::measure_frames() {
-	for_crews(coupled_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
-		const Crew &crew = bodies_.crew(i);
-		if (!pair_contacts_.resists_rolling() && !crew.settings->turns_with_body()) {
+	for_batches(coupled_batches_, [&](BodyStepper &stepper, std::uint32_t i) {
+		const Batch &batch = bodies_.batch(i);
+		if (!pair_contacts_.resists_rolling() && !batch.settings->turns_with_body()) {
 			return;
 		}
-		const std::array<BodyFrame, PACK_WIDTH> frames = stepper.measure_frames(crew);
-		for (std::uint32_t lane = 0; lane < crew.count; ++lane) {
-			bodies_.touching(bodies_.state(i).rows[lane]).take_frame(frames[lane]);
+		const std::array<BodyFrame, PACK_WIDTH> frames = stepper.measure_frames(batch);
+		for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+			bodies_.solver_body(bodies_.state(i).active_indices[lane]).take_frame(frames[lane]);
 		}
-		if (crew.settings->turns_with_body()) {
-			stepper.remember_rotations(crew, bodies_.state(i).turn, frames);
+		if (batch.settings->turns_with_body()) {
+			stepper.remember_rotations(batch, bodies_.state(i).active_mask, frames);
 		}
 	});
 }
 
-// Last of all, as all others may press a hull against itself. A body that meets itself is a crew of its own.
-void Simulator::answer_self_contacts(Real h) {
+// Last of all, as all others may press a hull against itself. A body that meets itself is a batch of its own.
+void Simulator::solve_self_contacts(Real h) {
 	if (!bodies_.meet_themselves()) {
 		return;
 	}
-	for_crews(turn_crews_, [&](BodyStepper &stepper, std::uint32_t i) {
-		const Crew &crew = bodies_.crew(i);
-		if (crew.settings->self_collision) {
-			stepper.answer_self_contacts(crew.bodies[0], bodies_.touching(bodies_.state(i).rows[0]).before, h);
+	for_batches(group_batches_, [&](BodyStepper &stepper, std::uint32_t i) {
+		const Batch &batch = bodies_.batch(i);
+		if (batch.settings->self_collision) {
+			stepper.solve_self_contacts(batch.bodies[0], bodies_.solver_body(bodies_.state(i).active_indices[0]).before, h);
 		}
 	});
 }
@@ -406,17 +406,17 @@ void Simulator::resist_rolling_between_bodies() {
 		return;
 	}
 	pair_contacts_.resist_rolling(pair_bodies());
-	for_crews(coupled_crews_, [&](BodyStepper &, std::uint32_t i) {
-		for (std::uint32_t lane = 0; lane < bodies_.crew(i).count; ++lane) {
-			bodies_.touching(bodies_.state(i).rows[lane]).apply_spin_change();
+	for_batches(coupled_batches_, [&](BodyStepper &, std::uint32_t i) {
+		for (std::uint32_t lane = 0; lane < bodies_.batch(i).count; ++lane) {
+			bodies_.solver_body(bodies_.state(i).active_indices[lane]).apply_spin_change();
 		}
 	});
 }
 
 void Simulator::let_sleep() {
 	joined_.assign(joint_solver_.joined().begin(), joint_solver_.joined().end());
-	rigid_neighbours_.add_linked(joined_);
-	sleep_.let_sleep(pair_contacts_.pairs(), pair_contacts_.touched(), joined_, rigid_neighbours_.restless());
+	rigid_neighbors_.add_linked(joined_);
+	sleep_.let_sleep(pair_contacts_.pairs(), pair_contacts_.touched(), joined_, rigid_neighbors_.restless());
 }
 
 // Before anything falls asleep or wakes: what slept during the step has found no contact and yet lost no touch.
@@ -424,7 +424,7 @@ void Simulator::report_contacts(Real dt) {
 	for (BodyStepper &stepper : steppers_) {
 		contact_monitor_.add(stepper.log());
 	}
-	for (PairHandling &handling : pair_contacts_.handlings()) {
+	for (PairContactSolver &handling : pair_contacts_.solvers()) {
 		contact_monitor_.add(handling.log());
 	}
 	contact_monitor_.add(rigid_contacts_.log());
@@ -433,8 +433,8 @@ void Simulator::report_contacts(Real dt) {
 
 void Simulator::collect(StepReport &report) {
 	report.sleeping_bodies = sleep_.sleepers().count() - bodies_.frozen_count();
-	for (const std::uint32_t place : bodies_.inactive_places()) {
-		SoftBodyData &body = world_.soft_bodies()[place];
+	for (const std::uint32_t body_index : bodies_.inactive_bodies()) {
+		SoftBodyData &body = world_.soft_bodies()[body_index];
 		std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
 	}
 	report.pair_contacts = pair_contacts_.contact_count();
@@ -449,9 +449,9 @@ void Simulator::collect(StepReport &report) {
 	}
 	std::ranges::sort(non_finite);
 	non_finite.erase(std::unique(non_finite.begin(), non_finite.end()), non_finite.end());
-	for (const std::uint32_t place : non_finite) {
-		report.reset_bodies.push_back(world_.id_at(place));
-		SoftBodyData &body = world_.soft_bodies()[place];
+	for (const std::uint32_t body_index : non_finite) {
+		report.reset_bodies.push_back(world_.id_at(body_index));
+		SoftBodyData &body = world_.soft_bodies()[body_index];
 		if (body.settings().failure_response == FailureResponse::FREEZE) {
 			body.set_frozen(true);
 		}

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel_for.h"
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 #include "core/collision/contact_monitor.h"
 #include "core/collision/pair_contacts.h"
 #include "core/collision/rigid_contacts.h"
@@ -13,7 +13,7 @@
 #include "core/dynamics/contact_substeps.h"
 #include "core/dynamics/joint_solver.h"
 #include "core/dynamics/pin_motion.h"
-#include "core/dynamics/rigid_neighbours.h"
+#include "core/dynamics/rigid_neighbors.h"
 #include "core/dynamics/sleep_watch.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/model/world_data.h"
@@ -28,23 +28,23 @@ namespace softbody {
 struct StepReport {
 	Status refused; ///< set when `dt` was refused; then nothing moved
 	std::uint64_t substeps = 0; ///< body-substeps, summed over bodies
-	std::uint64_t contacts = 0; ///< contacts with the surroundings answered, summed over substeps
-	std::uint64_t pair_contacts = 0; ///< contacts between bodies answered, summed over substeps
+	std::uint64_t contacts = 0; ///< contacts with the surroundings solved, summed over substeps
+	std::uint64_t pair_contacts = 0; ///< contacts between bodies solved, summed over substeps
 	std::size_t sleeping_bodies = 0; ///< after the step
 	/// Bodies whose state became non-finite in this step, or that flew apart (CREDIBLE_REACH). Each was given its rest
-	/// shape again, with the centre, rotation and mean velocity that it had before, so that its next step starts
+	/// shape again, with the center, rotation and mean velocity that it had before, so that its next step starts
 	/// sane; at rest if that velocity cannot be believed or a point is pinned. Pinned points stay. The others are
 	/// untouched. Those whose settings say so (FailureResponse::FREEZE) are frozen from the next step on.
 	std::vector<BodyId> reset_bodies;
-	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves answered, summed over substeps
+	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves solved, summed over substeps
 	/// Joints that bore more than they can (Joint::break_force) and are gone. Each is told once.
 	std::vector<JointId> broken_joints;
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
 /// other. Bodies that may touch one another or a dynamic rigid body, or are joined to something, take contact substeps
-/// together: the world's (more in a long step, see `substeps_of_step`), or as many as one of the heap needs (`ContactSubsteps`). In
-/// each of them every body advances, in as many force substeps as it needs, and then contacts between bodies are answered,
+/// together: the world's (more in a long step, see `substeps_of_step`), or as many as one of the island needs (`ContactSubsteps`). In
+/// each of them every body advances, in as many force substeps as it needs, and then contacts between bodies are solved,
 /// with dynamic rigid bodies, and joints. Owns nothing but scratch memory, which grows with the world.
 /// Islands of bodies at rest fall asleep (`SleepWatch`).
 class Simulator {
@@ -60,7 +60,7 @@ public:
 	StepReport simulate(Real dt);
 
 	/// Every contact of the last step of a body that monitors (BodySettings::contact_monitor), as that body sees it: the
-	/// same list for any number of threads, sorted by body, what it touches, and place. What sleeps is not stepped and has
+	/// same list for any number of threads, sorted by body, what it touches, and body index. What sleeps is not stepped and has
 	/// none; its touches last. Valid until the next step.
 	std::span<const Contact> contacts() const { return contact_monitor_.contacts(); }
 	/// Which touches of such bodies the last step has begun or ended (see `ContactMonitor`): first the ends. Each is
@@ -74,7 +74,7 @@ public:
 
 private:
 	/// One of `parts` equal stretches of the step, each body in its share of the substeps that it needs.
-	struct Stretch {
+	struct TimeSlice {
 		Real elapsed = 0; ///< since the step began [s]
 		Real duration = 0; ///< [s]
 		int parts = 1;
@@ -84,54 +84,54 @@ private:
 	// A step, in this order.
 	void begin_step(Real dt);
 	void find_rigid_contacts(Real dt);
-	void divide_crews(Real dt);
+	void divide_batches(Real dt);
 	void step_free(Real dt);
 	void step_coupled(Real dt);
 	void report_contacts(Real dt);
 	void let_sleep();
 	void collect(StepReport &report);
 
-	void advance(BodyStepper &stepper, std::uint32_t crew, const Stretch &stretch);
-	void advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const Stretch &stretch, StateAhead &ahead);
-	SweptFrom swept_from(std::uint32_t crew, const Stretch &stretch) const;
-	void measure_extents(std::uint32_t crew);
-	/// Calls `work(stepper, crew index)` for every crew in the list, divided over the steppers.
+	void advance(BodyStepper &stepper, std::uint32_t batch, const TimeSlice &slice);
+	void advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const TimeSlice &slice, StatePrefetch &prefetch);
+	SweepStarts sweep_start(std::uint32_t batch, const TimeSlice &slice) const;
+	void measure_extents(std::uint32_t batch);
+	/// Calls `work(stepper, batch index)` for every batch in the list, divided over the steppers.
 	template <class Work>
-	void for_crews(std::span<const std::uint32_t> crews, const Work &work);
-	/// The same, with every crew advanced between `before(stepper, crew index)` and `after`, likewise.
+	void for_batches(std::span<const std::uint32_t> batches, const Work &work);
+	/// The same, with every batch advanced between `before(stepper, batch index)` and `after`, likewise.
 	template <class Before, class After>
-	void advance_crews(std::span<const std::uint32_t> crews, const Stretch &stretch, const Before &before,
+	void advance_batches(std::span<const std::uint32_t> batches, const TimeSlice &slice, const Before &before,
 			const After &after);
-	/// Calls `work(row)` for every body of a crew that takes part in the present pass.
-	void for_stepped(std::uint32_t crew, const auto &work) const;
+	/// Calls `work(active_index)` for every body of a batch that takes part in the present pass.
+	void for_stepped(std::uint32_t batch, const auto &work) const;
 
-	void step_heaps(int substeps, Real dt);
+	void step_islands(int substeps, Real dt);
 	void move_rigid_bodies_alone(Real dt);
 	void measure_frames();
-	void answer_self_contacts(Real h);
+	void solve_self_contacts(Real h);
 	void resist_rolling_between_bodies();
 	void check_touched_sleepers(Real dt);
-	PairBodies pair_bodies() { return { bodies_.touching(), sleep_.sleepers().flags(), bodies_.places(), world_ }; }
+	PairBodies pair_bodies() { return { bodies_.solver_bodies(), sleep_.sleepers().flags(), bodies_.body_indices(), world_ }; }
 
 	WorldData &world_;
 	ParallelFor parallel_for_;
 	ActiveBodies bodies_;
-	SurroundingsIndex surroundings_;
+	ColliderIndex surroundings_;
 	SleepWatch sleep_;
 	PinMotion pin_motion_;
 	PairContacts pair_contacts_;
 	RigidContacts rigid_contacts_;
 	std::uint64_t rigid_contact_count_ = 0;
-	RigidNeighbours rigid_neighbours_;
+	RigidNeighbors rigid_neighbors_;
 	JointSolver joint_solver_;
 	ContactMonitor contact_monitor_;
 	std::vector<BodyStepper> steppers_; ///< one a task, so that no two threads share scratch memory
 
-	std::vector<std::uint32_t> free_crews_;
-	std::vector<std::uint32_t> coupled_crews_;
-	std::vector<std::uint32_t> turn_crews_; ///< those of them whose turn it is
+	std::vector<std::uint32_t> free_batches_;
+	std::vector<std::uint32_t> coupled_batches_;
+	std::vector<std::uint32_t> group_batches_; ///< those of them whose turn it is
 	ContactSubsteps contact_substeps_;
-	std::vector<std::uint32_t> beside_dynamic_; ///< rows that may meet a dynamic rigid body, or are joined to one
+	std::vector<std::uint32_t> beside_dynamic_; ///< active indices that may meet a dynamic rigid body, or are joined to one
 	std::vector<BodyPair> joined_; ///< who sleeps and wakes together without touching
 
 	std::uint64_t seen_forces_ = 0;

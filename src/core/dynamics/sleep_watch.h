@@ -2,7 +2,7 @@
 // Lets bodies fall asleep, and wakes them when what is around them changes.
 #pragma once
 
-#include "core/collision/surroundings_watch.h"
+#include "core/collision/collider_watch.h"
 #include "core/dynamics/active_bodies.h"
 #include "core/dynamics/joint_solver.h"
 #include "core/dynamics/sleepers.h"
@@ -19,16 +19,16 @@ namespace softbody {
 class SleepWatch {
 public:
 	/// All must outlive the object.
-	SleepWatch(WorldData &world, ActiveBodies &bodies, const SurroundingsIndex &surroundings, const JointSolver &joints) :
+	SleepWatch(WorldData &world, ActiveBodies &bodies, const ColliderIndex &surroundings, const JointSolver &joints) :
 			world_(world), bodies_(bodies), surroundings_(surroundings), joints_(joints) {}
 
 	const Sleepers &sleepers() const { return sleepers_; }
 
-	/// Begins a step, once the others have: takes over who was woken or put to sleep from outside. `is_rearranged`: rows
+	/// Begins a step, once the others have: takes over who was woken or put to sleep from outside. `is_rearranged`: active indices
 	/// are others than before.
 	void begin_step(bool is_rearranged);
 	/// Wakes those around whom something has changed. O(1) where nothing has, else O(bodies).
-	void wake_by_surroundings();
+	void wake_by_environment();
 	/// Takes over who has been woken meanwhile (SoftBodyData::wake), with their islands.
 	void take_over() { take_over(false); }
 	/// After a step; see `Sleepers::let_sleep`.
@@ -40,17 +40,17 @@ private:
 	void wake_by_what_changed();
 	void wake_by_rigid_ends();
 	void wake_by_frozen_bodies();
-	Aabb rest_box(std::uint32_t row) const;
+	Aabb rest_box(std::uint32_t active_index) const;
 	/// What the body rests amid and hangs from, as a number (RestState::surroundings).
-	std::uint64_t describe(std::uint32_t row) {
-		return watch_.describe(surroundings_, rest_box(row)) + joints_.rigid_ends_of(row);
+	std::uint64_t describe(std::uint32_t active_index) {
+		return watch_.describe(surroundings_, rest_box(active_index)) + joints_.rigid_ends_of(active_index);
 	}
 
 	WorldData &world_;
 	ActiveBodies &bodies_;
-	const SurroundingsIndex &surroundings_;
+	const ColliderIndex &surroundings_;
 	const JointSolver &joints_;
-	SurroundingsWatch watch_;
+	ColliderWatch watch_;
 	Sleepers sleepers_;
 	std::uint64_t seen_restores_ = 0;
 };

@@ -15,7 +15,7 @@ T zero_if_finite(BasicVec2<T> x, BasicVec2<T> v) {
 }
 
 /// Whether all is finite and no point farther from the first than `reach` [length]. A blow-up is noticed by its
-/// size long before it overflows: by then rounding has swamped the body's centre. A sum of zeros is zero unless one of
+/// size long before it overflows: by then rounding has swamped the body's center. A sum of zeros is zero unless one of
 /// them came from what is not finite: one test instead of four a point. O(points).
 template <class T>
 MaskOf<T> is_sound(std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities, Real reach) {

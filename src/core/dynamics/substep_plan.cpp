@@ -31,38 +31,38 @@ double ratio(double numerator, double denominator) {
 
 // What the pressure term depends on: sum |∂A/∂x|²/m [length²/mass], and |A/A0 - s|.
 struct HullState {
-	double area_mobility = 0;
+	double area_inverse_mass = 0;
 	double excess = 0;
 };
 
 // Between crushed flat and twice its target no hull is farther off than this.
 HullState hull_at_rest(const SoftBodyShape &shape, const BodySettings &settings) {
-	return { shape.area_mobility(), std::max(1.0, double(settings.inflation)) };
+	return { shape.area_inverse_mass(), std::max(1.0, double(settings.inflation)) };
 }
 
 HullState hull_of(const SoftBodyData &body, Real ahead) {
 	const SoftBodyShape &shape = body.shape();
 	const std::size_t count = shape.hull_count();
 	const auto at = [&](std::size_t i) { return body.positions()[i] + body.velocities()[i] * ahead; };
-	double mobility = 0;
+	double inverse_mass = 0;
 	double twice_area = 0;
 	Vec2 last = at(count - 1);
 	Vec2 here = at(0);
 	const Vec2 base = here; // areas relative to a point of the body keep digits far from the origin
 	for (std::size_t i = 0; i < count; ++i) {
 		const Vec2 next = at(i + 1 == count ? 0 : i + 1);
-		mobility += double(length_squared(next - last)) / (4 * double(shape.masses()[i]));
+		inverse_mass += double(length_squared(next - last)) / (4 * double(shape.masses()[i]));
 		twice_area += cross(here - base, next - base);
 		last = here;
 		here = next;
 	}
-	return { mobility, std::abs(twice_area / (2 * shape.rest_area()) - body.settings().inflation) };
+	return { inverse_mass, std::abs(twice_area / (2 * shape.rest_area()) - body.settings().inflation) };
 }
 
 // A hull that is no number any more asks for nothing: the step that made it is what the simulator answers.
 void include(HullState &state, const HullState &other) {
-	if (std::isfinite(other.area_mobility) && std::isfinite(other.excess)) {
-		state.area_mobility = std::max(state.area_mobility, other.area_mobility);
+	if (std::isfinite(other.area_inverse_mass) && std::isfinite(other.excess)) {
+		state.area_inverse_mass = std::max(state.area_inverse_mass, other.area_inverse_mass);
 		state.excess = std::max(state.excess, other.excess);
 	}
 }
@@ -73,7 +73,7 @@ bool lives_on_damping(Integrator integrator) {
 
 FrequencyBounds bounds_with(const SoftBodyShape &shape, const BodySettings &settings, const HullState &hull) {
 	const double per_mass = double(shape.point_count()) / shape.total_mass();
-	const double area_term = settings.pressure_stiffness * hull.area_mobility / shape.rest_area();
+	const double area_term = settings.pressure_stiffness * hull.area_inverse_mass / shape.rest_area();
 	FrequencyBounds bounds;
 	double shear_term = 0; // damped, of elastic modes and triangles
 	double dilation_term = 0;
@@ -81,8 +81,8 @@ FrequencyBounds bounds_with(const SoftBodyShape &shape, const BodySettings &sett
 		shear_term = double(mode_stiffness(*shape.modes(), settings).rest) * shape.modes()->projection_bound / shape.total_mass();
 	}
 	if (has_triangles(shape, settings)) {
-		shear_term = double(settings.shear_modulus) * shape.triangle_shear_mobility();
-		dilation_term = double(settings.area_stiffness) * shape.triangle_dilation_mobility();
+		shear_term = double(settings.shear_modulus) * shape.triangle_shear_inverse_mass();
+		dilation_term = double(settings.area_stiffness) * shape.triangle_dilation_inverse_mass();
 	}
 	bounds.frequency_squared = double(settings.spring_stiffness_scale) * shape.spring_frequency_squared() + shear_term + settings.shape_stiffness * per_mass + area_term +
 			settings.pressure_stiffness * hull.excess / shape.least_hull_mass() + dilation_term;

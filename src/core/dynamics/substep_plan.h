@@ -42,7 +42,7 @@ struct SubstepPlan {
 /// k_p/A0 (∇A ∇Aᵀ + (A - sA0) ∇²A), so it adds k_p (sum |∂A/∂x|²/m / A0 + |A/A0 - s|/m), as ∇²A has eigenvalues up
 /// to 1. Both parts grow without limit as the hull is stretched: no constant bounds them.
 /// Elastic modes add the stiffness of what is in no mode over the mass. Elastic triangles add μ times
-/// `triangle_shear_mobility`, in any configuration, which alone is damped, and K times `triangle_dilation_mobility`, that at rest.
+/// `triangle_shear_inverse_mass`, in any configuration, which alone is damped, and K times `triangle_dilation_inverse_mass`, that at rest.
 /// In other configurations a triangle is up to 2.42 times as stiff against a change of area; STABILITY_BUDGET leaves room for 2.37
 /// times Ω².
 /// Γ is the same as Ω² for the damping coefficients; pressure has none.

@@ -115,7 +115,7 @@ void add_triangle_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>>
 	const BodySettings &settings = body.settings;
 	const T damping(settings.shear_modulus * settings.elastic_damping_time);
 	const BasicBodyFrame<T> frame = measure_frame<T>(shape, body.rotation_memory, positions, velocities);
-	const NetForce<T> before = net_force<T>(positions, frame.centre, forces);
+	const NetForce<T> before = net_force<T>(positions, frame.center, forces);
 	for (const ElasticTriangle &triangle : shape.triangles()->triangles) {
 		const auto [a, b, c] = triangle.corners;
 		const BasicVec2<T> e1 = positions[b] - positions[a];
@@ -138,12 +138,12 @@ void add_triangle_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>>
 		forces[c] -= on_c;
 	}
 	// The elastic part pushes and turns nothing but for rounding, which would turn with the body and drive it.
-	const NetForce<T> after = net_force<T>(positions, frame.centre, forces);
+	const NetForce<T> after = net_force<T>(positions, frame.center, forces);
 	const BasicVec2<T> push = (after.push - before.push) * T(1 / shape.total_mass());
 	const T least(DEGENERATE_LENGTH * shape.rest_inertia());
 	const T spin = select(frame.inertia > least, (after.torque - before.torque) / frame.inertia, T(0));
 	for (std::size_t i = 0; i < positions.size(); ++i) {
-		forces[i] -= (push + perpendicular(positions[i] - frame.centre) * spin) * T(shape.masses()[i]);
+		forces[i] -= (push + perpendicular(positions[i] - frame.center) * spin) * T(shape.masses()[i]);
 	}
 }
 

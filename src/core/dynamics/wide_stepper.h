@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Two crews at once, where the processor has registers twice as wide.
+// Two batches at once, where the processor has registers twice as wide.
 #pragma once
 
 #include "core/base/pack.h"
-#include "core/collision/pair_response.h"
-#include "core/dynamics/roster.h"
-#include "core/dynamics/state_ahead.h"
+#include "core/collision/pair_constraint.h"
+#include "core/dynamics/batch_builder.h"
+#include "core/dynamics/state_prefetch.h"
 #include "core/model/integrator.h"
 #include "core/model/surroundings.h"
 
@@ -17,13 +17,13 @@
 
 namespace softbody {
 
-/// How many bodies two full crews hold.
+/// How many bodies two full batches hold.
 inline constexpr std::size_t WIDE_WIDTH = 2 * PACK_WIDTH;
 
-/// Two full crews of one shape and equal settings that have a stretch of the step to themselves: no colliders near, no
+/// Two full batches of one shape and equal settings that have a slice of the step to themselves: no colliders near, no
 /// external forces, nothing that bounces, nobody monitored.
-struct WideStretch {
-	std::array<const Crew *, 2> crews{};
+struct WideTimeSlice {
+	std::array<const Batch *, 2> batches{};
 	std::array<Rotation, WIDE_WIDTH> rotation_memories; ///< read where shapes are matched
 	std::span<const Border> borders;
 	Integrator integrator = Integrator::SEMI_IMPLICIT_EULER; ///< not XPBD, not AUTOMATIC
@@ -31,17 +31,17 @@ struct WideStretch {
 	Real h = 0; ///< of a substep [s]
 	int substeps = 1;
 	Real reach = 0; ///< how far apart points may be at the end [length], see `is_sound`
-	/// Whose extents are measured at the end (`TouchingBody::measure_extent`), or all null.
-	std::array<TouchingBody *, WIDE_WIDTH> touching{};
+	/// Whose extents are measured at the end (`SolverBody::measure_extent`), or all null.
+	std::array<SolverBody *, WIDE_WIDTH> solver_bodies{};
 };
 
-/// Advances two crews side by side, with the bits that each would get alone. Serves one thread.
+/// Advances two batches side by side, with the bits that each would get alone. Serves one thread.
 class WideStepper {
 public:
 	virtual ~WideStepper() = default;
-	/// How many contacts with borders it answered. Nothing, and nothing has changed, if a body would have ended unsound.
-	/// Meanwhile it asks for all of `ahead`.
-	virtual std::optional<std::uint64_t> advance(const WideStretch &stretch, StateAhead &ahead) = 0;
+	/// How many contacts with borders it solved. Nothing, and nothing has changed, if a body would have ended unsound.
+	/// Meanwhile it asks for all of `prefetch`.
+	virtual std::optional<std::uint64_t> advance(const WideTimeSlice &slice, StatePrefetch &prefetch) = 0;
 };
 
 /// Null where the compiler or the processor offers no registers of that width, in double precision, and while

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Two crews at once in registers of 32 bytes. This file alone is compiled for AVX2, and linked last (see SConstruct).
+// Two batches at once in registers of 32 bytes. This file alone is compiled for AVX2, and linked last (see SConstruct).
 #include "core/dynamics/wide_stepper.h"
 
 // GCC cannot align the stack to 32 bytes on Windows (its bug 54412). SOFTBODY_SHUFFLES implies single precision.
 #if defined(__AVX2__) && defined(SOFTBODY_SHUFFLES) && !(defined(_WIN32) && !defined(__clang__))
 
 #include "core/collision/extent_lanes.h"
-#include "core/collision/surface_response_lanes.h"
+#include "core/collision/surface_constraint_lanes.h"
 #include "core/dynamics/area_lanes.h"
 #include "core/dynamics/forces_lanes.h"
 #include "core/dynamics/integrators/lane_steps.h"
@@ -97,9 +97,9 @@ void scatter_all(std::span<const WideVec2> all, const Lanes &lanes) {
 
 class Avx2Stepper final : public WideStepper {
 public:
-	std::optional<std::uint64_t> advance(const WideStretch &stretch, StateAhead &ahead) override {
-		const SoftBodyShape &shape = *stretch.crews[0]->shape;
-		const BodySettings &settings = *stretch.crews[0]->settings;
+	std::optional<std::uint64_t> advance(const WideTimeSlice &slice, StatePrefetch &prefetch) override {
+		const SoftBodyShape &shape = *slice.batches[0]->shape;
+		const BodySettings &settings = *slice.batches[0]->settings;
 		const std::size_t count = shape.point_count();
 		positions_.resize(std::max(positions_.size(), count));
 		velocities_.resize(std::max(velocities_.size(), count));
@@ -109,48 +109,48 @@ public:
 		Lanes to_positions;
 		Lanes to_velocities;
 		for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
-			const Crew &crew = *stretch.crews[lane / PACK_WIDTH];
-			to_positions[lane] = crew.positions[lane % PACK_WIDTH];
-			to_velocities[lane] = crew.velocities[lane % PACK_WIDTH];
+			const Batch &batch = *slice.batches[lane / PACK_WIDTH];
+			to_positions[lane] = batch.positions[lane % PACK_WIDTH];
+			to_velocities[lane] = batch.velocities[lane % PACK_WIDTH];
 		}
 		if (settings.turns_with_body()) {
 			for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
-				bodies.model.rotation_memory.c.set(lane, stretch.rotation_memories[lane].c);
-				bodies.model.rotation_memory.s.set(lane, stretch.rotation_memories[lane].s);
+				bodies.model.rotation_memory.c.set(lane, slice.rotation_memories[lane].c);
+				bodies.model.rotation_memory.s.set(lane, slice.rotation_memories[lane].s);
 			}
 		}
 		// A body or two at a time, as evenly as the work lets them be spread.
-		ahead.ask(1);
+		prefetch.ask(1);
 		gather_all(to_positions, bodies.positions);
-		ahead.ask(1);
+		prefetch.ask(1);
 		gather_all(to_velocities, bodies.velocities);
-		const std::size_t hull_count = stretch.touching[0] != nullptr ? shape.hull_count() : 0;
+		const std::size_t hull_count = slice.solver_bodies[0] != nullptr ? shape.hull_count() : 0;
 		before_.assign(positions_.begin(), positions_.begin() + std::ptrdiff_t(hull_count));
-		const LaneStep<WidePack> step = lane_step<WidePack>(stretch.integrator);
+		const LaneStep<WidePack> step = lane_step<WidePack>(slice.integrator);
 		WidePack contacts(0);
-		for (int i = 0; i < stretch.substeps; ++i) {
-			ahead.ask(2);
-			step(bodies, { stretch.gravity, {}, stretch.h }, workspace_);
+		for (int i = 0; i < slice.substeps; ++i) {
+			prefetch.ask(2);
+			step(bodies, { slice.gravity, {}, slice.h }, workspace_);
 			if (holds_area(shape, settings)) {
-				hold_area<WidePack>(bodies, stretch.h);
+				hold_area<WidePack>(bodies, slice.h);
 				workspace_.forces_are_current = WidePack(0) < WidePack(0);
 			}
 			if (settings.has_limits() && any(may_break_limits<WidePack>(bodies.model, bodies.positions))) {
-				ahead.ask_all();
+				prefetch.prefetch_all();
 				return std::nullopt; // rare, and for the narrower code
 			}
-			ahead.ask(2);
+			prefetch.ask(2);
 			if (settings.has_damp()) {
-				damp_rigid_motion<WidePack>(bodies, stretch.h);
+				damp_rigid_motion<WidePack>(bodies, slice.h);
 			}
-			if (!stretch.borders.empty()) {
-				const WidePack answered = answer_borders(bodies, stretch);
-				workspace_.forces_are_current = both(workspace_.forces_are_current, !(answered > WidePack(0)));
-				contacts += answered;
+			if (!slice.borders.empty()) {
+				const WidePack solved = solve_borders(bodies, slice);
+				workspace_.forces_are_current = both(workspace_.forces_are_current, !(solved > WidePack(0)));
+				contacts += solved;
 			}
 		}
-		ahead.ask_all();
-		if (any(!is_sound<WidePack>(bodies.positions, bodies.velocities, stretch.reach))) {
+		prefetch.prefetch_all();
+		if (any(!is_sound<WidePack>(bodies.positions, bodies.velocities, slice.reach))) {
 			return std::nullopt;
 		}
 		if (settings.has_limits() && any(may_break_limits<WidePack>(bodies.model, bodies.positions))) {
@@ -159,7 +159,7 @@ public:
 		scatter_all(bodies.positions, to_positions);
 		scatter_all(bodies.velocities, to_velocities);
 		if (hull_count > 0) {
-			hand_out(measure_extent<WidePack>(bodies.positions.first(hull_count), before_), stretch.touching);
+			hand_out(measure_extent<WidePack>(bodies.positions.first(hull_count), before_), slice.solver_bodies);
 		}
 		std::uint64_t all_contacts = 0;
 		for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
@@ -169,23 +169,23 @@ public:
 	}
 
 private:
-	// As `CollisionHandling::handle_borders_side_by_side` does.
-	static WidePack answer_borders(const BodyLanes<WidePack> &bodies, const WideStretch &stretch) {
+	// As `EnvironmentContactSolver::solve_borders_side_by_side` does.
+	static WidePack solve_borders(const BodyLanes<WidePack> &bodies, const WideTimeSlice &slice) {
 		BasicContactLoad<WidePack> load;
-		for (const Border &border : stretch.borders) {
+		for (const Border &border : slice.borders) {
 			if (is_noticed(bodies.model.settings, border.surface)) {
-				answer_border<WidePack>(bodies, border, std::numeric_limits<Real>::infinity(), stretch.h, load);
+				solve_border<WidePack>(bodies, border, std::numeric_limits<Real>::infinity(), slice.h, load);
 			}
 		}
 		resist_rolling<WidePack>(bodies, load);
 		return load.contacts;
 	}
 
-	static void hand_out(const BasicExtent<WidePack> &extent, const std::array<TouchingBody *, WIDE_WIDTH> &touching) {
+	static void hand_out(const BasicExtent<WidePack> &extent, const std::array<SolverBody *, WIDE_WIDTH> &solver_bodies) {
 		for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
-			TouchingBody &body = *touching[lane];
+			SolverBody &body = *solver_bodies[lane];
 			body.box = { { extent.min.x[lane], extent.min.y[lane] }, { extent.max.x[lane], extent.max.y[lane] } };
-			body.centre = { extent.centre.x[lane], extent.centre.y[lane] };
+			body.center = { extent.center.x[lane], extent.center.y[lane] };
 			body.radius = extent.radius[lane];
 			body.way = extent.way[lane];
 		}

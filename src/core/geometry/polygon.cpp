@@ -122,10 +122,10 @@ bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon) {
 	return inside;
 }
 
-bool is_star_shaped_about(Vec2 centre, std::span<const Vec2> polygon) {
+bool is_star_shaped_about(Vec2 center, std::span<const Vec2> polygon) {
 	const bool positive = signed_area(polygon) > 0;
 	for (std::size_t i = 0; i < polygon.size(); ++i) {
-		const double twice = signed_double_area(centre, polygon[i], polygon[(i + 1) % polygon.size()]);
+		const double twice = signed_double_area(center, polygon[i], polygon[(i + 1) % polygon.size()]);
 		if (positive ? twice < 0 : twice > 0) {
 			return false;
 		}
@@ -164,7 +164,7 @@ Status check_hull(std::span<const Vec2> hull) {
 			case SelfContact::Kind::COINCIDENT_POINTS:
 				return hull_error("points " + std::to_string(contact->first) + " and " + std::to_string(contact->second) +
 								" coincide",
-						"must have distinct neighbouring points", "move or remove one of the two points");
+						"must have distinct neighboring points", "move or remove one of the two points");
 			case SelfContact::Kind::FOLDED_BACK:
 				return hull_error(second + " folds back onto " + first, "must not intersect itself",
 						"move one of these points");

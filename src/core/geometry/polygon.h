@@ -17,19 +17,19 @@ Real signed_area(std::span<const Vec2> polygon);
 /// Length of the closed outline [length]. O(n).
 Real perimeter(std::span<const Vec2> polygon);
 
-/// Centre of area [length]; the mean of the points when the area is zero. O(n).
+/// Center of area [length]; the mean of the points when the area is zero. O(n).
 Vec2 area_centroid(std::span<const Vec2> polygon);
 
 /// Whether p lies inside the closed polygon (even-odd rule, so concave is fine). Points exactly on
 /// the border may fall on either side. O(n).
 bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon);
 
-/// Whether every border point is seen from `centre` without crossing the border. Thesis Alg. 4.11
+/// Whether every border point is seen from `center` without crossing the border. Thesis Alg. 4.11
 /// asks for convexity, but this is what its centre springs need. O(n).
-bool is_star_shaped_about(Vec2 centre, std::span<const Vec2> polygon);
+bool is_star_shaped_about(Vec2 center, std::span<const Vec2> polygon);
 
 /// Whether the closed polygon meets itself: edges that cross or touch, an edge that folds back onto its
-/// neighbour, neighbouring points that coincide. O(n²).
+/// neighbor, neighboring points that coincide. O(n²).
 bool is_self_intersecting(std::span<const Vec2> polygon);
 
 /// Whether a hull of positive winding has been folded: it meets itself, or its signed area is no
@@ -37,7 +37,7 @@ bool is_self_intersecting(std::span<const Vec2> polygon);
 bool is_folded(std::span<const Vec2> hull);
 
 /// Refuses what cannot be a hull: fewer than 3 or more than 4096 points, a coordinate that is not
-/// finite, coincident neighbours, edges that touch or cross, zero area. Either winding is accepted.
+/// finite, coincident neighbors, edges that touch or cross, zero area. Either winding is accepted.
 /// O(n²) once at creation.
 Status check_hull(std::span<const Vec2> hull);
 

@@ -45,38 +45,38 @@ Result<Attachment> Attachment::create(std::span<const Vec2> rest_positions, Vec2
 		return Error{ "place", "a position that is not finite", "must be finite", "give a finite position" };
 	}
 	const std::vector<double> weights = weights_at(rest_positions, place);
-	BasicVec2<double> centre;
+	BasicVec2<double> center;
 	for (std::size_t i = 0; i < weights.size(); ++i) {
-		centre.x += weights[i] * double(rest_positions[i].x);
-		centre.y += weights[i] * double(rest_positions[i].y);
+		center.x += weights[i] * double(rest_positions[i].x);
+		center.y += weights[i] * double(rest_positions[i].y);
 	}
 	Attachment attachment;
 	for (std::size_t i = 0; i < weights.size(); ++i) {
 		attachment.weights_.push_back(Real(weights[i]));
-		attachment.arms_.push_back({ Real(weights[i] * (double(rest_positions[i].x) - centre.x)),
-			Real(weights[i] * (double(rest_positions[i].y) - centre.y)) });
+		attachment.arms_.push_back({ Real(weights[i] * (double(rest_positions[i].x) - center.x)),
+			Real(weights[i] * (double(rest_positions[i].y) - center.y)) });
 	}
-	attachment.arm_ = { Real(double(place.x) - centre.x), Real(double(place.y) - centre.y) };
+	attachment.arm_ = { Real(double(place.x) - center.x), Real(double(place.y) - center.y) };
 	return attachment;
 }
 
 Pose Attachment::follow(std::span<const Vec2> positions, Rotation otherwise) const {
 	// Relative to one of the points: far from the origin the sums would lose digits.
 	const Vec2 origin = positions[0];
-	Vec2 centre;
+	Vec2 center;
 	for (std::size_t i = 0; i < weights_.size(); ++i) {
-		centre += (positions[i] - origin) * weights_[i];
+		center += (positions[i] - origin) * weights_[i];
 	}
 	Real along = 0;
 	Real across = 0;
 	for (std::size_t i = 0; i < weights_.size(); ++i) {
-		const Vec2 arm = positions[i] - origin - centre;
+		const Vec2 arm = positions[i] - origin - center;
 		along += dot(arms_[i], arm);
 		across += cross(arms_[i], arm);
 	}
 	const Real size = std::sqrt(along * along + across * across);
 	const Rotation rotation = size > 0 && std::isfinite(size) ? Rotation{ along / size, across / size } : otherwise;
-	return { origin + centre + rotation.apply(arm_), rotation };
+	return { origin + center + rotation.apply(arm_), rotation };
 }
 
 } // namespace softbody

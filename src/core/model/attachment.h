@@ -33,7 +33,7 @@ private:
 	Attachment() = default;
 
 	std::vector<Real> weights_; ///< sum 1
-	std::vector<Vec2> arms_; ///< at rest, from the weighted centre to the points, times their weight [length]
+	std::vector<Vec2> arms_; ///< at rest, from the weighted center to the points, times their weight [length]
 	Vec2 arm_; ///< from there to the place
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rigid motion hidden in a deformed body: its centre, orientation, velocity and spin.
+// The rigid motion hidden in a deformed body: its center, orientation, velocity and spin.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -12,16 +12,16 @@ namespace softbody {
 /// Best-fitting rigid motion of a body, weighted by mass; of several side by side for T = `RealPack`.
 template <class T>
 struct BasicBodyFrame {
-	BasicVec2<T> centre; ///< centre of mass [length]
-	BasicVec2<T> velocity; ///< of the centre of mass [length/s]
+	BasicVec2<T> center; ///< center of mass [length]
+	BasicVec2<T> velocity; ///< of the center of mass [length/s]
 	BasicRotation<T> rotation; ///< of the rest shape onto the points, least squares
 	MaskOf<T> rotation_defined; ///< false when the points fit every rotation equally well
-	T inertia = T(0); ///< about the centre, as the points lie [mass·length²]
+	T inertia = T(0); ///< about the center, as the points lie [mass·length²]
 	T angular_velocity = T(0); ///< angular momentum over `inertia` [rad/s]
 };
 using BodyFrame = BasicBodyFrame<Real>;
 
-/// Measures the frame of any state of a body's points: the rotation that minimises
+/// Measures the frame of any state of a body's points: the rotation that minimizes
 /// sum m |x - c - R q|², which in 2D is atan2(sum m q×x, sum m q·x) (Müller et al. 2005, sec. 3.3).
 /// Where that is undefined (a mirrored or collapsed body can fit every rotation alike), the rotation is
 /// `memory`, the body's last defined one. O(points).

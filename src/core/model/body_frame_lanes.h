@@ -15,21 +15,21 @@ BasicBodyFrame<T> measure_frame(const SoftBodyShape &shape, const BasicRotation<
 	const std::span<const Real> masses = shape.masses();
 	const std::span<const Vec2> rest = shape.rest_positions();
 	const BasicVec2<T> base = positions[0]; // sums relative to a point of the body keep digits far from the origin
-	BasicVec2<T> centre;
+	BasicVec2<T> center;
 	BasicVec2<T> velocity;
 	for (std::size_t i = 0; i < positions.size(); ++i) {
-		centre += (positions[i] - base) * masses[i];
+		center += (positions[i] - base) * masses[i];
 		velocity += velocities[i] * masses[i];
 	}
 	BasicBodyFrame<T> frame;
-	frame.centre = base + centre * (1 / shape.total_mass());
+	frame.center = base + center * (1 / shape.total_mass());
 	frame.velocity = velocity * (1 / shape.total_mass());
 
 	T along = T(0); // sum m q·r, proportional to the cosine
 	T across = T(0); // sum m q×r, proportional to the sine
 	T spin = T(0);
 	for (std::size_t i = 0; i < positions.size(); ++i) {
-		const BasicVec2<T> arm = positions[i] - frame.centre;
+		const BasicVec2<T> arm = positions[i] - frame.center;
 		const BasicVec2<T> q = in_all_lanes<T>(rest[i] * masses[i]);
 		along += dot(q, arm);
 		across += cross(q, arm);

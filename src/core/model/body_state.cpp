@@ -52,7 +52,7 @@ Status check_index(const char *name, std::size_t index, std::size_t count) {
 Status check_values(const BodyState &state) {
 	using List = std::pair<const char *, const std::vector<Vec2> *>;
 	for (const auto &[name, points] : { List{ "positions", &state.positions }, List{ "velocities", &state.velocities },
-				 List{ "previous_positions", &state.previous_positions }, List{ "outside_hull", &state.outside_hull } }) {
+				 List{ "previous_positions", &state.previous_positions }, List{ "last_valid_hull", &state.last_valid_hull } }) {
 		if (Status status = check_points(name, *points)) {
 			return status;
 		}
@@ -213,8 +213,8 @@ Status check_body_state(const BodyState &state, std::size_t point_count, std::si
 	if (Status status = check_count("previous_positions", state.previous_positions.size(), point_count)) {
 		return status;
 	}
-	if (!state.outside_hull.empty()) {
-		if (Status status = check_count("outside_hull", state.outside_hull.size(), hull_count)) {
+	if (!state.last_valid_hull.empty()) {
+		if (Status status = check_count("last_valid_hull", state.last_valid_hull.size(), hull_count)) {
 			return status;
 		}
 	}
@@ -242,7 +242,7 @@ Status check_body_state(const BodyState &state, std::size_t point_count, std::si
 std::vector<std::uint8_t> to_bytes(const BodyState &state) {
 	Writer body;
 	const auto add = [&](const auto &value) { body.add(value); };
-	for (const auto *points : { &state.positions, &state.velocities, &state.previous_positions, &state.outside_hull }) {
+	for (const auto *points : { &state.positions, &state.velocities, &state.previous_positions, &state.last_valid_hull }) {
 		body.add_list(*points, add);
 	}
 	body.add_list(state.pinned_points, add);
@@ -288,7 +288,7 @@ Result<BodyState> body_state_from_bytes(std::span<const std::uint8_t> bytes) {
 	}
 	BodyState state;
 	const auto read = [&](auto &value) { reader.read(value); };
-	for (auto *points : { &state.positions, &state.velocities, &state.previous_positions, &state.outside_hull }) {
+	for (auto *points : { &state.positions, &state.velocities, &state.previous_positions, &state.last_valid_hull }) {
 		reader.read_list(*points, 2 * sizeof(Real), read);
 	}
 	reader.read_list(state.pinned_points, sizeof(std::uint32_t), read);
@@ -336,7 +336,7 @@ BodyState SoftBodyData::save_state() const {
 	state.one_ways = one_ways_;
 	state.rest = rest_state_;
 	state.rest.restored = 0;
-	state.outside_hull = outside_hull_;
+	state.last_valid_hull = last_valid_hull_;
 	state.active = active_;
 	state.frozen = frozen_;
 	return state;
@@ -370,7 +370,7 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 	one_ways_ = state.one_ways;
 	rest_state_ = state.rest;
 	rest_state_.restored = restored;
-	outside_hull_ = state.outside_hull;
+	last_valid_hull_ = state.last_valid_hull;
 	active_ = state.active;
 	frozen_ = state.frozen;
 	frozen_inverse_masses_.assign(frozen_ ? point_count() : 0, Real(0));

@@ -30,14 +30,14 @@ struct PinTarget {
 /// What pushes and turns a body as a whole during the next step (see `add_rigid_force`).
 struct RigidLoad {
 	Vec2 force; ///< [mass·length/s²]
-	Real torque = 0; ///< about the centre of mass [mass·length²/s²]
+	Real torque = 0; ///< about the center of mass [mass·length²/s²]
 	friend bool operator==(const RigidLoad &, const RigidLoad &) = default;
 };
 
 /// What a body remembers of the touch it is in, so that it can be given its bounce when it leaves.
 struct TouchMemory {
 	bool touching = false;
-	Real approach = 0; ///< fastest approach of the centre of mass during this touch [length/s]
+	Real approach = 0; ///< fastest approach of the center of mass during this touch [length/s]
 	Real restitution = 0; ///< of body and surface together [1]
 	Vec2 normal; ///< of the last contacts, weighted by their impulses; unit
 	Vec2 surface_velocity; ///< [length/s]
@@ -47,7 +47,7 @@ struct TouchMemory {
 /// What two bodies remember of their touch, so that they can be given their bounce when they part.
 struct PairTouch {
 	bool touching = false;
-	Real approach = 0; ///< fastest approach of their centres during this touch [length/s]
+	Real approach = 0; ///< fastest approach of their centers during this touch [length/s]
 	double energy = 0; ///< kinetic, of both, before it began
 	friend bool operator==(const PairTouch &, const PairTouch &) = default;
 };
@@ -96,7 +96,7 @@ struct BodyState {
 	std::vector<PairMemory> pair_touches;
 	std::vector<OneWayMemory> one_ways;
 	RestState rest;
-	std::vector<Vec2> outside_hull; ///< see SoftBodyData::outside_hull; empty, or one a hull point
+	std::vector<Vec2> last_valid_hull; ///< see SoftBodyData::last_valid_hull; empty, or one a hull point
 	bool active = true;
 	bool frozen = false;
 

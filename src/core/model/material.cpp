@@ -67,8 +67,8 @@ constexpr double MOST_VISCOUS = 0.7;
 
 // The damping time, as far as triangles get it by their rate of shear.
 double triangle_damping_time(double wanted, const Material &material, const SoftBodyShape &shape) {
-	const double shear = material.shear_modulus() * double(shape.triangle_shear_mobility());
-	const double dilation = material.bulk_modulus() * double(shape.triangle_dilation_mobility());
+	const double shear = material.shear_modulus() * double(shape.triangle_shear_inverse_mass());
+	const double dilation = material.bulk_modulus() * double(shape.triangle_dilation_inverse_mass());
 	return std::min(wanted, MOST_VISCOUS * std::sqrt(shear + dilation) / shear);
 }
 

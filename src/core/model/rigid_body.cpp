@@ -20,7 +20,7 @@ Pose RigidBody::pose_after(Real time) const {
 		result.rotation = turned(Rotation::from_angle(angular_velocity * time), pose.rotation);
 		const Real size = std::sqrt(result.rotation.c * result.rotation.c + result.rotation.s * result.rotation.s);
 		result.rotation = { result.rotation.c / size, result.rotation.s / size }; // or it would drift, step by step
-		result.position += pose.rotation.apply(centre_of_mass) - result.rotation.apply(centre_of_mass);
+		result.position += pose.rotation.apply(center_of_mass) - result.rotation.apply(center_of_mass);
 	}
 	result.position += linear_velocity * time;
 	const bool is_there = is_finite(result.position) && is_finite(Vec2{ result.rotation.c, result.rotation.s });
@@ -50,8 +50,8 @@ RigidBody kinematic_between(const Pose &from, const Pose &to, Real dt) {
 // origin.
 Surface surface_in_motion(const Surface &surface, const RigidBody &body, const Pose &at) {
 	Surface result = surface;
-	result.velocity_origin = at.apply(body.centre_of_mass);
-	result.linear_velocity = body.linear_velocity + at.rotation.apply(surface.velocity_at(body.centre_of_mass));
+	result.velocity_origin = at.apply(body.center_of_mass);
+	result.linear_velocity = body.linear_velocity + at.rotation.apply(surface.velocity_at(body.center_of_mass));
 	result.angular_velocity = body.angular_velocity + surface.angular_velocity;
 	return result;
 }
@@ -68,8 +68,8 @@ Status check_rigid_body(const RigidBody &body) {
 		return Error{ "rigid_body.rotation", "length " + number_text(size), "must have unit length",
 			"make it with Rotation::from_angle, and leave scale out of it" };
 	}
-	if (!is_finite(body.centre_of_mass)) {
-		return refuse("rigid_body.centre_of_mass");
+	if (!is_finite(body.center_of_mass)) {
+		return refuse("rigid_body.center_of_mass");
 	}
 	if (!is_finite(body.linear_velocity)) {
 		return refuse("rigid_body.linear_velocity");

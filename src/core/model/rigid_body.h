@@ -17,13 +17,13 @@ namespace softbody {
 /// the engine they come from. A step moves the pose to its end, so that a body which nobody updates goes on.
 struct RigidBody {
 	Pose pose; ///< of the frame in which its colliders are given
-	Vec2 centre_of_mass; ///< in that frame [length]; the kinematic body turns about it too
-	Vec2 linear_velocity; ///< of the centre of mass [length/s]
+	Vec2 center_of_mass; ///< in that frame [length]; the kinematic body turns about it too
+	Vec2 linear_velocity; ///< of the center of mass [length/s]
 	Real angular_velocity = 0; ///< [rad/s]
 	/// By whatever acts on a dynamic body besides soft bodies, gravity for example [length/s²].
 	Vec2 acceleration;
 	Real inverse_mass = 0; ///< [1/mass], >= 0; 0: no contact moves it
-	Real inverse_inertia = 0; ///< about the centre of mass [1/(mass·length²)], >= 0; 0: no contact turns it
+	Real inverse_inertia = 0; ///< about the center of mass [1/(mass·length²)], >= 0; 0: no contact turns it
 	/// Names the body for joints (JointAnchor::tag), however often the surroundings are made anew. 0: no joint knows it.
 	std::uint64_t tag = 0;
 
@@ -38,8 +38,8 @@ struct RigidBody {
 	bool asleep = false;
 
 	bool is_dynamic() const { return inverse_mass > 0 || inverse_inertia > 0; }
-	/// Centre of mass in the world [length].
-	Vec2 centre() const { return pose.apply(centre_of_mass); }
+	/// Center of mass in the world [length].
+	Vec2 center() const { return pose.apply(center_of_mass); }
 	/// Where it is after moving for `time` [s] with the velocities it has; where it is now if that is out of the range of
 	/// numbers.
 	Pose pose_after(Real time) const;
@@ -47,14 +47,14 @@ struct RigidBody {
 	bool change_velocities(Vec2 linear, Real angular);
 	/// Velocity of its material at the place p of the world, for a body that is at `at` [length/s].
 	Vec2 velocity_at(Vec2 p, const Pose &at) const {
-		return linear_velocity + perpendicular(p - at.apply(centre_of_mass)) * angular_velocity;
+		return linear_velocity + perpendicular(p - at.apply(center_of_mass)) * angular_velocity;
 	}
 };
 
 /// What soft bodies gave a rigid body in one step.
 struct Reaction {
 	Vec2 impulse; ///< [mass·length/s]
-	Real angular_impulse = 0; ///< about the centre of mass [mass·length²/s]
+	Real angular_impulse = 0; ///< about the center of mass [mass·length²/s]
 	/// A soft body that sleeps is beside it, which is not looked at: it holds the rigid body as it did when it fell asleep.
 	bool beside_sleeper = false;
 };

@@ -31,7 +31,7 @@ void change_motion(SoftBodyData &body, const BodyFrame &frame, Vec2 velocity, Re
 	const Real turn = can_turn(body, frame) ? spin : Real(0);
 	for (std::size_t i = 0; i < v.size(); ++i) {
 		if (body.inverse_masses()[i] != 0) {
-			v[i] += velocity + perpendicular(x[i] - frame.centre) * turn;
+			v[i] += velocity + perpendicular(x[i] - frame.center) * turn;
 		}
 	}
 }
@@ -47,7 +47,7 @@ Status apply_rigid_impulse(SoftBodyData &body, Vec2 impulse, Vec2 position) {
 	}
 	const BodyFrame frame = measure_frame(body);
 	change_motion(body, frame, impulse * (1 / body.shape().total_mass()),
-			cross(position - frame.centre, impulse) / frame.inertia);
+			cross(position - frame.center, impulse) / frame.inertia);
 	return {};
 }
 
@@ -67,7 +67,7 @@ Status add_rigid_force(SoftBodyData &body, Vec2 force, Vec2 position) {
 	if (Status status = check_vector("position", position)) {
 		return status;
 	}
-	body.queue_load({ force, cross(position - measure_frame(body).centre, force) });
+	body.queue_load({ force, cross(position - measure_frame(body).center, force) });
 	return {};
 }
 
@@ -103,7 +103,7 @@ void add_rigid_load(const SoftBodyData &body, std::span<Vec2> forces) {
 	const Vec2 acceleration = load.force * (1 / body.shape().total_mass());
 	const Real turn = can_turn(body, frame) ? load.torque / frame.inertia : Real(0);
 	for (std::size_t i = 0; i < forces.size(); ++i) {
-		forces[i] += (acceleration + perpendicular(body.positions()[i] - frame.centre) * turn) * body.shape().masses()[i];
+		forces[i] += (acceleration + perpendicular(body.positions()[i] - frame.center) * turn) * body.shape().masses()[i];
 	}
 }
 

@@ -77,7 +77,7 @@ void SoftBodyData::put_to_sleep() {
 }
 
 void SoftBodyData::note_change() {
-	outside_hull_.clear();
+	last_valid_hull_.clear();
 	disturb();
 	if (changes_) {
 		++changes_->arrangement;
@@ -239,7 +239,7 @@ Status SoftBodyData::set_point(std::uint32_t point, Vec2 position, Vec2 velocity
 		return status;
 	}
 	disturb();
-	outside_hull_.clear();
+	last_valid_hull_.clear();
 	one_ways_.clear();
 	mutable_positions()[point] = position;
 	mutable_velocities()[point] = frozen_ ? Vec2{} : velocity;
@@ -303,7 +303,7 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 		}
 	}
 	disturb();
-	outside_hull_.clear();
+	last_valid_hull_.clear();
 	touch_memory_ = {};
 	one_ways_.clear();
 	const Rotation from = reference.rotation;

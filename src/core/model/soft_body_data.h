@@ -172,7 +172,7 @@ public:
 	RestState &rest_state() { return rest_state_; }
 	/// Of a body that collides with itself and has pushed itself since: its hull as it last was moved out of the
 	/// surroundings. Empty when it is where it was moved to.
-	std::vector<Vec2> &outside_hull() { return outside_hull_; }
+	std::vector<Vec2> &last_valid_hull() { return last_valid_hull_; }
 
 private:
 	SoftBodyData() = default;
@@ -194,7 +194,7 @@ private:
 	std::vector<PairMemory> pair_memories_;
 	std::vector<OneWayMemory> one_ways_;
 	RestState rest_state_;
-	std::vector<Vec2> outside_hull_;
+	std::vector<Vec2> last_valid_hull_;
 	std::vector<std::uint64_t> ignored_tags_;
 	std::shared_ptr<ChangeCounts> changes_;
 	bool active_ = true;

@@ -154,13 +154,13 @@ Status SoftBodyShape::derive() {
 	for (const Real each : masses_) {
 		inverse_masses_.push_back(1 / each);
 	}
-	const Vec2 centre{ Real(x / mass), Real(y / mass) };
-	origin_offset_ += centre;
+	const Vec2 center{ Real(x / mass), Real(y / mass) };
+	origin_offset_ += center;
 	total_mass_ = Real(mass);
 	double inertia = 0;
 	Real reach_squared = 0;
 	for (std::size_t i = 0; i < rest_positions_.size(); ++i) {
-		rest_positions_[i] -= centre;
+		rest_positions_[i] -= center;
 		inertia += double(masses_[i]) * length_squared(rest_positions_[i]);
 		reach_squared = std::max(reach_squared, length_squared(rest_positions_[i]));
 	}
@@ -169,12 +169,12 @@ Status SoftBodyShape::derive() {
 	rest_area_ = signed_area(rest_hull());
 	width_ = 2 * rest_area_ / perimeter(rest_hull());
 
-	area_mobility_ = 0;
+	area_inverse_mass_ = 0;
 	least_hull_mass_ = masses_[0];
 	Real shortest_squared = length_squared(rest_positions_[0] - rest_positions_[hull_count_ - 1]);
 	for (std::size_t i = 0; i < hull_count_; ++i) {
 		const Vec2 across = rest_positions_[(i + 1) % hull_count_] - rest_positions_[(i + hull_count_ - 1) % hull_count_];
-		area_mobility_ += length_squared(across) / (4 * masses_[i]);
+		area_inverse_mass_ += length_squared(across) / (4 * masses_[i]);
 		least_hull_mass_ = std::min(least_hull_mass_, masses_[i]);
 		shortest_squared = std::min(shortest_squared, length_squared(rest_positions_[(i + 1) % hull_count_] - rest_positions_[i]));
 	}
@@ -183,8 +183,8 @@ Status SoftBodyShape::derive() {
 	spring_frequency_squared_ = Real(largest_rate(&Spring2D::stiffness));
 	spring_damping_rate_ = Real(largest_rate(&Spring2D::damping));
 	const auto [shear, dilation] = largest_triangle_mobilities();
-	triangle_shear_mobility_ = Real(shear);
-	triangle_dilation_mobility_ = Real(dilation);
+	triangle_shear_inverse_mass_ = Real(shear);
+	triangle_dilation_inverse_mass_ = Real(dilation);
 	return check_derived();
 }
 
@@ -200,14 +200,14 @@ Status SoftBodyShape::check_derived() const {
 		return refused("hull", "too large or too small", "scale the outline");
 	}
 	const bool has_mass = is_usable(total_mass_) && std::ranges::all_of(inverse_masses_, is_usable) &&
-			is_usable(rest_inertia_) && is_usable(area_mobility_);
+			is_usable(rest_inertia_) && is_usable(area_inverse_mass_);
 	if (!has_mass) {
 		return refused("mass", "too large or too small", "give a mass that fits the body's size");
 	}
 	if (!std::isfinite(spring_frequency_squared_)) {
 		return refused("stiffness", "too large for the masses", "give less stiffness or more mass");
 	}
-	if (!std::isfinite(triangle_shear_mobility_) || !std::isfinite(triangle_dilation_mobility_)) {
+	if (!std::isfinite(triangle_shear_inverse_mass_) || !std::isfinite(triangle_dilation_inverse_mass_)) {
 		return refused("triangles", "too thin for the masses", "give more mass or fewer points");
 	}
 	if (!std::isfinite(spring_damping_rate_)) {

@@ -19,7 +19,7 @@ namespace softbody {
 /// changing a spring means making another shape.
 ///
 /// Points [0, hull_count) are the hull in order, wound so that its signed area is positive; inner
-/// points follow. Rest positions are stored relative to the centre of mass.
+/// points follow. Rest positions are stored relative to the center of mass.
 class SoftBodyShape {
 public:
 	/// Input of `create`. `points` may lie anywhere; `masses` has one entry a point.
@@ -54,14 +54,14 @@ public:
 	std::size_t point_count() const { return rest_positions_.size(); }
 	std::size_t hull_count() const { return hull_count_; }
 
-	/// Where the centre of mass lay in the coordinates of the description [length].
+	/// Where the center of mass lay in the coordinates of the description [length].
 	Vec2 origin_offset() const { return origin_offset_; }
 	Real total_mass() const { return total_mass_; }
 	Real rest_area() const { return rest_area_; } ///< area inside the hull at rest [length²], > 0
-	Real rest_inertia() const { return rest_inertia_; } ///< about the centre of mass [mass·length²]
+	Real rest_inertia() const { return rest_inertia_; } ///< about the center of mass [mass·length²]
 	/// Of its thinner part, roughly: twice the rest area over the hull's perimeter [length]. A disk's is its radius.
 	Real width() const { return width_; }
-	Real radius() const { return radius_; } ///< largest distance of a point from the centre of mass
+	Real radius() const { return radius_; } ///< largest distance of a point from the center of mass
 
 	/// Upper bound of the highest squared angular frequency of the springs [1/s²] in any
 	/// configuration. The Hessian of one spring has eigenvalues k and k(1 - l/|x|) <= k, so the whole is
@@ -75,12 +75,12 @@ public:
 	/// Upper bound of the highest squared angular frequency of the triangles' resistance to shear, over the shear modulus
 	/// [1/mass]; 0 without triangles. Its Hessian is the same in every configuration (see `add_triangle_forces`). By blocks of
 	/// two coordinates, its norms are a non-negative matrix, bounded as `spring_frequency_squared`.
-	Real triangle_shear_mobility() const { return triangle_shear_mobility_; }
+	Real triangle_shear_inverse_mass() const { return triangle_shear_inverse_mass_; }
 	/// The same for their resistance to a change of area at rest, over the bulk modulus [1/mass].
-	Real triangle_dilation_mobility() const { return triangle_dilation_mobility_; }
+	Real triangle_dilation_inverse_mass() const { return triangle_dilation_inverse_mass_; }
 
 	/// Sum over the hull of |∂A/∂x_i|²/m_i at rest [length²/mass]: what the pressure's frequency bound needs.
-	Real area_mobility() const { return area_mobility_; }
+	Real area_inverse_mass() const { return area_inverse_mass_; }
 	Real least_hull_mass() const { return least_hull_mass_; } ///< [mass]
 	Real shortest_hull_edge() const { return shortest_hull_edge_; } ///< at rest [length], > 0
 
@@ -113,9 +113,9 @@ private:
 	Real width_ = 0;
 	Real spring_frequency_squared_ = 0;
 	Real spring_damping_rate_ = 0;
-	Real triangle_shear_mobility_ = 0;
-	Real triangle_dilation_mobility_ = 0;
-	Real area_mobility_ = 0;
+	Real triangle_shear_inverse_mass_ = 0;
+	Real triangle_dilation_inverse_mass_ = 0;
+	Real area_inverse_mass_ = 0;
 	Real least_hull_mass_ = 0;
 	Real shortest_hull_edge_ = 0;
 };

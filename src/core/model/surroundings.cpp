@@ -26,7 +26,7 @@ Status check_surface(const Surface &surface) {
 	return {};
 }
 
-Status check_outline(const ConvexCollider &collider) {
+Status check_outline(const Collider &collider) {
 	if (collider.vertices.size() < 3) {
 		return Error{ "collider.vertices", std::to_string(collider.vertices.size()) + " points",
 			"must have at least 3 points when concave", "leave it convex" };
@@ -60,7 +60,7 @@ Status check_border(const Border &border) {
 	return check_surface(border.surface);
 }
 
-Status check_collider(const ConvexCollider &collider) {
+Status check_collider(const Collider &collider) {
 	const auto &vertices = collider.vertices;
 	const std::size_t count = vertices.size();
 	if (count == 0) {
@@ -78,7 +78,7 @@ Status check_collider(const ConvexCollider &collider) {
 			return Error{ name(), "non-finite", "must be finite", "check the computation that produced this value" };
 		}
 		if (count > 1 && vertices[i] == vertices[(i + 1) % count]) {
-			return Error{ name(), "coincides with the next", "must differ from its neighbours", "remove one of the two" };
+			return Error{ name(), "coincides with the next", "must differ from its neighbors", "remove one of the two" };
 		}
 		// Turning the same way everywhere is not enough: a pentagram does, and winds twice. Seen from one
 		// vertex of a convex polygon the others also follow one another in order.

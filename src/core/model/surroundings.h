@@ -23,7 +23,7 @@ struct Surface {
 	bool absorbent = false; ///< subtracted from the body's instead, at least 0
 	Vec2 linear_velocity; ///< of the surface at `velocity_origin` [length/s]
 	Real angular_velocity = 0; ///< [rad/s]
-	Vec2 velocity_origin; ///< centre of that rotation [length]
+	Vec2 velocity_origin; ///< center of that rotation [length]
 	std::uint32_t layer = 1; ///< compared with BodySettings::collision_mask
 	/// Names what the surface belongs to, for whoever reads contacts: surfaces with one tag are one thing to touch, however
 	/// often the lists of the surroundings are made anew. 0: nothing in particular.
@@ -49,7 +49,7 @@ inline constexpr std::uint32_t NO_RIGID_BODY = UINT32_MAX;
 /// An obstacle, convex unless said otherwise: the points within `radius` of the convex hull of `vertices`. One vertex is a
 /// circle (radius > 0), two are a segment or capsule, three and more a polygon (rounded if
 /// radius > 0). Vertices wind with positive signed area.
-struct ConvexCollider {
+struct Collider {
 	std::vector<Vec2> vertices; ///< in the frame of the rigid body, or of the world without one [length]
 	Real radius = 0; ///< [length], >= 0
 	Surface surface; ///< in the same frame; its velocity is added to that of the rigid body (conveyor)
@@ -59,12 +59,12 @@ struct ConvexCollider {
 	bool concave = false;
 	/// Of a segment in a chain: the far ends of the segments that go on from its first and second vertex. What lies
 	/// beside one of them is left to that one, so that nothing stumbles over the round end at the joint.
-	std::optional<Vec2> joined_at_first = {};
-	std::optional<Vec2> joined_at_second = {};
-	/// Of a convex polygon without rounding: bit i is set where the edge from vertex i lies against that of a neighbour, as
+	std::optional<Vec2> ghost_at_first = {};
+	std::optional<Vec2> ghost_at_second = {};
+	/// Of a convex polygon without rounding: bit i is set where the edge from vertex i lies against that of a neighbor, as
 	/// between tiles or the pieces of a larger polygon. No point comes or goes through it, so that none is pushed from one
-	/// piece into the next. Edges from vertex 32 on cannot be named. See `mark_inner_edges`.
-	std::uint32_t inner_edges = 0;
+	/// piece into the next. Edges from vertex 32 on cannot be named. See `mark_internal_edges`.
+	std::uint32_t internal_edges = 0;
 
 	/// Holds from one side only: the direction out of the side that holds, a unit vector in the frame of the vertices, or
 	/// zero for an ordinary collider. A soft body that comes from the front is held, however fast; one that comes from
@@ -86,6 +86,6 @@ Status check_border(const Border &border);
 /// Refuses no vertices, non-finite ones, a negative radius, a single point without radius, coincident
 /// vertices, a polygon that is not convex (or, if it may be concave, crosses itself) or winds negatively, rounded concave
 /// ones, and bad surface values. O(vertices), O(vertices²) if concave.
-Status check_collider(const ConvexCollider &collider);
+Status check_collider(const Collider &collider);
 
 } // namespace softbody

@@ -234,11 +234,11 @@ Status WorldData::add_border(const Border &border) {
 		return status;
 	}
 	borders_.push_back(border);
-	surroundings_version_ = next_version();
+	environment_version_ = next_version();
 	return {};
 }
 
-Status WorldData::add_collider(ConvexCollider collider) {
+Status WorldData::add_collider(Collider collider) {
 	if (Status status = check_collider(collider)) {
 		return status;
 	}
@@ -247,11 +247,11 @@ Status WorldData::add_collider(ConvexCollider collider) {
 			"must be below " + std::to_string(rigid_bodies_.size()), "add the rigid body before its colliders" };
 	}
 	colliders_.push_back(std::move(collider));
-	surroundings_version_ = next_version();
+	environment_version_ = next_version();
 	return {};
 }
 
-Status WorldData::add_chain(std::span<const Vec2> points, bool closed, const ConvexCollider &like) {
+Status WorldData::add_chain(std::span<const Vec2> points, bool closed, const Collider &like) {
 	const std::size_t least = closed ? 3 : 2;
 	if (points.size() < least) {
 		return Error{ "chain", std::to_string(points.size()) + " points",
@@ -259,18 +259,18 @@ Status WorldData::add_chain(std::span<const Vec2> points, bool closed, const Con
 	}
 	const std::size_t count = colliders_.size();
 	for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
-		ConvexCollider segment = like;
+		Collider segment = like;
 		const std::size_t size = points.size();
 		segment.vertices = { points[i], points[(i + 1) % size] };
 		if (closed || i > 0) {
-			segment.joined_at_first = points[(i + size - 1) % size];
+			segment.ghost_at_first = points[(i + size - 1) % size];
 		}
 		if (closed || i + 2 < size) {
-			segment.joined_at_second = points[(i + 2) % size];
+			segment.ghost_at_second = points[(i + 2) % size];
 		}
 		Status status;
 		if (segment.vertices[0] == segment.vertices[1]) {
-			status = Error{ "chain[" + std::to_string(i) + "]", "coincides with the next", "must differ from its neighbours",
+			status = Error{ "chain[" + std::to_string(i) + "]", "coincides with the next", "must differ from its neighbors",
 				"remove one of the two" };
 		} else {
 			status = add_collider(std::move(segment));
@@ -304,12 +304,12 @@ Status WorldData::set_rigid_body(std::uint32_t index, const RigidBody &body) {
 	return {};
 }
 
-void WorldData::clear_surroundings() {
+void WorldData::clear_environment() {
 	borders_.clear();
 	colliders_.clear();
 	rigid_bodies_.clear();
 	reactions_.clear();
-	surroundings_version_ = next_version();
+	environment_version_ = next_version();
 }
 
 } // namespace softbody

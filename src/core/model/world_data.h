@@ -27,7 +27,7 @@ public:
 	/// Acceleration [length/s²], the same for every mass (thesis eq. 3.8 and 3.9).
 	Vec2 gravity() const { return gravity_; }
 	Status set_gravity(Vec2 gravity);
-	/// How many world units make a metre [length/m], > 0: tolerances scale with it. Default 1.
+	/// How many world units make a meter [length/m], > 0: tolerances scale with it. Default 1.
 	Real length_unit() const { return length_unit_; }
 	Status set_length_unit(Real length_unit);
 
@@ -101,17 +101,17 @@ public:
 	JointId joint_id_at(std::size_t index) const { return joints_.id_at(index); }
 
 	const std::vector<Border> &borders() const { return borders_; }
-	const std::vector<ConvexCollider> &colliders() const { return colliders_; }
+	const std::vector<Collider> &colliders() const { return colliders_; }
 	/// Whether there is anything to touch but other bodies.
-	bool has_surroundings() const { return !borders_.empty() || !colliders_.empty(); }
+	bool has_environment() const { return !borders_.empty() || !colliders_.empty(); }
 	Status add_border(const Border &border);
 	/// Refuses also a rigid body that is not there.
-	Status add_collider(ConvexCollider collider);
+	Status add_collider(Collider collider);
 
 	/// Adds a chain: a segment from each point to the next, and back to the first if `closed`, with the radius, surface and
 	/// rigid body of `like`. It holds from both sides; what is inside a closed one stays inside. Refuses fewer than two
-	/// points (three if closed), neighbours that coincide and what `add_collider` refuses, and then adds nothing.
-	Status add_chain(std::span<const Vec2> points, bool closed, const ConvexCollider &like = {});
+	/// points (three if closed), neighbors that coincide and what `add_collider` refuses, and then adds nothing.
+	Status add_chain(std::span<const Vec2> points, bool closed, const Collider &like = {});
 
 	/// Rigid bodies that own colliders. A step moves them: after it they are where its end found them, with the
 	/// velocities that contacts left them.
@@ -124,9 +124,9 @@ public:
 	std::span<const Reaction> reactions() const { return reactions_; }
 
 	/// Forgets borders, colliders and rigid bodies, for callers that hand over fresh ones every step.
-	void clear_surroundings();
+	void clear_environment();
 	/// Another number whenever borders or colliders come or go; no two worlds share one, unless one is the other's copy.
-	std::uint64_t surroundings_version() const { return surroundings_version_; }
+	std::uint64_t environment_version() const { return environment_version_; }
 
 	// Access of the step; not for users of the core.
 	std::span<RigidBody> mutable_rigid_bodies() { return rigid_bodies_; }
@@ -154,10 +154,10 @@ private:
 	std::vector<CollisionException> collision_exceptions_;
 	JointList joints_;
 	std::vector<Border> borders_;
-	std::vector<ConvexCollider> colliders_;
+	std::vector<Collider> colliders_;
 	std::vector<RigidBody> rigid_bodies_;
 	std::vector<Reaction> reactions_; ///< one a rigid body
-	std::uint64_t surroundings_version_ = 0;
+	std::uint64_t environment_version_ = 0;
 	ContactResponse contact_response_ = ContactResponse::POSITION_BASED;
 	Real separation_stiffness_ = SEPARATION_STIFFNESS;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangles that fill a body, and what its hull's colours and texture coordinates are in between.
+// The triangles that fill a body, and what its hull's colors and texture coordinates are in between.
 #include "core/skin/fill_mesh.h"
 
 #include "core/geometry/polygon.h"
@@ -22,7 +22,7 @@ Vec2 mean_of(std::span<const Vec2> points) {
 }
 
 // Mean value coordinates of a place inside a polygon: w_i = (tan(α_{i-1}/2) + tan(α_i/2)) / r_i, where r_i is the
-// distance of corner i and α_i the signed angle under which the edge from it is seen; normalised.
+// distance of corner i and α_i the signed angle under which the edge from it is seen; normalized.
 std::vector<Real> mean_value_weights(Vec2 place, std::span<const Vec2> polygon) {
 	const std::size_t count = polygon.size();
 	std::vector<double> weights(count, 0.0);
@@ -49,12 +49,12 @@ std::vector<Real> mean_value_weights(Vec2 place, std::span<const Vec2> polygon) 
 		weights[next] += rb > 0 ? half_tangent / rb : 0;
 		sum += half_tangent / ra + (rb > 0 ? half_tangent / rb : 0);
 	}
-	std::vector<Real> normalised;
+	std::vector<Real> normalized;
 	for (const double weight : weights) {
 		// Outside of the hull the sum may vanish. Nothing is drawn there; any number will do.
-		normalised.push_back(std::abs(sum) > 0 ? Real(weight / sum) : 1 / Real(count));
+		normalized.push_back(std::abs(sum) > 0 ? Real(weight / sum) : 1 / Real(count));
 	}
-	return normalised;
+	return normalized;
 }
 
 // Uniform Catmull-Rom: passes through the points, with the mean of the two chords as tangent.

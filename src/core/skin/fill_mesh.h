@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangles that fill a body, and what its hull's colours and texture coordinates are in between.
+// The triangles that fill a body, and what its hull's colors and texture coordinates are in between.
 #pragma once
 
 #include "core/base/vec2.h"

@@ -15,7 +15,7 @@ namespace softbody {
 /// winding; corners go to where their edges meet, though not far (see `OutlineBand`). O(n).
 void move_corners(std::span<const Vec2> outline, Real distance, std::span<Vec2> moved);
 
-/// Lines along an outline at fixed distances from it; the band fills what is between neighbouring ones. Which triangles
+/// Lines along an outline at fixed distances from it; the band fills what is between neighboring ones. Which triangles
 /// there are never changes, only where they lie: that is all a frame has to compute.
 ///
 /// A corner has `corner_points` vertices on each line. On the side where the two edges spread apart they lie on an arc
@@ -54,7 +54,7 @@ public:
 	}
 
 	/// Where the vertices lie for an outline of `corner_count()` points. `side` is 1 for positive winding, -1 for
-	/// negative. Neighbouring points may coincide. O(vertices), no allocation.
+	/// negative. Neighboring points may coincide. O(vertices), no allocation.
 	void place(std::span<const Vec2> outline, Real side, std::span<Vec2> vertices) const;
 
 private:

@@ -59,7 +59,7 @@ private:
 			} else {
 				misses++;
 			}
-			// Going on behind the neighbour keeps the triangles from fanning out around one corner.
+			// Going on behind the neighbor keeps the triangles from fanning out around one corner.
 			at++;
 		}
 		triangles_.push_back({ rest[0], rest[1], rest[2] });
@@ -96,7 +96,7 @@ private:
 		triangles_.push_back({ whole[2], whole[0], p });
 	}
 
-	// Finds the neighbour across each edge; edge k of a triangle is opposite to its corner k.
+	// Finds the neighbor across each edge; edge k of a triangle is opposite to its corner k.
 	void join() {
 		struct Side {
 			std::uint32_t from, to, triangle, edge;
@@ -112,13 +112,13 @@ private:
 		std::ranges::sort(sides, [](const Side &a, const Side &b) {
 			return std::array{ a.from, a.to, a.triangle } < std::array{ b.from, b.to, b.triangle };
 		});
-		neighbours_.assign(triangles_.size(), { NONE, NONE, NONE });
+		neighbors_.assign(triangles_.size(), { NONE, NONE, NONE });
 		for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
 			const Side &a = sides[i];
 			const Side &b = sides[i + 1];
 			if (a.from == b.from && a.to == b.to) {
-				neighbours_[a.triangle][a.edge] = b.triangle;
-				neighbours_[b.triangle][b.edge] = a.triangle;
+				neighbors_[a.triangle][a.edge] = b.triangle;
+				neighbors_[b.triangle][b.edge] = a.triangle;
 			}
 		}
 	}
@@ -132,7 +132,7 @@ private:
 			const std::uint32_t t = suspects.back();
 			suspects.pop_back();
 			for (std::uint32_t k = 0; k < 3; ++k) {
-				const std::uint32_t other = neighbours_[t][k];
+				const std::uint32_t other = neighbors_[t][k];
 				if (other != NONE && flip(t, k, other)) {
 					suspects.push_back(t);
 					suspects.push_back(other);
@@ -148,7 +148,7 @@ private:
 		const std::uint32_t p = triangles_[t][k];
 		const std::uint32_t a = triangles_[t][(k + 1) % 3];
 		const std::uint32_t b = triangles_[t][(k + 2) % 3];
-		const std::uint32_t edge = std::uint32_t(std::ranges::find(neighbours_[other], t) - neighbours_[other].begin());
+		const std::uint32_t edge = std::uint32_t(std::ranges::find(neighbors_[other], t) - neighbors_[other].begin());
 		const std::uint32_t q = triangles_[other][edge];
 		if (!(area(a, q, p) > 0 && area(q, b, p) > 0)) {
 			return false;
@@ -157,22 +157,22 @@ private:
 		if (!is_flat && !is_in_circle(a, b, p, q)) {
 			return false;
 		}
-		const std::uint32_t beyond_bp = neighbours_[t][(k + 1) % 3];
-		const std::uint32_t beyond_pa = neighbours_[t][(k + 2) % 3];
-		const std::uint32_t beyond_aq = neighbours_[other][(edge + 1) % 3];
-		const std::uint32_t beyond_qb = neighbours_[other][(edge + 2) % 3];
+		const std::uint32_t beyond_bp = neighbors_[t][(k + 1) % 3];
+		const std::uint32_t beyond_pa = neighbors_[t][(k + 2) % 3];
+		const std::uint32_t beyond_aq = neighbors_[other][(edge + 1) % 3];
+		const std::uint32_t beyond_qb = neighbors_[other][(edge + 2) % 3];
 		triangles_[t] = { a, q, p };
-		neighbours_[t] = { other, beyond_pa, beyond_aq };
+		neighbors_[t] = { other, beyond_pa, beyond_aq };
 		triangles_[other] = { q, b, p };
-		neighbours_[other] = { beyond_bp, t, beyond_qb };
-		replace_neighbour(beyond_aq, other, t);
-		replace_neighbour(beyond_bp, t, other);
+		neighbors_[other] = { beyond_bp, t, beyond_qb };
+		replace_neighbor(beyond_aq, other, t);
+		replace_neighbor(beyond_bp, t, other);
 		return true;
 	}
 
-	void replace_neighbour(std::uint32_t triangle, std::uint32_t old, std::uint32_t fresh) {
+	void replace_neighbor(std::uint32_t triangle, std::uint32_t old, std::uint32_t fresh) {
 		if (triangle != NONE) {
-			std::ranges::replace(neighbours_[triangle], old, fresh);
+			std::ranges::replace(neighbors_[triangle], old, fresh);
 		}
 	}
 
@@ -196,7 +196,7 @@ private:
 	std::span<const Vec2> points_;
 	std::uint32_t hull_count_;
 	std::vector<Triangle> triangles_;
-	std::vector<Triangle> neighbours_; ///< across the edge opposite to each corner
+	std::vector<Triangle> neighbors_; ///< across the edge opposite to each corner
 };
 
 } // namespace

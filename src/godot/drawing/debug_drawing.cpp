@@ -22,7 +22,7 @@ namespace {
 constexpr int Z_ABOVE_BODIES = 1;
 constexpr real_t FULL_COLOR_STRAIN = 0.2; // at which a spring is all red or all blue
 constexpr real_t SPRING_WIDTH = 1.5; // px, like all that follow
-constexpr real_t CENTRE_SIZE = 5;
+constexpr real_t CENTER_SIZE = 5;
 constexpr real_t CONTACT_SIZE = 4;
 constexpr real_t NORMAL_LENGTH = 14;
 constexpr int FONT_SIZE = 11;
@@ -70,13 +70,13 @@ void DebugDrawing::draw(const SoftBodyData &body, std::span<const Vec2> points, 
 	if (!body.settings().is_elastic()) { // Beside elastic modes springs take no part.
 		draw_springs(body, points, pixel);
 	}
-	const Vector2 centre = mean_of(points, body.shape().masses());
-	const Vector2 arm_x = Vector2(CENTRE_SIZE * pixel, 0);
-	const Vector2 arm_y = Vector2(0, CENTRE_SIZE * pixel);
-	server()->canvas_item_add_line(item_, centre - arm_x, centre + arm_x, Color(1, 1, 0), 2 * pixel);
-	server()->canvas_item_add_line(item_, centre - arm_y, centre + arm_y, Color(1, 1, 0), 2 * pixel);
+	const Vector2 center = mean_of(points, body.shape().masses());
+	const Vector2 arm_x = Vector2(CENTER_SIZE * pixel, 0);
+	const Vector2 arm_y = Vector2(0, CENTER_SIZE * pixel);
+	server()->canvas_item_add_line(item_, center - arm_x, center + arm_x, Color(1, 1, 0), 2 * pixel);
+	server()->canvas_item_add_line(item_, center - arm_y, center + arm_y, Color(1, 1, 0), 2 * pixel);
 	draw_contacts(contacts, frame, pixel);
-	draw_text(plan, frame, centre);
+	draw_text(plan, frame, center);
 }
 
 void DebugDrawing::draw_hull(const SoftBodyData &body, std::span<const Vec2> points) {
@@ -138,7 +138,7 @@ void DebugDrawing::draw_text(const SubstepPlan &plan, const Transform2D &frame, 
 	Transform2D upright = frame.affine_inverse();
 	upright.set_origin(place);
 	server()->canvas_item_add_set_transform(item_, upright);
-	font->call("draw_string", item_, Vector2(CENTRE_SIZE + 2, -CENTRE_SIZE), text, 0, -1, FONT_SIZE);
+	font->call("draw_string", item_, Vector2(CENTER_SIZE + 2, -CENTER_SIZE), text, 0, -1, FONT_SIZE);
 	server()->canvas_item_add_set_transform(item_, Transform2D());
 }
 

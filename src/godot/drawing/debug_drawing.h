@@ -13,8 +13,8 @@
 
 namespace softbody {
 
-/// Draws on a canvas item of its own, above the node: the hull as Godot draws shapes, springs in the colour of their
-/// strain (red is stretched, blue pressed), the centre of mass, contacts where the body monitors them, and how stiff
+/// Draws on a canvas item of its own, above the node: the hull as Godot draws shapes, springs in the color of their
+/// strain (red is stretched, blue pressed), the center of mass, contacts where the body monitors them, and how stiff
 /// the body is: the bound of its highest frequency over the substeps that it takes. Made only while such shapes are
 /// visible.
 class DebugDrawing {

@@ -18,7 +18,7 @@
 
 namespace softbody {
 
-/// Triangles, texture coordinates and colours are made from the rest shape and the style, once. A frame only writes
+/// Triangles, texture coordinates and colors are made from the rest shape and the style, once. A frame only writes
 /// where the vertices lie into the buffers of the meshes: the draw commands of the canvas item stay as they are, so
 /// that nothing else on the item is touched, and no buffer is made anew. All in the node's coordinates.
 ///
@@ -57,7 +57,7 @@ private:
 		std::size_t vertex_count = 0;
 
 		std::span<Vec2> vertices();
-		/// Replaces the mesh; colours may be empty.
+		/// Replaces the mesh; colors may be empty.
 		void make(const std::vector<Triangle> &triangles, std::span<const godot::Vector2> uvs,
 				std::span<const godot::Color> colors);
 		void send() const;

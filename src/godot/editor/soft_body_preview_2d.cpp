@@ -24,7 +24,7 @@ constexpr double GRAB_SPEED = 3000;
 
 SoftBodyPreview2D::SoftBodyPreview2D() :
 		world_(std::make_unique<softbody::WorldData>()), simulator_(std::make_unique<softbody::Simulator>(*world_)) {
-	world_->set_length_unit(softbody::PIXELS_PER_METRE);
+	world_->set_length_unit(softbody::PIXELS_PER_METER);
 	world_->set_gravity(SoftBody2D::project_gravity());
 }
 

@@ -179,7 +179,7 @@ void SoftBody2D::_notification(int p_what) {
 
 // Where the node belongs so that its hull, as designed, lies on the body's best-fitting frame.
 Transform2D SoftBody2D::transform_at(const softbody::BodyFrame &p_frame) const {
-	const softbody::Vec2 origin = p_frame.centre - p_frame.rotation.apply(body()->shape().origin_offset());
+	const softbody::Vec2 origin = p_frame.center - p_frame.rotation.apply(body()->shape().origin_offset());
 	Transform2D transform = Transform2D(p_frame.rotation.angle(), Vector2()) * built_scale_;
 	transform.set_origin(to_godot(origin));
 	return transform;

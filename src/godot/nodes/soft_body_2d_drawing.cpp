@@ -71,7 +71,7 @@ void SoftBody2D::update_topology() {
 	remake_skin();
 }
 
-// The commands of the canvas item hold colours and textures; drawing them again also brings the meshes up to date.
+// The commands of the canvas item hold colors and textures; drawing them again also brings the meshes up to date.
 void SoftBody2D::remake_skin() {
 	settled_ = false;
 	area_checked_ = false;

@@ -136,8 +136,8 @@ const softbody::MaterialValues &SoftBody2D::material_values() const {
 
 double SoftBody2D::mass_of_area(double p_area) const {
 	const double density = material_values().density;
-	// A density is one of real things: per square metre, not per square pixel.
-	constexpr double PIXELS = double(softbody::PIXELS_PER_METRE) * softbody::PIXELS_PER_METRE;
+	// A density is one of real things: per square meter, not per square pixel.
+	constexpr double PIXELS = double(softbody::PIXELS_PER_METER) * softbody::PIXELS_PER_METER;
 	return density > 0 ? density * p_area / PIXELS : mass_;
 }
 

@@ -88,7 +88,7 @@ void SoftBody2D::apply_impulse(const Vector2 &p_impulse, const Vector2 &p_positi
 void SoftBody2D::apply_central_impulse(const Vector2 &p_impulse) {
 	if (check_index(0)) {
 		softbody::SoftBodyData &target = *followed_body();
-		accept("impulse", softbody::apply_rigid_impulse(target, to_core(p_impulse), softbody::measure_frame(target).centre));
+		accept("impulse", softbody::apply_rigid_impulse(target, to_core(p_impulse), softbody::measure_frame(target).center));
 	}
 }
 
@@ -108,7 +108,7 @@ void SoftBody2D::apply_force(const Vector2 &p_force, const Vector2 &p_position) 
 void SoftBody2D::apply_central_force(const Vector2 &p_force) {
 	if (check_index(0)) {
 		softbody::SoftBodyData &target = *followed_body();
-		accept("force", softbody::add_rigid_force(target, to_core(p_force), softbody::measure_frame(target).centre));
+		accept("force", softbody::add_rigid_force(target, to_core(p_force), softbody::measure_frame(target).center));
 	}
 }
 
@@ -159,14 +159,14 @@ void SoftBody2D::apply_constant_forces() {
 
 Vector2 SoftBody2D::get_center_of_mass_position() const {
 	if (const softbody::SoftBodyData *found = followed_body()) {
-		return to_godot(softbody::measure_frame(*found).centre);
+		return to_godot(softbody::measure_frame(*found).center);
 	}
 	return (is_inside_tree() ? get_global_transform() : get_transform()).xform(get_center_of_mass());
 }
 
 Vector2 SoftBody2D::get_center_of_mass() const {
 	if (const softbody::SoftBodyData *found = followed_body()) {
-		return get_global_transform().affine_inverse().xform(to_godot(softbody::measure_frame(*found).centre));
+		return get_global_transform().affine_inverse().xform(to_godot(softbody::measure_frame(*found).center));
 	}
 	const Design *found = design();
 	return found != nullptr ? found->scale.affine_inverse().xform(to_godot(found->shape->origin_offset())) : Vector2();

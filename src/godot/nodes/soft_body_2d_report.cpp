@@ -161,7 +161,7 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 	if (!copy) {
 		return result;
 	}
-	auto trial = softbody::LoadTrial::create(copy.value(), project_gravity(), softbody::PIXELS_PER_METRE, tick_length());
+	auto trial = softbody::LoadTrial::create(copy.value(), project_gravity(), softbody::PIXELS_PER_METER, tick_length());
 	if (!trial) {
 		return result;
 	}
@@ -175,7 +175,7 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 	if (softbody::needs_more(outcome)) {
 		const double step_msec = MAX(double(result["microseconds_per_tick"]), 1.0) / 1000;
 		const int steps = int(MIN(double(MOST_TRIAL_STEPS), 5 * p_time_limit_msec / step_msec));
-		factor = double(softbody::find_firm_factor(copy.value(), project_gravity(), softbody::PIXELS_PER_METRE, tick_length(), steps));
+		factor = double(softbody::find_firm_factor(copy.value(), project_gravity(), softbody::PIXELS_PER_METER, tick_length(), steps));
 	}
 	// Where a trial would take too long, what the rule says of the usual structure.
 	const double own = is_network ? material.stiffness : material.youngs_modulus;

@@ -175,7 +175,7 @@ softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &
 	options.elastic = !p_is_draft && made.used.model == ELASTIC_MODEL_MODES;
 	options.elastic_triangles = !p_is_draft && made.used.model == ELASTIC_MODEL_TRIANGLES;
 	options.triangle_points = std::min(TRIANGLE_POINTS_A_PAIR * int(hull.size()) / 2, softbody::MAX_HULL_POINTS);
-	options.centre_point = center_point_;
+	options.center_point = center_point_;
 	options.inner_points = to_core(scale.xform(inner_points_));
 	for (int64_t i = 0; i + 1 < springs_.size(); i += 2) {
 		options.springs.push_back({ uint32_t(springs_[i]), uint32_t(springs_[i + 1]) });

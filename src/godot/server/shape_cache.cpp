@@ -67,7 +67,7 @@ std::uint64_t hash_of(const std::vector<Vec2> &hull, const StructureOptions &opt
 	hash.add(double(options.elastic));
 	hash.add(double(options.elastic_triangles));
 	hash.add(double(options.triangle_points));
-	hash.add(double(options.centre_point));
+	hash.add(double(options.center_point));
 	hash.add(options.inner_points);
 	hash.add(options.springs);
 	hash.add(options.spring_stiffness_scales);

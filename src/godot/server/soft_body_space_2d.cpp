@@ -49,7 +49,7 @@ StepProfile &StepProfile::operator+=(const StepProfile &p_other) {
 
 SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for) :
 		space_(p_space), simulator_(world_, std::move(p_parallel_for)), reader_(p_space) {
-	world_.set_length_unit(PIXELS_PER_METRE); // tolerances of the core scale with it
+	world_.set_length_unit(PIXELS_PER_METER); // tolerances of the core scale with it
 	read_gravity(); // a first step that brought it would wake those who start asleep
 }
 
@@ -116,7 +116,7 @@ void SoftBodySpace2D::read_gravity() {
 	}
 }
 
-void SoftBodySpace2D::read_surroundings(double p_delta) {
+void SoftBodySpace2D::read_environment(double p_delta) {
 	PhysicsDirectSpaceState2D *state = PhysicsServer2D::get_singleton()->space_get_direct_state(space_);
 	ERR_FAIL_NULL_MSG(state, "SoftBody2D: the physics space cannot be read now; this tick has the surroundings of the last.");
 	reader_.read(state, joined_, p_delta, world_);
@@ -138,7 +138,7 @@ void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	tick_++;
 	for_nodes([&](SoftBody2D &r_node) { r_node.feel_areas(space_effects_, tick_); });
 	profile_.prepare = watch.lap();
-	read_surroundings(p_delta);
+	read_environment(p_delta);
 	profile_.surroundings = watch.lap();
 	const StepReport report = simulator_.simulate(Real(p_delta));
 	reader_.give_back(world_, p_delta);

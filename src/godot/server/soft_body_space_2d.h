@@ -6,7 +6,7 @@
 #include "core/model/world_data.h"
 #include "godot/server/step_settings.h"
 #include "godot/surroundings/area_effects.h"
-#include "godot/surroundings/surroundings_reader.h"
+#include "godot/surroundings/environment_reader.h"
 
 #include <godot_cpp/variant/rid.hpp>
 
@@ -78,7 +78,7 @@ private:
 	void collect_broken_joints(const StepReport &p_report, BodySignals &r_signals);
 	int64_t count_awake() const;
 	void read_gravity();
-	void read_surroundings(double p_delta);
+	void read_environment(double p_delta);
 	void collect_signals(BodySignals &r_signals);
 	void tell_proxies();
 	void move_proxies();
@@ -87,7 +87,7 @@ private:
 	godot::RID space_;
 	WorldData world_;
 	Simulator simulator_;
-	SurroundingsReader reader_;
+	EnvironmentReader reader_;
 	AreaEffects space_effects_; ///< where no area is
 	std::vector<godot::RID> joined_; ///< bodies of the engine at the ends of joints
 	uint64_t tick_ = 0;

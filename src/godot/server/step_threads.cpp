@@ -21,7 +21,7 @@ constexpr int MAX_AUTOMATIC = 8;
 } // namespace
 
 struct StepThreads::Shared {
-	WorkTeam team;
+	TaskScheduler team;
 };
 
 StepThreads::StepThreads() : shared_(std::make_shared<Shared>()) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/parallel_for.h"
-#include "core/base/work_team.h"
+#include "core/base/task_scheduler.h"
 
 #include <cstdint>
 #include <memory>

@@ -112,7 +112,7 @@ void BodyRecord::measure_bounds() {
 	has_border_ = false;
 	for (const ShapeRecord &shape : shapes_) {
 		has_border_ |= shape.translated.border.has_value();
-		for (const ConvexCollider &collider : shape.translated.colliders) {
+		for (const Collider &collider : shape.translated.colliders) {
 			const Aabb box = collider.bounds();
 			bounds_.include(box.min);
 			bounds_.include(box.max);
@@ -156,7 +156,7 @@ void BodyRecord::translate(ShapeRecord &r_shape) const {
 	const Transform2D to_frame = (has_rigid_body() ? scale_ : transform_) * r_shape.transform;
 	r_shape.translated = r_shape.traits.disabled ? TranslatedShape() : translate_shape(r_shape.type, r_shape.data, to_frame);
 	if (r_shape.traits.one_way_margin) {
-		for (ConvexCollider &collider : r_shape.translated.colliders) {
+		for (Collider &collider : r_shape.translated.colliders) {
 			collider.one_way = to_core(-to_frame.columns[1].normalized());
 			collider.one_way_margin = Real(*r_shape.traits.one_way_margin);
 		}
@@ -338,7 +338,7 @@ void BodyRecord::poll_rigid(PhysicsDirectBodyState2D *p_state, double p_delta) {
 	RigidBody body;
 	body.tag = object_id_;
 	body.pose = to_core_pose(transform_);
-	body.centre_of_mass = to_core(scale_.xform(p_state->get_center_of_mass_local()));
+	body.center_of_mass = to_core(scale_.xform(p_state->get_center_of_mass_local()));
 	body.inverse_mass = Real(p_state->get_inverse_mass());
 	body.inverse_inertia = Real(p_state->get_inverse_inertia());
 	weight_ = to_core(p_state->get_total_gravity() + p_state->get_constant_force() * p_state->get_inverse_mass());

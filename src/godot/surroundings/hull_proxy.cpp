@@ -19,7 +19,7 @@ namespace {
 // How far the polygons may be from the hull [px]. Smaller moves are not worth telling the engine.
 constexpr Real OUTLINE_TOLERANCE = Real(0.05);
 
-// How far the origin of the engine's body may be from the centre of mass [px]: what areas with point gravity pull at.
+// How far the origin of the engine's body may be from the center of mass [px]: what areas with point gravity pull at.
 constexpr Real ORIGIN_TOLERANCE = Real(0.5);
 
 // From what depth on a dent is shown, in parts of the body's radius, and at least in px.
@@ -146,7 +146,7 @@ void HullProxy::trace(const SoftBodyData &body, const BodyFrame &frame, Real ins
 	const std::span<const Vec2> rest = body.shape().rest_hull();
 	for (std::size_t i = 0; i < hull.size(); ++i) {
 		const Vec2 normal = frame.rotation.apply(rest_normals_[i]);
-		const Real pressed_in = dot(frame.centre + frame.rotation.apply(rest[i]) - hull[i], normal);
+		const Real pressed_in = dot(frame.center + frame.rotation.apply(rest[i]) - hull[i], normal);
 		outline_[i] -= normal * std::clamp(inset - pressed_in, Real(0), inset);
 	}
 }
@@ -155,11 +155,11 @@ void HullProxy::trace(const SoftBodyData &body, const BodyFrame &frame, Real ins
 // it was of another mode counts as that.
 bool HullProxy::place(const BodyFrame &frame, bool exactly) {
 	const Real tolerance = exactly ? OUTLINE_TOLERANCE : ORIGIN_TOLERANCE;
-	if (placed_ && length_squared(frame.centre - origin_) <= tolerance * tolerance) {
+	if (placed_ && length_squared(frame.center - origin_) <= tolerance * tolerance) {
 		return false;
 	}
 	placed_ = true;
-	origin_ = frame.centre;
+	origin_ = frame.center;
 	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
 	server->body_set_mode(rid(), PhysicsServer2D::BODY_MODE_RIGID);
 	server->body_set_mode(rid(), PhysicsServer2D::BODY_MODE_KINEMATIC);
@@ -261,7 +261,7 @@ void HullProxy::show(bool may_detail) {
 
 void HullProxy::send_velocity(const BodyFrame &frame, bool asleep) {
 	Real spin = asleep ? 0 : frame.angular_velocity;
-	Vec2 velocity = asleep ? Vec2{} : frame.velocity + perpendicular(origin_ - frame.centre) * spin;
+	Vec2 velocity = asleep ? Vec2{} : frame.velocity + perpendicular(origin_ - frame.center) * spin;
 	if (length_squared(velocity) < SPEED_TOLERANCE * SPEED_TOLERANCE && std::abs(spin) < SPIN_TOLERANCE) {
 		velocity = {};
 		spin = 0;

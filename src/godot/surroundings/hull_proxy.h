@@ -24,7 +24,7 @@ namespace softbody {
 /// script asks in `_physics_process` is answered by the hull as it is. Polygons are within OUTLINE_TOLERANCE of the
 /// hull, but dents: a part (`HullParts::convex`) is shown as its convex hull until a dent in it is deeper than
 /// DENT_TOLERANCE; then the hull is shown in wedges, until it has been smooth for a while. Wedges cost many times as
-/// much, and in a pile nearly all bodies are dented by their neighbours. So the caller says which may have them; one
+/// much, and in a pile nearly all bodies are dented by their neighbors. So the caller says which may have them; one
 /// with a kinematic body near has them anyway, as a character in a dent that is filled would be stuck.
 ///
 /// **Characters.** A kinematic character would be stopped at the hull and so never press it. Where the near ones are

@@ -26,7 +26,7 @@ namespace {
 constexpr int ARC_POINTS = 16;
 
 void add_outline(const std::vector<Vector2> &p_points, const Transform2D &p_to_frame, Real p_radius, TranslatedShape &r_shape) {
-	ConvexCollider collider;
+	Collider collider;
 	collider.radius = p_radius;
 	for (const Vector2 &point : p_points) {
 		const Vec2 vertex = to_core(p_to_frame.xform(point));
@@ -121,8 +121,8 @@ void add_segments(const PackedVector2Array &p_ends, const Transform2D &p_to_fram
 		const std::size_t count = r_shape.colliders.size();
 		add_outline({ p_ends[i], p_ends[i + 1] }, p_to_frame, 0, r_shape);
 		if (r_shape.colliders.size() > count) {
-			r_shape.colliders.back().joined_at_first = beyond(i);
-			r_shape.colliders.back().joined_at_second = beyond(i + 1);
+			r_shape.colliders.back().ghost_at_first = beyond(i);
+			r_shape.colliders.back().ghost_at_second = beyond(i + 1);
 		}
 	}
 }

@@ -16,7 +16,7 @@ namespace softbody {
 
 /// A shape in the core's terms, without a surface.
 struct TranslatedShape {
-	std::vector<ConvexCollider> colliders;
+	std::vector<Collider> colliders;
 	std::optional<Plane> border; ///< of a world boundary
 };
 

@@ -2,7 +2,7 @@
 // Bodies and measures that stress scenes share, in pixels with y down.
 #pragma once
 
-#include "core/collision/collision_handling.h"
+#include "core/collision/environment_contact_solver.h"
 #include "core/creator/hulls.h"
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/energy.h"
@@ -26,7 +26,7 @@ struct Stuff {
 	Real stiffness = 100; ///< k of every spring [N/m]
 	Real matching = DEFAULT_SHAPE_MATCHING; ///< over k
 	Real damping_ratio = Real(0.1);
-	bool centre_point = true;
+	bool center_point = true;
 };
 
 /// k that carries `load` [kg] under Godot's gravity by the sizing rule of the README, k n R / (8 m g) = 4: about a
@@ -47,9 +47,9 @@ inline BodySettings stress_settings(const StressSetup &setup, const Stuff &stuff
 
 inline SoftBodyData stress_body(const std::vector<Vec2> &hull, Vec2 place, const StressSetup &setup, const Stuff &stuff = {},
 		Real angle = 0) {
-	const std::size_t points = hull.size() + stuff.centre_point;
+	const std::size_t points = hull.size() + stuff.center_point;
 	const Real damping = damping_for_ratio(stuff.damping_ratio, stuff.stiffness, stuff.mass, points);
-	StructureOptions options{ stuff.mass, stuff.stiffness, damping, stuff.centre_point };
+	StructureOptions options{ stuff.mass, stuff.stiffness, damping, stuff.center_point };
 	options.elastic = setup.elastic;
 	const auto shape = SoftBodyCreator::create_polygon(hull, options).value();
 	BodySettings settings = stress_settings(setup, stuff, points);

@@ -9,9 +9,9 @@ namespace {
 constexpr Real SPIN = 50; ///< [rad/s]
 
 void set_spin(SoftBodyData &body, Real spin) {
-	const Vec2 centre = measure_frame(body).centre;
+	const Vec2 center = measure_frame(body).center;
 	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
-		body.set_point(i, body.positions()[i], perpendicular(body.positions()[i] - centre) * spin);
+		body.set_point(i, body.positions()[i], perpendicular(body.positions()[i] - center) * spin);
 	}
 }
 
@@ -113,13 +113,13 @@ StressScene far_away(const StressSetup &setup, double place) {
 		verdict.at_least("area", least_area_share(world), 0.85);
 		verdict.rests("speed", worst_speed(world), std::max(20.0, rounding));
 		for (const SoftBodyData &body : world.soft_bodies()) {
-			verdict.at_most("way from the middle", std::abs(double(measure_frame(body).centre.x) - place - 65), 140);
+			verdict.at_most("way from the middle", std::abs(double(measure_frame(body).center.x) - place - 65), 140);
 		}
 	};
 	return scene;
 }
 
-// A pin is somewhere else from one tick to the next, again and again; a neighbour looks on.
+// A pin is somewhere else from one tick to the next, again and again; a neighbor looks on.
 StressScene pin_jumps(const StressSetup &setup, bool by_target) {
 	StressScene scene(std::string("pins/") + (by_target ? "sent_across" : "set_across"), pixel_world());
 	scene.world.add_border(floor_at(500));
@@ -150,9 +150,9 @@ StressScene pin_jumps(const StressSetup &setup, bool by_target) {
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		const SoftBodyData &pinned = world.soft_bodies()[0];
 		verdict.at_most("distance of the pin from where it is to be", distance(pinned.positions()[12], { 0, -50 }), 0.01);
-		verdict.at_most("distance of the body from its pin", distance(measure_frame(pinned).centre, { 0, -50 }), 60);
+		verdict.at_most("distance of the body from its pin", distance(measure_frame(pinned).center, { 0, -50 }), 60);
 		verdict.at_least("area", least_area_share(world), 0.85);
-		verdict.rests("way of the neighbour", distance(measure_frame(world.soft_bodies()[1]).centre, { 1000, 450 }), 10);
+		verdict.rests("way of the neighbor", distance(measure_frame(world.soft_bodies()[1]).center, { 1000, 450 }), 10);
 	};
 	return scene;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What bodies are thrown at: corners, seams, thin walls, thin bodies, piles.
-#include "core/model/inner_edges.h"
+#include "core/model/internal_edges.h"
 #include "scenes/stress/bodies.h"
 
 #include <vector>
@@ -28,15 +28,15 @@ StressScene onto_corner(const StressSetup &setup) {
 
 // Rows of square tiles without friction. Marked, as the node marks those of tile maps, the edges between them are known.
 void add_tiles(WorldData &world, int from, int to, bool are_marked) {
-	std::vector<ConvexCollider> tiles;
+	std::vector<Collider> tiles;
 	for (int i = from; i < to; ++i) {
 		tiles.push_back(box_collider({ Real(64 * i + 32), 32 }, { 32, 32 }));
 		tiles.back().surface.friction = 0;
 	}
 	if (are_marked) {
-		mark_inner_edges(tiles, Real(0.1));
+		mark_internal_edges(tiles, Real(0.1));
 	}
-	for (const ConvexCollider &tile : tiles) {
+	for (const Collider &tile : tiles) {
 		world.add_collider(tile);
 	}
 }
@@ -49,7 +49,7 @@ StressScene onto_seam(const StressSetup &setup) {
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.at_least("area", least_area_share(world), 0.9);
-		verdict.rests("way aside", std::abs(double(measure_frame(world.soft_bodies()[0]).centre.x)), 25);
+		verdict.rests("way aside", std::abs(double(measure_frame(world.soft_bodies()[0]).center.x)), 25);
 	};
 	return scene;
 }
@@ -68,7 +68,7 @@ StressScene along_seams(const StressSetup &setup, const char *name, bool are_mar
 	return scene;
 }
 
-StressScene through_wall(const StressSetup &setup, const char *name, const ConvexCollider &wall) {
+StressScene through_wall(const StressSetup &setup, const char *name, const Collider &wall) {
 	StressScene scene(std::string("projectile/") + name, weightless_world());
 	scene.world.add_collider(wall);
 	SoftBodyData body = stress_ball({ -300, 7 }, setup, { 1, 1000 });
@@ -103,7 +103,7 @@ StressScene through_thin_body(const StressSetup &setup) {
 	scene.world.add_soft_body(std::move(body));
 	scene.judge = [](const WorldData &world, const StressLog &, StressVerdict &verdict) {
 		verdict.at_most("overlap", worst_overlap(world), VISIBLE);
-		verdict.holds("back on the side it came from", measure_frame(world.soft_bodies()[1]).centre.x < 0);
+		verdict.holds("back on the side it came from", measure_frame(world.soft_bodies()[1]).center.x < 0);
 		verdict.at_most("deviation", worst_deviation(world), 0.2); // the plank still swings
 	};
 	return scene;

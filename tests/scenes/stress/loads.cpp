@@ -14,7 +14,7 @@ namespace {
 double top_of(const WorldData &world) {
 	double top = 0;
 	for (const SoftBodyData &body : world.soft_bodies()) {
-		top = std::min(top, double(measure_frame(body).centre.y));
+		top = std::min(top, double(measure_frame(body).center.y));
 	}
 	return top;
 }
@@ -41,7 +41,7 @@ StressScene stack(const StressSetup &setup) {
 	scene.after_tick = [seen, last = scene.seconds - 1](const WorldData &world, double time) {
 		if (seen->then.empty() && time >= last) {
 			for (const SoftBodyData &body : world.soft_bodies()) {
-				seen->then.push_back(measure_frame(body).centre);
+				seen->then.push_back(measure_frame(body).center);
 			}
 		}
 		const std::size_t window = std::size_t((time - 1e-6) / 2);
@@ -58,7 +58,7 @@ StressScene stack(const StressSetup &setup) {
 		verdict.at_least("height over that of rigid boxes", -top_of(world) / height, 0.85);
 		double way = 0;
 		for (std::size_t i = 0; i < world.soft_bodies().size(); ++i) {
-			way = std::max(way, distance(measure_frame(world.soft_bodies()[i]).centre, seen->then[i]));
+			way = std::max(way, distance(measure_frame(world.soft_bodies()[i]).center, seen->then[i]));
 		}
 		if (count <= 20) {
 			// It has all but settled by then (measured: 0.3 to 1.1 px), and falls asleep within 25 s at 60 ticks or more.
@@ -86,7 +86,7 @@ StressScene squeeze(const StressSetup &setup, bool has_lid, double least_gap) {
 	for (const Real side : { Real(-1), Real(1) }) {
 		RigidBody wall;
 		wall.pose.position = { side * 100, 0 };
-		ConvexCollider box = box_collider({ side * 40, -200 }, { 40, 220 });
+		Collider box = box_collider({ side * 40, -200 }, { 40, 220 });
 		box.rigid_body = scene.world.add_rigid_body(wall).value();
 		scene.world.add_collider(box);
 	}
@@ -116,7 +116,7 @@ StressScene squeeze(const StressSetup &setup, bool has_lid, double least_gap) {
 StressScene funnel(const StressSetup &setup, double gap) {
 	StressScene scene(scene_name("load/funnel", gap), pixel_world());
 	for (const Real side : { Real(-1), Real(1) }) {
-		ConvexCollider wall;
+		Collider wall;
 		wall.radius = 2; // see docs/architecture.md for lines without thickness
 		wall.surface.friction = Real(0.2);
 		const Real lip = side * Real(gap * JELLY_RADIUS + 2);
@@ -131,8 +131,8 @@ StressScene funnel(const StressSetup &setup, double gap) {
 		verdict.at_most("penetration", worst_penetration(world), VISIBLE);
 		verdict.holds("in its shape", !is_folded(body.hull()));
 		verdict.at_least("area", area_share(body), 0.75); // wedged
-		const Vec2 centre = measure_frame(body).centre;
-		verdict.holds("between the walls or below them", centre.y > 0 || std::abs(centre.x) < 40 - centre.y);
+		const Vec2 center = measure_frame(body).center;
+		verdict.holds("between the walls or below them", center.y > 0 || std::abs(center.x) < 40 - center.y);
 		verdict.rests("speed", worst_speed(world), 20);
 	};
 	return scene;

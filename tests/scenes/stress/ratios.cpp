@@ -25,7 +25,7 @@ StressScene collision_of_masses(const StressSetup &setup, double ratio) {
 		verdict.at_most("deviation", worst_deviation(world), VISIBLE);
 		// Parted: the light one is thrown ahead, or at least not left behind.
 		const auto bodies = world.soft_bodies();
-		verdict.at_least("way ahead", double(measure_frame(bodies[1]).centre.x - measure_frame(bodies[0]).centre.x), 90);
+		verdict.at_least("way ahead", double(measure_frame(bodies[1]).center.x - measure_frame(bodies[0]).center.x), 90);
 	};
 	return scene;
 }

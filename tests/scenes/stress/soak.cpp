@@ -31,7 +31,7 @@ struct Soak {
 		}
 		RigidBody paddle;
 		paddle.pose.position = { 0, -60 };
-		ConvexCollider blade = box_collider({ 0, 0 }, { 20, 8 });
+		Collider blade = box_collider({ 0, 0 }, { 20, 8 });
 		blade.rigid_body = world.add_rigid_body(paddle).value();
 		world.add_collider(blade);
 		for (int i = 0; i < 4; ++i) {
@@ -65,8 +65,8 @@ struct Soak {
 	std::size_t lost() const {
 		std::size_t count = 0;
 		for (const SoftBodyData &body : world.soft_bodies()) {
-			const Vec2 centre = measure_frame(body).centre;
-			count += !(std::abs(centre.x) < 6 * BIN && centre.y < 0 && centre.y > -2000) || !all_finite(body.positions());
+			const Vec2 center = measure_frame(body).center;
+			count += !(std::abs(center.x) < 6 * BIN && center.y < 0 && center.y > -2000) || !all_finite(body.positions());
 		}
 		return count;
 	}

@@ -34,7 +34,7 @@ StressScene pressed_together(const StressSetup &setup) {
 	for (const Real side : { Real(-1), Real(1) }) {
 		RigidBody wall;
 		wall.pose.position = { side * 110, 0 };
-		ConvexCollider box = box_collider({ side * 40, -200 }, { 40, 220 });
+		Collider box = box_collider({ side * 40, -200 }, { 40, 220 });
 		box.rigid_body = scene.world.add_rigid_body(wall).value();
 		scene.world.add_collider(box);
 	}

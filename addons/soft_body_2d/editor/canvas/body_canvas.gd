@@ -10,7 +10,7 @@ const Words := preload("../logic/words.gd")
 const GOOD := Color("68d86f")
 const FAIR := Color("f7c948")
 const BAD := Color("ff5f5f")
-## Not the editor's accent colour, which it draws its own boxes with.
+## Not the editor's accent color, which it draws its own boxes with.
 const LINE := Color("ff8f5c")
 const SELECTED := Color("ffffff")
 const MESSAGE_TIME := 7.0

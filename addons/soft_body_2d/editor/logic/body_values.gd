@@ -55,7 +55,7 @@ static func point_count(values: Dictionary) -> int:
 	return values[&"hull"].size() + values[&"inner_points"].size() + int(values[&"center_point"])
 
 
-## All points in the node's coordinates: hull, inner points, centre point.
+## All points in the node's coordinates: hull, inner points, center point.
 static func points(values: Dictionary) -> PackedVector2Array:
 	var all := PackedVector2Array(values[&"hull"])
 	if values[&"center_point"]:

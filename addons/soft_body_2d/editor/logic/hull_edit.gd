@@ -90,7 +90,7 @@ static func crossing_edges(outline: PackedVector2Array, indices: PackedInt32Arra
 ## What the core says of a hull, as one reads it at a glance: "edge 0-1 meets edge 7-8".
 static func readable(problem: String) -> String:
 	var text := problem.trim_prefix("hull = ").get_slice(";", 0)
-	for rest: String in [" must not intersect itself", " must have distinct neighbouring points"]:
+	for rest: String in [" must not intersect itself", " must have distinct neighboring points"]:
 		text = text.replace(rest, "")
 	return text
 

@@ -118,7 +118,7 @@ static func symmetric(outline: PackedVector2Array, horizontally: bool, about: Ve
 	return without_repeats(joined[0]) if joined.size() == 1 else PackedVector2Array()
 
 
-## Without neighbours that coincide or nearly do, and without points in the middle of a straight line.
+## Without neighbors that coincide or nearly do, and without points in the middle of a straight line.
 static func without_repeats(outline: PackedVector2Array, least := 0.01) -> PackedVector2Array:
 	var distinct := PackedVector2Array()
 	for point in outline:

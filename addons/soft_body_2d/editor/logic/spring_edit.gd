@@ -109,7 +109,7 @@ static func with_inner_point(values: Dictionary, place: Vector2) -> Dictionary:
 	var inner: PackedVector2Array = values[&"inner_points"].duplicate()
 	inner.append(place)
 	after[&"inner_points"] = inner
-	# The centre point comes last: what names it names the next place now.
+	# The center point comes last: what names it names the next place now.
 	var center: int = values[&"hull"].size() + inner.size() - 1
 	if values[&"center_point"]:
 		after[&"springs"] = _renamed(values[&"springs"], center, center + 1)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 @tool
 extends RefCounted
-## Where the pixels of a Sprite2D are: its frame or region, centred, flipped, offset.
+## Where the pixels of a Sprite2D are: its frame or region, centered, flipped, offset.
 
 
 ## Which part of the texture it shows, in pixels of the texture.

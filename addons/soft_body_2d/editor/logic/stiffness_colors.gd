@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 @tool
 extends RefCounted
-## Colours for stiffnesses, on a scale of ratios: blue is soft, red is stiff.
+## Colors for stiffnesses, on a scale of ratios: blue is soft, red is stiff.
 
 const STOPS: Array[Color] = [Color("4a78e0"), Color("3fb8a8"), Color("f0d04c"), Color("e5532d")]
-## The scale spans at least this ratio, so that equal springs have the colour of its middle.
+## The scale spans at least this ratio, so that equal springs have the color of its middle.
 const LEAST_RATIO := 4.0
 
 var least := INF

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 @tool
 extends RefCounted
-## What becomes of springs, pins and colours when the points of an outline come and go: each stays with its points.
+## What becomes of springs, pins and colors when the points of an outline come and go: each stays with its points.
 
 const BodyValues := preload("body_values.gd")
 const NEW := -1
 
 
 ## The values of a body whose hull becomes `hull`. `old_points` says for each of its points which one it was, or NEW. New
-## springs beside a new point take after those of its neighbours.
+## springs beside a new point take after those of its neighbors.
 static func with_hull(values: Dictionary, hull: PackedVector2Array, old_points: PackedInt32Array) -> Dictionary:
 	var after := BodyValues.copy(values)
 	after[&"hull"] = hull.duplicate() # packed arrays are shared, and this one goes into the undo history
@@ -136,7 +136,7 @@ static func _remap_springs(values: Dictionary, after: Dictionary, new_points: Di
 		if new_points.has(old[2 * i]) and new_points.has(old[2 * i + 1]):
 			springs.append_array([new_points[old[2 * i]], new_points[old[2 * i + 1]]])
 			sources.append(i)
-	# A new point takes the place of the spring along the edge that it divides, and is held as its neighbours are.
+	# A new point takes the place of the spring along the edge that it divides, and is held as its neighbors are.
 	var removed := {}
 	for i in old_points.size():
 		if old_points[i] != NEW:

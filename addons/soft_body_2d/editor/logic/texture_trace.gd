@@ -26,7 +26,7 @@ var islands := 0
 ## 0 to 1, for a progress bar.
 var progress := 0.0
 ## Set from another thread, it ends the work soon.
-var cancelled := false
+var canceled := false
 
 
 ## `threshold`: alpha above which a pixel counts. `margin` [px]: by how much the outline grows, negative: shrinks.
@@ -44,21 +44,21 @@ func trace(picture: Image, budget: int, threshold := 0.5, margin := 0.0) -> void
 		return
 	var size := picture.get_size()
 	var work := _readable(picture)
-	if work == null or _is_cancelled():
+	if work == null or _is_canceled():
 		return
 	var scale := Vector2(size) / Vector2(work.get_size())
 	progress = 0.3
 	var mask := BitMap.new()
 	mask.create_from_image_alpha(work, threshold)
 	progress = 0.5
-	if _is_cancelled():
+	if _is_canceled():
 		return
 	if mask.get_true_bit_count() == 0:
 		problem = Words.say("The picture has no opaque pixel (alpha above %.2f): there is no outline to trace. Lower the threshold, or choose another picture.") % threshold
 		return
 	var parts := mask.opaque_to_polygons(Rect2i(Vector2i.ZERO, work.get_size()), ROUGHNESS)
 	progress = 0.8
-	if _is_cancelled():
+	if _is_canceled():
 		return
 	var largest := PackedVector2Array()
 	var total := 0.0
@@ -119,7 +119,7 @@ func _finish(traced: PackedVector2Array, budget: int, margin: float) -> PackedVe
 	return PackedVector2Array()
 
 
-func _is_cancelled() -> bool:
-	if cancelled:
-		problem = Words.say("Tracing was cancelled.")
-	return cancelled
+func _is_canceled() -> bool:
+	if canceled:
+		problem = Words.say("Tracing was canceled.")
+	return canceled

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 @tool
 extends RefCounted
-## The toolbar's icons: drawn from SVG in the colour and size of the editor's theme, light or dark.
+## The toolbar's icons: drawn from SVG in the color and size of the editor's theme, light or dark.
 
 const FOLDER := "res://addons/soft_body_2d/editor/icons"
 ## What the files are drawn with, and the theme replaces.

@@ -24,7 +24,7 @@ const SHAPES: Array = [
 	[&"mirror_vertically", "Mirror Up and Down"], [&"symmetric_left", "Make Symmetric from Left Half"],
 	[&"symmetric_right", "Make Symmetric from Right Half"],
 ]
-const PRESETS: Array = ["None (Outline Only)", "Centre Point", "Cross-Braced", "Lattice"]
+const PRESETS: Array = ["None (Outline Only)", "Center Point", "Cross-Braced", "Lattice"]
 
 var mode_buttons: Array[Button] = []
 var create_button: Button

@@ -25,7 +25,7 @@ func start(picture: Image, budget: int, threshold: float, margin: float) -> void
 	_bar.max_value = 1
 	_bar.custom_minimum_size = Vector2(300, 24) * EditorInterface.get_editor_scale()
 	add_child(_bar)
-	canceled.connect(func() -> void: trace.cancelled = true)
+	canceled.connect(func() -> void: trace.canceled = true)
 	_task = WorkerThreadPool.add_task(trace.trace.bind(picture, budget, threshold, margin), false,
 			"SoftBody2D: trace a picture")
 	if picture != null and picture.get_width() * picture.get_height() > LARGE:
@@ -41,12 +41,12 @@ func _process(delta: float) -> void:
 		_finish()
 		done.emit(trace)
 		queue_free()
-	elif _waited > PATIENCE and not visible and not trace.cancelled:
+	elif _waited > PATIENCE and not visible and not trace.canceled:
 		popup_centered()
 
 
 func _exit_tree() -> void:
-	trace.cancelled = true
+	trace.canceled = true
 	_finish()
 
 

@@ -52,13 +52,13 @@ void solve_pressure(const SoftBodyData &body, Real h, std::span<Vec2> x, std::sp
 	const SoftBodyShape &shape = body.shape();
 	const std::span<const Real> w = body.inverse_masses();
 	const Real area = area_and_gradient(x.first(shape.hull_count()), gradient);
-	Real mobility = 0;
+	Real inverse_mass = 0;
 	for (std::size_t i = 0; i < shape.hull_count(); ++i) {
-		mobility += w[i] * length_squared(gradient[i]);
+		inverse_mass += w[i] * length_squared(gradient[i]);
 	}
 	const Real elastic = body.settings().pressure_stiffness / shape.rest_area() * h * h;
 	const Real excess = area - body.settings().inflation * shape.rest_area();
-	const Real impulse = -elastic * excess / (1 + elastic * mobility);
+	const Real impulse = -elastic * excess / (1 + elastic * inverse_mass);
 	for (std::size_t i = 0; i < shape.hull_count(); ++i) {
 		x[i] += gradient[i] * (impulse * w[i]);
 	}
@@ -81,7 +81,7 @@ void solve_shape(SoftBodyData &body, std::span<const Vec2> before, Real h, std::
 		if (body.inverse_masses()[i] == 0) {
 			continue;
 		}
-		const Vec2 arm = x[i] - frame.centre;
+		const Vec2 arm = x[i] - frame.center;
 		const Vec2 strain = frame.rotation.apply(shape.rest_positions()[i]) - arm;
 		const Vec2 drift = frame.velocity + perpendicular(arm) * frame.angular_velocity - velocities[i];
 		x[i] += (strain * elastic + drift * (viscous * h)) * share;
@@ -107,7 +107,7 @@ void solve_modes(const SoftBodyData &body, std::span<const Vec2> before, Real h,
 	std::array<Real, MAX_ELASTIC_MODES> amplitudes{};
 	Real dilation = 0;
 	for (std::size_t i = 0; i < x.size(); ++i) {
-		const Vec2 arm = x[i] - frame.centre;
+		const Vec2 arm = x[i] - frame.center;
 		const Vec2 drift = scratch[i] - frame.velocity - perpendicular(arm) * frame.angular_velocity;
 		scratch[i] = frame.rotation.apply_inverse(arm + drift * damping) - shape.rest_positions()[i];
 		const std::span<const Vec2> mode = modes.shape_of_point(i);
@@ -135,7 +135,7 @@ void solve_modes(const SoftBodyData &body, std::span<const Vec2> before, Real h,
 }
 
 // The shear of a triangle as two constraints u = 0 and v = 0 of compliance 1/(μ A0), see triangle_lanes.h. They are linear,
-// and their gradients are orthogonal and of one length at each corner, so that both have one mobility and are solved at once.
+// and their gradients are orthogonal and of one length at each corner, so that both have one inverse_mass and are solved at once.
 void solve_shear(const ElasticTriangle &triangle, const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x) {
 	const std::span<const Real> w = body.inverse_masses();
 	const auto [a, b, c] = triangle.corners;
@@ -146,8 +146,8 @@ void solve_shear(const ElasticTriangle &triangle, const SoftBodyData &body, std:
 	const TriangleShear<Real> way = triangle_shear<Real>(triangle, e1 - (before[b] - before[a]), e2 - (before[c] - before[a]));
 	const Real elastic = body.settings().shear_modulus * triangle.area * h * h;
 	const Real viscous = body.settings().shear_modulus * triangle.area * body.settings().elastic_damping_time * h;
-	const Real mobility = w[a] * length_squared(g1 + g2) + w[b] * length_squared(g1) + w[c] * length_squared(g2);
-	const Real share = 1 / (1 + (elastic + viscous) * mobility);
+	const Real inverse_mass = w[a] * length_squared(g1 + g2) + w[b] * length_squared(g1) + w[c] * length_squared(g2);
+	const Real share = 1 / (1 + (elastic + viscous) * inverse_mass);
 	const TriangleShear<Real> impulse = { (elastic * shear.u + viscous * way.u) * share, (elastic * shear.v + viscous * way.v) * share };
 	const Vec2 on_b = shear_derivative<Real>(impulse, g1);
 	const Vec2 on_c = shear_derivative<Real>(impulse, g2);
@@ -170,10 +170,10 @@ void solve_dilation(const ElasticTriangle &triangle, const SoftBodyData &body, R
 	const TriangleShear<Real> stress = { -shear.u * dilation.softening * triangle.area, -shear.v * dilation.softening * triangle.area };
 	const Vec2 on_b = shear_derivative<Real>(stress, triangle.gradients[0]) - perpendicular(e2) * (dilation.pressure / 2);
 	const Vec2 on_c = shear_derivative<Real>(stress, triangle.gradients[1]) + perpendicular(e1) * (dilation.pressure / 2);
-	const Real mobility = w[a] * length_squared(on_b + on_c) + w[b] * length_squared(on_b) + w[c] * length_squared(on_c);
+	const Real inverse_mass = w[a] * length_squared(on_b + on_c) + w[b] * length_squared(on_b) + w[c] * length_squared(on_c);
 	// These are K A0 h'(C) ∂C/∂x, and the constraint's gradient is that without K A0 h'(C).
 	const Real scale = settings.area_stiffness * triangle.area * dilation.slope * dilation.slope;
-	const Real share = scale > 0 ? h * h / (1 + h * h * mobility / scale) : Real(0);
+	const Real share = scale > 0 ? h * h / (1 + h * h * inverse_mass / scale) : Real(0);
 	x[a] += (on_b + on_c) * (share * w[a]);
 	x[b] -= on_b * (share * w[b]);
 	x[c] -= on_c * (share * w[c]);
@@ -206,7 +206,7 @@ void balance_energy(SoftBodyData &body, double allowed, const SubstepInput &inpu
 		const BodyFrame frame = measure_frame(body, before, v);
 		const Rotation turn = Rotation::from_angle(frame.angular_velocity * input.h);
 		const auto rigid = [&](std::size_t i) {
-			const Vec2 arm = before[i] - frame.centre;
+			const Vec2 arm = before[i] - frame.center;
 			return frame.velocity + (turn.apply(arm) - arm) * (1 / input.h);
 		};
 		double relative = 0;
@@ -250,9 +250,9 @@ double work_of_pins(const SoftBodyData &body, std::span<const Vec2> before, std:
 
 // The rigid motion that a substep without contacts cannot change but from outside.
 struct RigidMotion {
-	Vec2 centre;
+	Vec2 center;
 	Vec2 velocity;
-	double spin = 0; // angular momentum about the centre
+	double spin = 0; // angular momentum about the center
 	double inertia = 0;
 };
 
@@ -264,13 +264,13 @@ RigidMotion rigid_motion_of(const SoftBodyData &body) {
 	const Vec2 base_velocity = v[0];
 	RigidMotion motion;
 	for (std::size_t i = 0; i < x.size(); ++i) {
-		motion.centre += (x[i] - base) * m[i];
+		motion.center += (x[i] - base) * m[i];
 		motion.velocity += (v[i] - base_velocity) * m[i];
 	}
-	motion.centre = base + motion.centre * (1 / body.shape().total_mass());
+	motion.center = base + motion.center * (1 / body.shape().total_mass());
 	motion.velocity = base_velocity + motion.velocity * (1 / body.shape().total_mass());
 	for (std::size_t i = 0; i < x.size(); ++i) {
-		const Vec2 arm = x[i] - motion.centre;
+		const Vec2 arm = x[i] - motion.center;
 		motion.spin += double(m[i]) * cross(arm, v[i] - motion.velocity);
 		motion.inertia += double(m[i]) * length_squared(arm);
 	}
@@ -289,7 +289,7 @@ void restore_rigid_motion(SoftBodyData &body, const RigidMotion &wanted) {
 	const bool can_turn = found.inertia > DEGENERATE_LENGTH * body.shape().rest_inertia();
 	const auto turn = Real(can_turn ? (wanted.spin - found.spin) / found.inertia : 0.0);
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		body.mutable_velocities()[i] += push + perpendicular(body.positions()[i] - found.centre) * turn;
+		body.mutable_velocities()[i] += push + perpendicular(body.positions()[i] - found.center) * turn;
 	}
 }
 
@@ -342,7 +342,7 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 		v[i] += (x[i] - predicted[i]) * (1 / input.h);
 		allowed += dot(input.external[i], x[i] - before[i]);
 		rigid.velocity += input.external[i] * (input.h / body.shape().total_mass());
-		rigid.spin += double(input.h) * cross(before[i] - rigid.centre, input.external[i]);
+		rigid.spin += double(input.h) * cross(before[i] - rigid.center, input.external[i]);
 	}
 	bool is_driven = false;
 	for (std::size_t i = 0; !is_free && i < x.size(); ++i) {

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+// Finds and solves the contacts of bodies with their surroundings.
+#include "core/collision/environment_contact_solver.h"
+
+#include "core/base/constants.h"
+#include "core/collision/convex_query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace softbody {
+
+namespace {
+
+Real fastest(std::span<const Vec2> velocities) {
+	RealPack most(0);
+	for (std::size_t i = 0; i < packs_for(velocities.size()); ++i) {
+		most = greater(length_squared(pack_of(velocities, i)), most);
+	}
+	return std::sqrt(greatest_lane(most));
+}
+
+constexpr Aabb NOWHERE{ { std::numeric_limits<Real>::quiet_NaN(), 0 }, { std::numeric_limits<Real>::quiet_NaN(), 0 } };
+
+} // namespace
+
+// The box may be outgrown within the step, as springs accelerate points.
+Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt) {
+	Aabb box = bounding_box(hull);
+	const Vec2 size = box.max - box.min;
+	const Real way = fastest(velocities) * dt;
+	// A body that is about to be reset must not be near everything.
+	if (!is_finite(size)) {
+		return NOWHERE;
+	}
+	return std::isfinite(way) ? box.grown(way + std::max(size.x, size.y) / 16) : box;
+}
+
+bool EnvironmentContactSolver::begin_body(const ColliderIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt,
+		std::size_t lane) {
+	surroundings_ = &surroundings;
+	lane_ = lane;
+	near().elapsed = elapsed;
+	near().colliders.clear();
+	if (surroundings.has_colliders()) {
+		near().margin = fastest(body.velocities()) * dt + body.shape().radius() / 4;
+		gather(body, near().margin);
+	}
+	if (!body.one_ways().empty()) {
+		forget_one_ways(body);
+	}
+	return !near().colliders.empty();
+}
+
+// What is not near any more.
+void EnvironmentContactSolver::forget_one_ways(SoftBodyData &body) const {
+	const std::vector<Collider> &colliders = surroundings_->world().colliders();
+	std::erase_if(body.one_ways(), [&](const OneWayMemory &memory) {
+		return std::ranges::none_of(near().colliders, [&](std::uint32_t i) {
+			return colliders[i].is_one_way() && one_way_name(colliders[i]) == memory.collider;
+		});
+	});
+}
+
+void EnvironmentContactSolver::gather(const SoftBodyData &body, Real margin) {
+	near().reach = bounding_box(body.hull()).grown(margin);
+	surroundings_->collect(near().reach, near().colliders);
+	std::erase_if(near().colliders, [&](std::uint32_t i) {
+		return !notices(body, surroundings_->world().colliders()[i].surface);
+	});
+	near().has_one_way = std::ranges::any_of(near().colliders, [&](std::uint32_t i) { return surroundings_->world().colliders()[i].is_one_way(); });
+}
+
+std::size_t EnvironmentContactSolver::handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h,
+		std::size_t lane) {
+	lane_ = lane;
+	bounce_threshold_ = RESTITUTION_SUBSTEPS * length(gravity) * h;
+	h_ = h;
+	load_ = {};
+	handle_borders(body);
+	if (surroundings_->has_colliders()) {
+		handle_colliders(body, before);
+	}
+	near().elapsed += h;
+	resist_rolling<Real>(lanes_of(body), load_);
+	give_back_bounce(body, load_, bounce_threshold_, h);
+	return std::size_t(load_.contacts);
+}
+
+void EnvironmentContactSolver::handle_colliders(SoftBodyData &body, std::span<const Vec2> before) {
+	Aabb swept = bounding_box(body.hull());
+	for (std::size_t i = 0; i < body.shape().hull_count(); ++i) {
+		swept.include(before[i]);
+	}
+	if (!near().reach.contains(swept)) {
+		// Gather around the whole way of this substep, which may already have left the old box.
+		const Vec2 way = swept.max - swept.min;
+		gather(body, near().margin + std::max(way.x, way.y));
+	}
+	if (near().has_one_way) {
+		begin_one_ways(body, before, swept);
+	}
+	// Points first, of all colliders: an edge between a point that has been moved out and one that has not dips into the
+	// seam of two colliders and would be pushed back from it.
+	for (const bool corners : { false, true }) {
+		for (const std::uint32_t i : near().colliders) {
+			handle_collider(body, before, swept, i, corners);
+		}
+	}
+}
+
+void EnvironmentContactSolver::handle_collider(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept,
+		std::uint32_t index, bool corners) {
+	const WorldData &world = surroundings_->world();
+	const Real slop = LINEAR_SLOP * world.length_unit();
+	const Collider &collider = world.colliders()[index];
+	collider_ = index;
+	const Aabb bounds = surroundings_->bounds(index).grown(slop);
+	if (!swept.overlaps(bounds)) {
+		return;
+	}
+	const HullMotion hull{ before, body.hull() };
+	if (collider.rigid_body == NO_RIGID_BODY) {
+		solve_collider(body, hull, collider, collider.surface, {}, corners ? bounding_box(hull.to) : bounds, corners);
+		return;
+	}
+	const RigidBody &mover = world.rigid_bodies()[collider.rigid_body];
+	const ColliderMotion motion{ mover.pose_after(near().elapsed), mover.pose_after(near().elapsed + h_), false };
+	const Surface surface = surface_in_motion(collider.surface, mover, motion.to);
+	Aabb box = collider.bounds().grown(slop);
+	if (corners) {
+		box = bounding_box(hull.to);
+		for (std::size_t i = 0; i < hull.to.size(); ++i) {
+			box.include(hull.from[i]);
+		}
+	}
+	solve_collider(body, hull, collider, surface, motion, box, corners);
+}
+
+// `box`: of the hull for the collider's corners, of the collider in its own frame for the hull's points.
+void EnvironmentContactSolver::solve_collider(SoftBodyData &body, const HullMotion &hull, const Collider &collider,
+		const Surface &surface, const ColliderMotion &motion, const Aabb &box, bool corners) {
+	std::optional<OneWay> one_way;
+	if (collider.is_one_way()) {
+		one_way.emplace(body, collider, motion, surroundings_->world().length_unit());
+		if (one_way->passes() || (!one_way->is_held() && is_beside_passed(body, collider))) {
+			return;
+		}
+	}
+	OneWay *const one_way_or_none = one_way ? &*one_way : nullptr;
+	const Real pressed = corners ? handle_corners(body, hull, collider, surface, motion, box, one_way_or_none)
+								 : handle_points(body, hull, collider, surface, motion, box, one_way_or_none);
+	if (one_way && pressed > 0) {
+		one_way->hold(body.hull(), own_hull_);
+	}
+}
+
+// A platform made of many pieces: what passes one passes its neighbors, or their fronts would hold its flanks.
+bool EnvironmentContactSolver::is_beside_passed(const SoftBodyData &body, const Collider &collider) const {
+	if (std::ranges::none_of(body.one_ways(), [](const OneWayMemory &each) { return !each.held; })) {
+		return false;
+	}
+	const WorldData &world = surroundings_->world();
+	const Aabb box = collider.bounds().grown(LINEAR_SLOP * world.length_unit());
+	return std::ranges::any_of(near().colliders, [&](std::uint32_t i) {
+		const Collider &other = world.colliders()[i];
+		return &other != &collider && other.rigid_body == collider.rigid_body && other.one_way == collider.one_way &&
+				box.overlaps(other.bounds()) && is_passing(body, other);
+	});
+}
+
+void EnvironmentContactSolver::begin_one_ways(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept) {
+	const WorldData &world = surroundings_->world();
+	const Real slop = LINEAR_SLOP * world.length_unit();
+	for (const std::uint32_t i : near().colliders) {
+		const Collider &collider = world.colliders()[i];
+		if (collider.is_one_way() && swept.overlaps(surroundings_->bounds(i).grown(slop))) {
+			ColliderMotion motion;
+			if (collider.rigid_body != NO_RIGID_BODY) {
+				motion = { world.rigid_bodies()[collider.rigid_body].pose_after(near().elapsed), {}, false };
+			}
+			OneWay(body, collider, motion, world.length_unit()).begin_substep(before.first(body.hull().size()), own_hull_);
+		}
+	}
+}
+
+// Returns the sum of the impulses.
+Real EnvironmentContactSolver::handle_points(SoftBodyData &body, const HullMotion &hull, const Collider &collider,
+		const Surface &surface, const ColliderMotion &motion, const Aabb &own_bounds, const OneWay *one_way) {
+	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
+	HullMotion seen = hull;
+	if (one_way != nullptr) {
+		starts_.assign(hull.from.begin(), hull.from.begin() + std::ptrdiff_t(hull.to.size()));
+		for (Vec2 &p : starts_) {
+			p = one_way->start_of(p);
+		}
+		seen.from = starts_;
+	}
+	Real pressed = 0;
+	for (std::uint32_t i = 0; i < hull.to.size(); ++i) {
+		const auto contact = find_contact_of_point(seen, i, collider, motion, own_bounds, slop);
+		if (contact && (one_way == nullptr || one_way->counts(*contact, hull))) {
+			pressed += solve(body, *contact, surface, i);
+		}
+	}
+	return pressed;
+}
+
+Real EnvironmentContactSolver::handle_corners(SoftBodyData &body, const HullMotion &hull, const Collider &collider,
+		const Surface &surface, const ColliderMotion &motion, const Aabb &box, const OneWay *one_way) {
+	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
+	Real pressed = 0;
+	for (std::uint32_t corner = 0; corner < collider.vertices.size(); ++corner) {
+		const auto contact = find_contact_of_corner(hull, box, collider, corner, motion, slop);
+		if (contact && (one_way == nullptr || one_way->counts(*contact, hull))) {
+			pressed += solve(body, *contact, surface, ContactPoint::CORNER | corner);
+		}
+	}
+	return pressed;
+}
+
+Real EnvironmentContactSolver::solve(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface,
+		std::uint32_t feature) {
+	const Real impulse = solve_surface_contact(body, contact, surface, bounce_threshold_, h_);
+	const Vec2 place = body.positions()[contact.place.a];
+	load_.add(impulse, contact.normal, place, surface, combined_restitution(body.settings(), surface));
+	load_.contacts += 1;
+	if (body.settings().contact_monitor) {
+		log_.add({ index_of(body), ContactOther::Kind::COLLIDER, collider_, feature, nearest_point(contact.place), 0,
+				position_of(contact.place, body.positions()), contact.normal, impulse, contact.depth });
+	}
+	return impulse;
+}
+
+void EnvironmentContactSolver::handle_borders(SoftBodyData &body) {
+	const std::vector<Border> &borders = surroundings_->world().borders();
+	const bool is_monitored = body.settings().contact_monitor;
+	for (std::uint32_t i = 0; i < borders.size(); ++i) {
+		if (!notices(body, borders[i].surface)) {
+			continue;
+		}
+		solutions_.assign(is_monitored ? body.shape().hull_count() : 0, {});
+		solve_border<Real>(lanes_of(body), borders[i], bounce_threshold_, h_, load_, solutions_);
+		for (std::uint32_t point = 0; point < solutions_.size(); ++point) {
+			if (solutions_[point].depth > 0) {
+				log_.add({ index_of(body), ContactOther::Kind::BORDER, i, point, point, 0, body.positions()[point],
+						borders[i].plane.normal, solutions_[point].normal_impulse, solutions_[point].depth });
+			}
+		}
+	}
+}
+
+RealPack EnvironmentContactSolver::solve_borders_side_by_side(const BodyLanes<RealPack> &bodies,
+		std::span<const Border> borders, Real h, std::span<const std::uint32_t> body_indices, std::uint32_t monitored) {
+	BasicContactLoad<RealPack> load;
+	for (std::uint32_t i = 0; i < borders.size(); ++i) {
+		if (!is_noticed(bodies.model.settings, borders[i].surface)) {
+			continue;
+		}
+		const RealPack contacts = load.contacts;
+		pack_solutions_.assign(monitored != 0 ? bodies.model.shape.hull_count() : 0, {});
+		solve_border<RealPack>(bodies, borders[i], std::numeric_limits<Real>::infinity(), h, load, pack_solutions_);
+		if (monitored == 0 || !any(load.contacts > contacts)) {
+			continue;
+		}
+		for (std::uint32_t lane = 0; lane < body_indices.size(); ++lane) {
+			for (std::uint32_t point = 0; (monitored >> lane & 1) && point < pack_solutions_.size(); ++point) {
+				if (pack_solutions_[point].depth[lane] > 0) {
+					log_.add({ body_indices[lane], ContactOther::Kind::BORDER, i, point, point, 0,
+							lane_of(bodies.positions[point], lane), borders[i].plane.normal,
+							pack_solutions_[point].normal_impulse[lane], pack_solutions_[point].depth[lane] });
+				}
+			}
+		}
+	}
+	resist_rolling<RealPack>(bodies, load);
+	return load.contacts;
+}
+
+std::uint32_t EnvironmentContactSolver::index_of(const SoftBodyData &body) const {
+	return std::uint32_t(&body - surroundings_->world().soft_bodies().data());
+}
+
+Real measure_penetration(const WorldData &world, const SoftBodyData &body) {
+	Real deepest = 0;
+	for (const Border &border : world.borders()) {
+		for (const Vec2 p : body.hull()) {
+			if (notices(body, border.surface)) {
+				deepest = std::max(deepest, -signed_distance(border.plane, p));
+			}
+		}
+	}
+	const Aabb box = bounding_box(body.hull());
+	for (const Collider &collider : world.colliders()) {
+		if (!notices(body, collider.surface) || is_passing(body, collider)) {
+			continue;
+		}
+		ColliderMotion motion;
+		if (collider.rigid_body != NO_RIGID_BODY) {
+			const Pose &pose = world.rigid_bodies()[collider.rigid_body].pose;
+			motion = { pose, pose, false };
+		} else if (!box.overlaps(collider.bounds())) {
+			continue;
+		}
+		for (const Vec2 p : body.hull()) {
+			const Vec2 own = motion.is_still ? p : motion.to.apply_inverse(p);
+			deepest = std::max(deepest, -surface_distance(collider, own).distance);
+		}
+		for (std::size_t corner = 0; corner < collider.vertices.size(); ++corner) {
+			if (const auto contact = find_contact_of_corner({ body.hull(), body.hull() }, box, collider, corner, motion)) {
+				deepest = std::max(deepest, contact->depth);
+			}
+		}
+	}
+	return deepest;
+}
+
+} // namespace softbody

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What a contact of a hull point with another body's hull edge does to the three points.
+#include "core/collision/pair_constraint.h"
+
+#include "core/base/constants.h"
+#include "core/base/pack.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softbody {
+
+void SolverBody::begin_substep() {
+	std::ranges::copy(hull(), before.begin());
+}
+
+void SolverBody::measure_extent() {
+	const std::span<const Vec2> now = hull();
+	const std::span<const Vec2> old = before;
+	const std::size_t packs = packs_for(now.size());
+	PackedAabb around;
+	RealPack longest(0);
+	for (std::size_t i = 0; i < packs; ++i) {
+		const BasicVec2<RealPack> here = pack_of(now, i);
+		around.include(here);
+		longest = greater(length_squared(here - pack_of(old, i)), longest);
+	}
+	way = std::sqrt(greatest_lane(longest));
+	box = around.joined();
+	center = (box.min + box.max) * Real(0.5);
+	const BasicVec2<RealPack> middle = in_all_lanes<RealPack>(center);
+	RealPack farthest(0);
+	for (std::size_t i = 0; i < packs; ++i) {
+		farthest = greater(length_squared(pack_of(now, i) - middle), farthest);
+	}
+	// Where the points come from is no farther away than the way of the fastest.
+	radius = std::sqrt(greatest_lane(farthest)) + way;
+	box = box.grown(way);
+}
+
+void SolverBody::take_frame(const BodyFrame &frame) {
+	spin_change = 0;
+	mass_center = frame.center;
+	const bool is_free = inverse_mass > 0; // pinned, it turns about its pins, if at all
+	inertia = is_free ? frame.inertia : Real(0);
+	spin = is_free ? frame.angular_velocity : Real(0);
+}
+
+void SolverBody::apply_spin_change() {
+	if (spin_change == 0) {
+		return;
+	}
+	for (std::size_t i = 0; i < positions.size(); ++i) {
+		velocities[i] += perpendicular(positions[i] - mass_center) * spin_change;
+	}
+}
+
+void resist_pair_rolling(SolverBody &a, SolverBody &b, Real normal_impulse) {
+	const Real inverse_mass_a = a.inertia > 0 ? 1 / a.inertia : Real(0);
+	const Real inverse_mass_b = b.inertia > 0 ? 1 / b.inertia : Real(0);
+	const Real inverse_mass = inverse_mass_a + inverse_mass_b;
+	if (!(inverse_mass > 0)) {
+		return;
+	}
+	const Real most = std::min(a.rolling_resistance, b.rolling_resistance) * std::min(a.rolling_radius, b.rolling_radius) *
+			normal_impulse;
+	const Real impulse = std::clamp((b.spin - a.spin) / inverse_mass, -most, most);
+	if (!std::isfinite(impulse)) {
+		return; // who is about to be reset must not take the other along
+	}
+	a.spin += impulse * inverse_mass_a;
+	a.spin_change += impulse * inverse_mass_a;
+	b.spin -= impulse * inverse_mass_b;
+	b.spin_change -= impulse * inverse_mass_b;
+}
+
+namespace {
+
+void move(SolverBody &body, Vec2 shift) {
+	for (Vec2 &p : body.positions) {
+		p += shift;
+	}
+	body.box = { body.box.min + shift, body.box.max + shift };
+	body.center += shift;
+}
+
+} // namespace
+
+bool part_bodies(SolverBody &body, SolverBody &other, Vec2 direction, Real distance) {
+	const Real inverse_mass = body.inverse_mass + other.inverse_mass;
+	if (!(inverse_mass > 0)) {
+		return false;
+	}
+	const Real most = DEEP_OVERLAP * std::min(body.radius, other.radius);
+	const Vec2 shift = direction * (std::min(distance, most) / inverse_mass);
+	if (!is_finite(shift)) {
+		return false;
+	}
+	move(body, shift * body.inverse_mass);
+	move(other, -shift * other.inverse_mass);
+	return true;
+}
+
+} // namespace softbody

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Contacts of soft bodies with one another.
+#include "core/collision/pair_contact_solver.h"
+
+#include "core/base/constants.h"
+#include "core/geometry/segment.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace softbody {
+
+void PairContactSolver::begin_substep(Real h) {
+	h_ = h;
+}
+
+void PairContactSolver::begin_response(const WorldData &world) {
+	response_ = world.contact_response();
+	separation_force_.begin_substep(world.separation_stiffness() / world.length_unit(), h_);
+}
+
+std::size_t PairContactSolver::handle(SolverBody &a, SolverBody &b) {
+	impulse_ = 0;
+	push_ = {};
+	const Real reach = a.radius + b.radius;
+	const Real distance_squared = length_squared(a.center - b.center);
+	if (!a.box.overlaps(b.box) || distance_squared > reach * reach) {
+		return 0;
+	}
+	if (response_ == ContactResponse::SEPARATION_FORCE) {
+		return separation_force_.handle(a, b) > 0;
+	}
+	const bool are_fast = a.way + b.way > SWEEP_SHARE * std::min(a.width, b.width);
+	const Real near = std::max(a.radius, b.radius);
+	if (!are_fast && distance_squared < near * near && handle_crossing(a, b)) {
+		return 1;
+	}
+	return handle_points(a, b, are_fast);
+}
+
+// Two hulls can lie across each other with no point inside the other: the points then have nothing to say.
+bool PairContactSolver::handle_crossing(SolverBody &a, SolverBody &b) {
+	const auto middle = [](const SolverBody &body) {
+		const Aabb box = bounding_box(body.hull());
+		return (box.min + box.max) * Real(0.5);
+	};
+	const Vec2 middle_a = middle(a);
+	const Vec2 middle_b = middle(b);
+	// Both middles in both: that of a bent body may be outside it, and a ball may well be pressed onto that of a plank.
+	for (const SolverBody *body : { &a, &b }) {
+		edges_.assign(body->hull());
+		if (!edges_.contains(middle_a) || !edges_.contains(middle_b)) {
+			return false;
+		}
+	}
+	const Vec2 way = middle_a - middle_b;
+	const Real distance = length(way);
+	const Real most = std::min(a.radius, b.radius);
+	const Vec2 direction = distance > DEGENERATE_LENGTH * most ? way * (1 / distance) : Vec2{ 1, 0 };
+	if (!part_bodies(a, b, direction, most)) {
+		return false;
+	}
+	if (a.is_monitored || b.is_monitored) {
+		log_.add({ a.body_index, ContactOther::Kind::SOFT_BODY, b.body_index, ContactPoint::WHOLE, 0, 0,
+				(middle_a + middle_b) * Real(0.5), direction, 0, most });
+	}
+	return true;
+}
+
+namespace {
+
+// How many points of each body are looked at before those that are near are handled.
+constexpr std::uint32_t NEAR_BITS = 32;
+
+// Of up to NEAR_BITS hull points from `first` on, a bit for each that is nearer than `reach` to `center`. Few points are near
+// the other body: the others are left out several at a time.
+std::uint32_t near_points(std::span<const Vec2> hull, std::uint32_t first, Vec2 center, Real reach) {
+	const BasicVec2<RealPack> middle = in_all_lanes<RealPack>(center);
+	const std::uint32_t end = std::min(std::uint32_t(hull.size()), first + NEAR_BITS);
+	std::uint32_t near = 0;
+	std::uint32_t i = first;
+	for (; i + PACK_WIDTH <= end; i += PACK_WIDTH) {
+		const RealPack distance = length_squared(consecutive(&hull[i]) - middle);
+		near |= bits(distance < RealPack(reach * reach)) << (i - first);
+	}
+	for (; i < end; ++i) {
+		near |= std::uint32_t(length_squared(hull[i] - center) < reach * reach) << (i - first);
+	}
+	return near;
+}
+
+} // namespace
+
+// The points of both in one loop: where it ends is what a processor guesses wrong.
+std::size_t PairContactSolver::handle_points(SolverBody &a, SolverBody &b, bool are_fast) {
+	const std::array<SolverBody *, 2> bodies = { &a, &b };
+	constexpr std::array<Real, 2> SIDES = { 1, -1 };
+	const Real reach_a = b.radius + (are_fast ? a.way : Real(0));
+	const Real reach_b = a.radius + (are_fast ? b.way : Real(0));
+	std::size_t contacts = 0;
+	edges_of_ = nullptr;
+	const std::uint32_t count = std::uint32_t(std::max(a.hull().size(), b.hull().size()));
+	for (std::uint32_t first = 0; first < count; first += NEAR_BITS) {
+		std::uint64_t near = near_points(a.hull(), first, b.center, reach_a) |
+				std::uint64_t(near_points(b.hull(), first, a.center, reach_b)) << NEAR_BITS;
+		for (; near != 0; near &= near - 1) {
+			const std::uint32_t bit = std::uint32_t(std::countr_zero(near));
+			const std::uint32_t which = bit / NEAR_BITS;
+			contacts += handle_point(*bodies[which], *bodies[1 - which], first + bit % NEAR_BITS, SIDES[which], are_fast);
+		}
+	}
+	return contacts;
+}
+
+namespace {
+
+// Where a point has passed an edge from outside on its way through this substep, both moving. Behind the last such
+// edge it stays: the first it met is the one it has to go back through.
+std::optional<HullContact> find_passage(const SolverBody &body, const SolverBody &other, std::uint32_t point) {
+	const Motion path{ body.before[point], body.positions[point] };
+	std::optional<HullContact> first;
+	Real first_time = 2;
+	const std::span<const Vec2> hull = other.hull();
+	for (std::uint32_t i = 0; i < hull.size(); ++i) {
+		const std::uint32_t next = i + 1 == hull.size() ? 0 : i + 1;
+		const Motion start{ other.before[i], hull[i] };
+		const Motion end{ other.before[next], hull[next] };
+		if (cross(end.from - start.from, path.from - start.from) > 0) {
+			continue; // came from inside
+		}
+		const std::optional<SegmentImpact> impact = point_segment_impact(path, start, end);
+		if (!impact || impact->time >= first_time) {
+			continue;
+		}
+		const Vec2 edge = end.to - start.to;
+		const Real size = length(edge);
+		const Vec2 normal{ edge.y, -edge.x };
+		const Real depth = size > 0 ? -dot(normal, path.to - start.to) / size : Real(0);
+		if (depth > 0) {
+			first_time = impact->time;
+			first = HullContact{ i, impact->parameter, normal * (1 / size), depth };
+		}
+	}
+	return first;
+}
+
+} // namespace
+
+bool PairContactSolver::handle_point(SolverBody &body, SolverBody &other, std::uint32_t point, Real side, bool are_fast) {
+	std::optional<HullContact> found = are_fast ? find_passage(body, other, point) : std::nullopt;
+	const bool is_fresh = found.has_value();
+	if (!found) {
+		if (edges_of_ != &other) {
+			edges_.assign(other.hull());
+			edges_of_ = &other;
+		}
+		found = edges_.find(body.positions[point], outward_at(body.hull(), point));
+	}
+	if (!found) {
+		return false;
+	}
+	const std::uint32_t end = found->edge + 1 == other.before.size() ? 0 : found->edge + 1;
+	edges_of_ = nullptr; // as both change
+	const Real impulse = solve_pair_contact(body, other,
+			{ point, found->edge, end, found->t, found->normal, found->depth, is_fresh }, h_);
+	impulse_ += impulse;
+	push_ += found->normal * (impulse * side);
+	if (body.is_monitored || other.is_monitored) {
+		log_.add({ body.body_index, ContactOther::Kind::SOFT_BODY, other.body_index, point, point, found->t < Real(0.5) ? found->edge : end,
+				body.positions[point], found->normal, impulse, found->depth });
+	}
+	return true;
+}
+
+} // namespace softbody

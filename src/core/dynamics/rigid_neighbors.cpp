@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Which bodies may meet a rigid body that they push back.
+#include "core/dynamics/rigid_neighbors.h"
+
+#include "core/collision/environment_contact_solver.h"
+
+#include <algorithm>
+
+namespace softbody {
+
+namespace {
+
+constexpr std::size_t BODIES_A_TASK = 64;
+
+Aabb way_of(const SolverBody &body, Real dt) {
+	return sweep_box(body.hull(), body.velocities, dt);
+}
+
+} // namespace
+
+void RigidNeighbors::find(const ActiveBodies &bodies, WorldData &world, const ColliderIndex &surroundings,
+		std::span<const char> asleep, Real dt, const ParallelFor &parallel_for) {
+	is_near_.clear();
+	restless_.clear();
+	beside_.clear();
+	if (!surroundings.has_dynamic_colliders()) {
+		return;
+	}
+	is_near_.assign(bodies.count(), 0);
+	restless_.assign(bodies.count(), 0);
+	run_slices(parallel_for, bodies.count(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
+		for (std::size_t active_index = begin; active_index < end; ++active_index) {
+			is_near_[active_index] = surroundings.has_dynamic_collider_in(way_of(bodies.solver_body(std::uint32_t(active_index)), dt));
+		}
+	});
+	for (std::uint32_t active_index = 0; active_index < bodies.count(); ++active_index) {
+		if (is_near_[active_index] == 0) {
+			continue;
+		}
+		surroundings.collect_dynamic(way_of(bodies.solver_body(active_index), dt), colliders_);
+		for (const std::uint32_t collider : colliders_) {
+			const std::uint32_t rigid = world.colliders()[collider].rigid_body;
+			restless_[active_index] |= char(!world.rigid_bodies()[rigid].asleep);
+			beside_.push_back({ rigid, active_index });
+		}
+		if (asleep[active_index] != 0 && restless_[active_index] != 0) {
+			bodies.data(active_index).wake();
+		}
+	}
+	std::ranges::sort(beside_);
+}
+
+void RigidNeighbors::report_sleepers(const ActiveBodies &bodies, WorldData &world, std::span<const char> asleep) const {
+	for (const auto &[rigid, active_index] : beside_) {
+		world.mutable_reactions()[rigid].beside_sleeper |= asleep[active_index] != 0 && !bodies.data(active_index).is_frozen();
+	}
+}
+
+void RigidNeighbors::add_linked(std::vector<BodyPair> &pairs) const {
+	for (std::size_t i = 1; i < beside_.size(); ++i) {
+		const auto &[rigid, active_index] = beside_[i];
+		if (rigid == beside_[i - 1].first && active_index != beside_[i - 1].second) {
+			pairs.push_back({ beside_[i - 1].second, active_index });
+		}
+	}
+}
+
+} // namespace softbody

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: MIT
+// Hands the bodies of Godot's physics server to the core, and what soft bodies did to them back.
+#include "godot/surroundings/environment_reader.h"
+
+#include "core/model/internal_edges.h"
+#include "godot/convert.h"
+#include "godot/surroundings/hull_proxy.h"
+
+#include <godot_cpp/classes/physics_server2d.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+
+#include <algorithm>
+#include <unordered_map>
+
+using namespace godot;
+
+namespace softbody {
+
+namespace {
+
+// Shapes that are read again each tick, to notice that one of them, or a material, was changed. More: changes
+// are noticed sooner, for about a microsecond each.
+constexpr int REREAD_SHAPES = 16;
+
+// Bodies that are looked at each tick, to notice that one of them is gone or has other shapes. More: that is noticed sooner,
+// for a fifth of a microsecond each.
+constexpr int LOOKS = 160;
+
+// Ticks after which bodies that are no longer near are forgotten. Shorter: what goes to and fro is read again and again.
+constexpr int64_t FORGET_INTERVAL = 64;
+
+// Bodies that are gone, but may come back, are asked every tick. More of them than this are forgotten.
+constexpr std::size_t MAX_MISSING = 64;
+
+// How far the corners of two tiles may be apart that lie edge to edge [px]. Larger: gaps are closed that can be seen.
+// Smaller: roundings far from the origin open seams.
+constexpr Real SEAM_TOLERANCE = Real(1) / 16;
+
+} // namespace
+
+EnvironmentReader::~EnvironmentReader() {
+	if (PhysicsServer2D::get_singleton() != nullptr) {
+		for (auto &[id, body] : bodies_) {
+			body.let_go();
+		}
+	}
+}
+
+void EnvironmentReader::read(PhysicsDirectSpaceState2D *p_state, const std::vector<RID> &p_joined, double p_delta, WorldData &r_world) {
+	tick_++;
+	search_.follow(r_world, p_delta);
+	take_back();
+	take_joined(p_joined);
+	take_new(p_state);
+	if (tick_ % FORGET_INTERVAL == 0) {
+		forget_far(p_joined);
+	}
+	look_at_some();
+	reread_some();
+	poll(p_delta, r_world);
+	if (!is_handed_over_) {
+		hand_over(p_delta, r_world);
+	}
+	list_moving();
+}
+
+void EnvironmentReader::list_known() {
+	known_.clear();
+	for (const auto &[id, body] : bodies_) {
+		if (body.is_told_by_node()) {
+			known_.push_back(body.rid());
+		}
+	}
+	search_.exclude(known_);
+	missing_.clear();
+}
+
+// True if it was not known.
+bool EnvironmentReader::add(const RID &p_body) {
+	if (!bodies_.try_emplace(p_body.get_id(), p_body, space_, tick_).second) {
+		return false;
+	}
+	are_bodies_listed_ = false;
+	is_handed_over_ = false;
+	return true;
+}
+
+void EnvironmentReader::take_new(PhysicsDirectSpaceState2D *p_state) {
+	if (search_.is_list_due(int64_t(bodies_.size()))) {
+		list_known();
+	}
+	if (search_.is_regrouped() || !are_bodies_listed_) {
+		count_shapes();
+	}
+	found_.clear();
+	search_.find(p_state, found_);
+	int64_t needless = 0;
+	for (const FoundShape &found : found_) {
+		if (is_hull_proxy(found.body)) {
+			needless++;
+			continue;
+		}
+		const bool is_new = add(found.body);
+		BodyRecord &body = bodies_.find(found.body.get_id())->second;
+		needless += int64_t(!is_new && body.is_told_by_node());
+		body.note_seen(found.shape, tick_);
+		if (!body.is_told_by_node() && body.has_other_shapes(tick_)) {
+			body.reread(tick_);
+			is_handed_over_ = false;
+		}
+	}
+	search_.note_needless(needless);
+}
+
+// A body on the list of the known is not found. One that left the space may come back before there is another list.
+void EnvironmentReader::take_back() {
+	for (std::size_t i = 0; i < missing_.size();) {
+		PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+		const bool is_alive = server->body_get_direct_state(missing_[i]) != nullptr;
+		if (is_alive && server->body_get_space(missing_[i]) == space_) {
+			add(missing_[i]);
+			missing_[i] = missing_.back();
+			missing_.pop_back();
+		} else {
+			i++;
+		}
+	}
+}
+
+void EnvironmentReader::take_joined(const std::vector<RID> &p_joined) {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	for (const RID &body : p_joined) {
+		if (!bodies_.contains(body.get_id()) && server->body_get_direct_state(body) != nullptr && server->body_get_space(body) == space_) {
+			add(body);
+		}
+	}
+}
+
+void EnvironmentReader::forget_far(const std::vector<RID> &p_joined) {
+	const std::size_t count = bodies_.size();
+	std::erase_if(bodies_, [&](const auto &p_entry) {
+		const BodyRecord &body = p_entry.second;
+		return !search_.is_near(body.bounds()) && std::ranges::find(p_joined, body.rid()) == p_joined.end();
+	});
+	if (bodies_.size() != count) {
+		are_bodies_listed_ = false;
+		is_handed_over_ = false;
+		search_.forget_list();
+	}
+}
+
+void EnvironmentReader::count_shapes() {
+	search_.clear_counts();
+	for (const auto &[id, body] : bodies_) {
+		search_.count_shapes(body.bounds(), int64_t(body.shapes().size()));
+	}
+}
+
+void EnvironmentReader::list_bodies() {
+	leaders_.clear();
+	followers_.clear();
+	std::unordered_map<uint64_t, std::size_t> leader_of;
+	for (auto &[id, body] : bodies_) {
+		const auto [entry, is_first] = leader_of.try_emplace(body.object_id(), leaders_.size());
+		if (!is_first && body.is_tile()) {
+			followers_[entry->second].push_back(&body);
+		} else {
+			leaders_.push_back(&body);
+			followers_.emplace_back();
+		}
+	}
+	are_bodies_listed_ = true;
+}
+
+// Those of one TileMapLayer come and go together, most of the time.
+void EnvironmentReader::look_at_some() {
+	const std::size_t count = std::min<std::size_t>(bodies_.size(), LOOKS);
+	auto next = bodies_.lower_bound(look_from_);
+	for (std::size_t i = 0; i < count; i++, ++next) {
+		if (next == bodies_.end()) {
+			next = bodies_.begin();
+		}
+		BodyRecord &body = next->second;
+		if (!body.is_there()) {
+			gone_.push_back(body.rid());
+		} else if (body.has_other_shapes(tick_)) {
+			body.reread(tick_);
+			is_handed_over_ = false;
+		}
+	}
+	look_from_ = next == bodies_.end() ? 0 : next->first;
+	drop_gone();
+}
+
+void EnvironmentReader::drop_gone() {
+	for (const RID &body : gone_) {
+		bodies_.erase(body.get_id());
+		missing_.push_back(body);
+		are_bodies_listed_ = false;
+		is_handed_over_ = false; // `movers_` is made anew then
+	}
+	gone_.clear();
+	if (missing_.size() > MAX_MISSING) {
+		search_.forget_list();
+	}
+}
+
+void EnvironmentReader::reread_some() {
+	int count = 0;
+	for (std::size_t i = 0; i < bodies_.size() && count < REREAD_SHAPES; i++) {
+		auto next = bodies_.lower_bound(reread_from_);
+		if (next == bodies_.end()) {
+			next = bodies_.begin();
+		}
+		BodyRecord &body = next->second;
+		reread_from_ = next->first + 1;
+		count += 1 + int(body.shapes().size());
+		if (!body.is_there()) {
+			gone_.push_back(body.rid());
+		} else if (body.reread(tick_)) {
+			is_handed_over_ = false;
+		}
+	}
+	drop_gone();
+}
+
+void EnvironmentReader::poll(BodyRecord &r_body, double p_delta, bool &r_has_moved) {
+	const BodyChange change = r_body.poll(p_delta);
+	r_has_moved |= change != BodyChange::NONE;
+	is_handed_over_ &= change != BodyChange::REBUILT && change != BodyChange::GONE;
+	if (change == BodyChange::GONE) {
+		gone_.push_back(r_body.rid());
+	}
+}
+
+void EnvironmentReader::poll(double p_delta, WorldData &r_world) {
+	if (!are_bodies_listed_) {
+		list_bodies();
+	}
+	for (std::size_t i = 0; i < leaders_.size(); i++) {
+		bool has_moved = false;
+		poll(*leaders_[i], p_delta, has_moved);
+		if (!has_moved) {
+			continue;
+		}
+		for (BodyRecord *follower : followers_[i]) {
+			poll(*follower, p_delta, has_moved);
+		}
+	}
+	drop_gone();
+	if (!are_bodies_listed_) {
+		list_bodies();
+	}
+	if (!is_handed_over_) {
+		return; // all of them are handed over anyway
+	}
+	for (const BodyRecord *body : movers_) {
+		r_world.set_rigid_body(body->rigid_index, body->rigid_body());
+	}
+}
+
+void EnvironmentReader::list_moving() {
+	had_moving_ = !moving_.empty();
+	moving_.clear();
+	for (const BodyRecord *body : leaders_) {
+		if (body->mode() != PhysicsServer2D::BODY_MODE_STATIC) {
+			moving_.push_back({ body->rid(), body->mode(), body->bounds(), body->surface().layer });
+		}
+	}
+	moving_near_.resize(search_.group_count());
+	for (std::size_t group = 0; group < moving_near_.size(); group++) {
+		moving_near_[group].clear();
+		for (uint32_t i = 0; i < moving_.size(); i++) {
+			if (moving_[i].box.overlaps(search_.group_box(group))) {
+				moving_near_[group].push_back(i);
+			}
+		}
+	}
+}
+
+void EnvironmentReader::tell(std::size_t p_row, HullProxy &r_proxy) const {
+	r_proxy.begin_near();
+	const uint32_t group = search_.group_of(p_row);
+	if (group != ColliderSearch::NO_GROUP) {
+		for (const uint32_t i : moving_near_[group]) {
+			const Moving &moving = moving_[i];
+			if ((moving.layer & search_.mask(p_row)) != 0 && moving.box.overlaps(search_.reach(p_row))) {
+				r_proxy.note_near(moving.body, moving.mode);
+			}
+		}
+	}
+	r_proxy.end_near();
+}
+
+void EnvironmentReader::hand_over_shapes(const BodyRecord &p_body, double p_delta, WorldData &r_world) {
+	for (const ShapeRecord &shape : p_body.shapes()) {
+		for (Collider collider : shape.translated.colliders) {
+			collider.surface = p_body.surface();
+			collider.rigid_body = p_body.rigid_index;
+			if (!p_body.has_rigid_body()) {
+				collider.surface.velocity_origin = to_core(p_body.origin());
+			}
+			colliders_.push_back(std::move(collider));
+		}
+		if (shape.translated.border) {
+			r_world.add_border(p_body.border_in_world(*shape.translated.border, p_delta));
+		}
+	}
+}
+
+void EnvironmentReader::hand_over(double p_delta, WorldData &r_world) {
+	is_handed_over_ = true;
+	r_world.clear_environment();
+	movers_.clear();
+	colliders_.clear();
+	for (auto &[id, body] : bodies_) {
+		body.rigid_index = NO_RIGID_BODY;
+		if (body.has_rigid_body()) {
+			const Result<uint32_t> index = r_world.add_rigid_body(body.rigid_body());
+			if (!index) {
+				ERR_PRINT_ONCE("SoftBody2D ignores a body: " + to_godot(index.error().message()));
+				continue;
+			}
+			body.rigid_index = index.value();
+			movers_.push_back(&body);
+		}
+		hand_over_shapes(body, p_delta, r_world);
+	}
+	mark_internal_edges(colliders_, SEAM_TOLERANCE);
+	for (Collider &collider : colliders_) {
+		if (const Status status = r_world.add_collider(std::move(collider))) {
+			ERR_PRINT_ONCE("SoftBody2D ignores a collision shape: " + to_godot(status->message()));
+		}
+	}
+}
+
+void EnvironmentReader::keep_asleep() {
+	for (BodyRecord *body : movers_) {
+		if (body->is_rigid()) {
+			body->keep_asleep();
+		}
+	}
+}
+
+void EnvironmentReader::give_back(const WorldData &p_world, double p_delta) {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	for (BodyRecord *body : movers_) {
+		if (!body->is_rigid()) {
+			continue;
+		}
+		const Reaction reaction = body->take_reaction(p_world.reactions()[body->rigid_index], p_delta);
+		if (reaction.impulse != Vec2{}) {
+			server->body_apply_central_impulse(body->rid(), to_godot(reaction.impulse));
+		}
+		if (reaction.angular_impulse != 0) {
+			server->body_apply_torque_impulse(body->rid(), reaction.angular_impulse);
+		}
+	}
+}
+
+} // namespace softbody
