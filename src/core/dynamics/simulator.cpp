@@ -319,7 +319,7 @@ void Simulator::step_islands(int substeps, Real dt) {
 	}
 	const bool moves_rigid_bodies = substeps == contact_substeps_.of_rigid_bodies();
 	const Real duration = dt / Real(substeps);
-	pair_contacts_.begin_substeps(pair_bodies(), duration);
+	pair_contacts_.begin_substeps(duration);
 	for (int substep = 0; substep < substeps; ++substep) {
 		if (moves_rigid_bodies) {
 			rigid_contacts_.begin_substep(duration);
