@@ -106,7 +106,7 @@ public:
 	std::vector<std::uint8_t> bytes;
 };
 
-/// Past the end, or after what cannot be, everything reads as 0 and `is_sound` stays false.
+/// Past the end, or after what cannot be, everything reads as 0 and `is_valid` stays false.
 class Reader {
 public:
 	explicit Reader(std::span<const std::uint8_t> bytes) :
@@ -115,7 +115,7 @@ public:
 	template <class Bits>
 	Bits bits() {
 		if (rest_.size() < sizeof(Bits)) {
-			is_sound_ = false;
+			is_valid_ = false;
 			rest_ = {};
 			return 0;
 		}
@@ -130,7 +130,7 @@ public:
 	void read(std::uint64_t &value) { value = bits<std::uint64_t>(); }
 	void read(bool &value) {
 		const std::uint8_t byte = bits<std::uint8_t>();
-		is_sound_ &= byte <= 1;
+		is_valid_ &= byte <= 1;
 		value = byte == 1;
 	}
 	void read(float &value) { value = std::bit_cast<float>(bits<std::uint32_t>()); }
@@ -144,7 +144,7 @@ public:
 	void read_list(std::vector<Item> &items, std::size_t item_size, const auto &read_item) {
 		const std::uint32_t count = bits<std::uint32_t>();
 		if (count > rest_.size() / item_size) {
-			is_sound_ = false;
+			is_valid_ = false;
 			rest_ = {};
 			return;
 		}
@@ -153,13 +153,13 @@ public:
 			read_item(item);
 		}
 	}
-	bool is_sound() const { return is_sound_; }
+	bool is_valid() const { return is_valid_; }
 	bool is_at_end() const { return rest_.empty(); }
 	std::span<const std::uint8_t> rest() const { return rest_; }
 
 private:
 	std::span<const std::uint8_t> rest_;
-	bool is_sound_ = true;
+	bool is_valid_ = true;
 };
 
 // FNV-1a.
@@ -283,7 +283,7 @@ Result<BodyState> body_state_from_bytes(std::span<const std::uint8_t> bytes) {
 				"restore it with the build that saved it");
 	}
 	const std::uint64_t checksum = reader.bits<std::uint64_t>();
-	if (!reader.is_sound() || checksum != checksum_of(reader.rest())) {
+	if (!reader.is_valid() || checksum != checksum_of(reader.rest())) {
 		return refused("checksum", "another", "must be that of the data", DAMAGED);
 	}
 	BodyState state;
@@ -307,7 +307,7 @@ Result<BodyState> body_state_from_bytes(std::span<const std::uint8_t> bytes) {
 		reader.read(memory.held);
 	});
 	visit_values(state, read);
-	if (!reader.is_sound() || !reader.is_at_end()) {
+	if (!reader.is_valid() || !reader.is_at_end()) {
 		return refused("length", std::to_string(bytes.size()) + " bytes", "must be what its lists say", DAMAGED);
 	}
 	if (Status status = check_values(state)) {
