@@ -6,7 +6,7 @@
 
 namespace softbody {
 
-/// A directed line: everything on the side the unit `normal` points to is in front of it.
+/// A directed line: points on the side to which the unit `normal` points are in front of it.
 struct Plane {
 	Vec2 position; ///< any point on the line [length]
 	Vec2 normal{ 0, 1 }; ///< unit length
@@ -18,8 +18,8 @@ constexpr Real signed_distance(const Plane &plane, Vec2 p) {
 	return dot(plane.normal, p - plane.position);
 }
 
-/// The closest point of the plane, along the normal. Thesis Alg. 4.4 intersects along the velocity
-/// instead, which throws a shallow, fast point far away.
+/// The closest point of the plane, along the normal. Thesis Alg. 4.4 intersects along the velocity instead, which
+/// throws a shallow, fast point far away.
 constexpr Vec2 project(const Plane &plane, Vec2 p) {
 	return p - plane.normal * signed_distance(plane, p);
 }
