@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How soft bodies that touch one another are kept apart.
+// Ways to keep soft bodies apart.
 #pragma once
 
 namespace softbody {
 
-/// What happens where two soft bodies overlap.
+/// The response where two soft bodies overlap.
 enum class ContactResponse {
 	/// Points and edges are moved apart and lose their approach, with friction (see `solve_pair_contact`). The default.
 	POSITION_BASED,
