@@ -11,10 +11,9 @@
 namespace softbody {
 
 /// Adds up all forces at the given state (thesis eq. 3.7): gravity, springs with projected damping, pressure, shape
-/// matching, elastic modes or triangles, and `external`. The area term is not a force (`hold_area`). A term with
-/// coefficient 0 is not evaluated. `positions` and `velocities` have one entry a point, `external` one a point or none;
-/// `forces` [mass·length/s²] is overwritten. Of the body only shape, settings and rotation memory are read, so
-/// multi-stage integrators can evaluate any state. O(points + springs).
+/// matching, elastic modes or triangles, and `external`. The area term is not a force (`hold_area`). `positions` and
+/// `velocities` have one entry a point, `external` one a point or none; `forces` [mass·length/s²] is overwritten. Of
+/// the body only shape, settings and rotation memory are read. O(points + springs).
 template <class T>
 void evaluate_forces(const BodyModel<T> &body, Vec2 gravity, std::span<const BasicVec2<T>> external,
 		std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces);

@@ -12,15 +12,13 @@
 
 namespace softbody {
 
-/// Keeps a body within its settings' `least_area`, `least_stretch` and `most_stretch`.
-///
-/// The stretches are the singular values of the best-fitting affine map of the rest shape (Müller et al. 2005, sec.
-/// 4.2: F = A_pq A_qq^-1). Where one is out of bounds, the points move by (F' - F) q, where F' has it at the bound, by
-/// at most LIMIT_PUSH of the body's size in a substep of `h` [s]. Where the area is below LIMIT_ONSET of its bound,
-/// points are drawn to their places in the map, so that no single one folds in. Velocities change by the motion over h,
-/// as for a constraint; at most by LIMIT_SPEED where the body is crumpled or far out of bounds, or where nothing can
-/// press on it (`bears_load`). Momentum, angular momentum, center and pinned points stay. Returns whether anything
-/// changed. O(points) where the body is near a limit, else O(hull points).
+/// Keeps a body within its settings' `least_area`, `least_stretch` and `most_stretch`. The stretches are the singular
+/// values of the best-fitting affine map F of the rest shape (Müller et al. 2005, sec. 4.2: F = A_pq A_qq^-1). Out of
+/// bounds, the points move by (F' - F) q, where F' has the stretch at the bound, by at most LIMIT_PUSH of the body's
+/// size in a substep of `h` [s]. With an area below LIMIT_ONSET of its bound, points are drawn to their places in the
+/// map. Velocities change by the motion over h; at most by LIMIT_SPEED where the body is crumpled or far out of bounds,
+/// or where nothing can press on it (`bears_load`). Momentum, angular momentum, center and pinned points stay. Returns
+/// whether anything changed. O(points) near a limit, else O(hull points).
 bool keep_whole(SoftBodyData &body, Real h, bool bears_load);
 
 /// The limits of a body with its inflation: an inflated body may be as much larger, a deflated one as much smaller.

@@ -36,26 +36,11 @@ struct SubstepPlan {
 	Real cost = 0;
 };
 
-/// Bounds on a body's own motion.
-/// Ω² is the sum of these bounds: the springs' (SoftBodyShape::spring_frequency_squared) and k_s/mean(m) of shape
-/// matching, both in any configuration, and the pressure's. Its Hessian is k_p/A0 (∇A ∇Aᵀ + (A - sA0) ∇²A), so it adds
-/// k_p (sum |∂A/∂x|²/m / A0 + |A/A0 - s|/m), as ∇²A has eigenvalues up to 1. Both parts grow without limit as the hull
-/// is stretched: no constant bounds them.
-/// Elastic modes add the stiffness of deformation in no mode over the mass. Elastic triangles add μ times
-/// `triangle_shear_inverse_mass`, in any configuration, which alone is damped, and K times
-/// `triangle_dilation_inverse_mass`, at rest. In other configurations a triangle is up to 2.42 times as stiff against a
-/// change of area; STABILITY_BUDGET leaves room for 2.37 times Ω².
-/// Γ is the corresponding sum over the damping coefficients; pressure has none.
-/// β limits the explicit methods: a time such that C - βK is positive, the least ratio of damping to stiffness. Springs
-/// give the least c/k of those with k > 0. Shape damping may pay for the pressure too: pressure moves no rigid motion,
-/// its stiffness is at most p = k_p sum |∂A/∂x|²/m / A0, and shape damping acts equally on all other motion, so the two
-/// together have c_s / (k_s + p mean(m)); with pressure and without shape damping, 0. β holds near the rest shape. Away
-/// from it, springs under tension resist motion across them with k (1 - l/|d|), which nothing damps, and so does
-/// pressure off its target: there explicit methods may gain energy.
+/// Bounds on a body's own motion; derived in docs/decisions/substep-rule.md.
 struct FrequencyBounds {
-	double frequency_squared = 0; ///< Ω² [1/s²]
-	double damping_rate = 0; ///< Γ [1/s]
-	/// β [s]; infinite without stiffness. Evaluated for explicit Euler, midpoint and Heun only, as it visits every
+	double frequency_squared = 0; ///< Ω², of the highest squared angular frequency [1/s²]
+	double damping_rate = 0; ///< Γ, of the highest damping rate [1/s]
+	/// β, the least ratio of damping to stiffness [s]; infinite without stiffness. Evaluated for explicit Euler, midpoint and Heun only, as it visits every
 	/// spring.
 	double damping_time = 0;
 };
@@ -66,9 +51,8 @@ FrequencyBounds frequency_bounds(const SoftBodyShape &shape, const BodySettings 
 FrequencyBounds frequency_bounds(const SoftBodyData &body, Real dt);
 
 /// Largest step [s] with which `integrator` stays within `budget` of its linear limit (2 is the limit itself, less is a
-/// margin); 0 when no step is stable, infinite when every one is. Modes need not be simultaneous eigenvectors of
-/// stiffness K and damping C: for any eigenvector u, its eigenvalue z solves z² + c z + k = 0 with c = u*Cu and k =
-/// u*Ku, and βk <= c <= Γ, k <= Ω².
+/// margin); 0 when no step is stable, infinite when every one is. The eigenvalues z of stiffness K and damping C solve
+/// z² + c z + k = 0 with βk <= c <= Γ, k <= Ω².
 /// - Semi-implicit Euler: h²Ω² + 2hΓ <= budget², which is hω < 2(sqrt(1+ζ²) - ζ) at budget 2.
 /// - Verlet: h²Ω² + 4hΓ <= budget², as the damping of its second kick is predicted with old forces.
 /// - Runge-Kutta 4: h max(Ω, Γ) <= budget/2 · 2.6, a half disk within its region (2.78 real, 2.83 imaginary).

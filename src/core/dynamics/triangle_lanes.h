@@ -106,9 +106,8 @@ NetForce<T> net_force(std::span<const BasicVec2<T>> positions, BasicVec2<T> cent
 
 /// Adds the forces of the triangles, the negative derivatives of their energies. J is compared with the settings'
 /// inflation instead of 1. Damping counts β times the rate of shear as shear (Kelvin and Voigt), of the motion relative
-/// to the rigid motion. A rigid acceleration cancels the net force and torque of the damping, so that momentum and spin
-/// stay. Changes of area are not damped: ten times as stiff for jelly, their damping would take most of the substeps,
-/// and visible modes hardly have any. Precondition: the shape has triangles. O(points + triangles).
+/// to the rigid one; a rigid acceleration cancels its net force and torque. Changes of area are not damped, as that
+/// would take most of the substeps. Precondition: the shape has triangles. O(points + triangles).
 template <class T>
 void add_triangle_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,
 		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {

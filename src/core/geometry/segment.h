@@ -39,13 +39,11 @@ struct SegmentImpact {
 	Real parameter = 0; ///< in [0, 1] along ab at that time
 };
 
-/// The first time in [0, 1] at which the point p lies on the segment ab, all three of them moving; empty when it never
-/// does. Touching counts, also at the start (time 0) and end (1). The side from which the point came is cross(b - a, p
-/// - a) at the start.
-///
-/// The segment may turn, shrink to a point or be one, and all may move along one line. A segment counts as longer by
-/// 1e-6 of itself at both ends, so that no point slips through the joint of two edges. A point counts as on it within
-/// 1e-9 of the distances covered. A miss by less may be called a hit; a hit is never missed.
+/// The first time in [0, 1] at which the point p lies on the segment ab, all three moving; empty when it never does.
+/// Touching counts, also at times 0 and 1. The side from which p came is `cross(b - a, p - a)` at the start. The
+/// segment may turn or be a point, and all may move along one line. It counts as longer by 1e-6 of itself at both ends,
+/// so that no point slips through a joint; a point counts as on it within 1e-9 of the distances covered. A miss by less
+/// may be called a hit; a hit is never missed.
 std::optional<SegmentImpact> point_segment_impact(const Motion &p, const Motion &a, const Motion &b);
 
 } // namespace softbody

@@ -12,10 +12,9 @@
 
 namespace softbody {
 
-/// A place that follows the deformed body: an eye, a hat, a camera. It is carried by the rigid motion that fits the
-/// points best, with weights 1/d⁴ of the distance d at rest (rigid moving least squares: Schaefer, McPhail, Warren
-/// 2006, section 2.3; with their 1/d² every point has an equal part in the rotation, however far). So it turns with the
-/// flesh around it, keeps its place in a body that moves as a whole, and follows a point if it was made at one. Works
+/// A place that follows the deformed body: an eye, a hat, a camera. The rigid motion that fits the points best carries
+/// it, with weights 1/d⁴ of the distance d at rest (rigid moving least squares: Schaefer, McPhail, Warren 2006, section
+/// 2.3; their 1/d² would give far points an equal part in the rotation). Made at a point, it follows the point. Works
 /// inside and outside the hull.
 class Attachment {
 public:

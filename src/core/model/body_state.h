@@ -77,12 +77,9 @@ struct RestState {
 };
 
 /// Everything of a body that a step reads and writes (`SoftBodyData::save_state`). Restored with equal shape, settings,
-/// world and environment, the body goes on in the same bits, on any number of threads. Memories of pairs refer to
-/// `BodyId`, so they mean something in the same world or in one built alike.
-///
-/// Not part of it: shape, settings, ignored tags and collision exceptions; gravity, environment, rigid bodies and
-/// joints, which belong to the world; and the contact events already reported, so touches may be reported to begin or
-/// end anew after a restore.
+/// world and environment, the body goes on in the same bits, on any number of threads. `BodyId`s in it mean something
+/// in the same world, or in one built alike. Not part of it: shape, settings, ignored tags, everything of the world,
+/// and contact events already reported, so touches may be reported to begin or end anew.
 struct BodyState {
 	std::vector<Vec2> positions; ///< of all points [length]
 	std::vector<Vec2> velocities; ///< of all points [length/s]

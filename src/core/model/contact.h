@@ -25,9 +25,7 @@ struct ContactOther {
 
 /// One place where a body was touched during a step: a hull point of it in the other, or a corner or hull point of the
 /// other in it. Contacts of several substeps at one place are one record, with the sum of their impulses and the last
-/// place.
-///
-/// Two soft bodies that both monitor have a contact each, mirrored: the same place, impulse and depth, opposite normals.
+/// place. Two soft bodies that both monitor have a mirrored contact each.
 struct Contact {
 	BodyId body; ///< the monitoring body (BodySettings::contact_monitor)
 	ContactOther other;

@@ -18,12 +18,9 @@ inline constexpr std::size_t MAX_ELASTIC_MODES = 16;
 inline constexpr std::array<double, 3> MODE_POISSON_RATIOS = { 0, 0.3, 0.45 };
 
 /// Reduced elastic model of a body (modal analysis; Pentland and Williams 1989). Every mode moves each point by a
-/// vector, keeps the area and has a stiffness in proportion to the shear modulus. The modes are orthogonal to each
-/// other and to rigid motion, weighted by mass, so in modal coordinates a body is a set of independent oscillators.
-/// Deformation in no mode is resisted like the stiffest mode. The area term resists dilation.
-///
-/// Nothing here contains a length or a mass, except `dilation` [1/length] and `dilation_overlap` [length]: an outline
-/// has equal modes at any size and mass. Immutable; shared by shapes.
+/// vector, keeps the area and has a stiffness in proportion to the shear modulus. Modes are orthogonal to each other
+/// and to rigid motion, weighted by mass. Deformation in no mode is resisted like the stiffest mode. The area term
+/// resists dilation. An outline has equal modes at any size and mass. Immutable; shared by shapes.
 struct ElasticModes {
 	std::size_t count = 0; ///< of modes, 1..MAX_ELASTIC_MODES
 	/// Mass share times displacement of point i in mode j at [i * count + j] [1].

@@ -10,11 +10,10 @@
 
 namespace softbody {
 
-// All of these treat the body as a rigid body of its present shape: mass M, center of mass c, inertia I about it,
-// velocity and spin as measured by `measure_frame`. Every point gets the change that the rigid body would have at its
-// place, so linear and angular momentum are exact and no spring is strained. Each wakes the body. Pinned points stay,
-// and their share is lost to the pins: the other points change as if there were none. A frozen body ignores all of
-// these. A body whose points coincide cannot be turned. Non-finite values are refused, and nothing changes. O(points).
+// All of these treat the body as a rigid body of its present shape: mass M, center of mass c, inertia I, velocity and
+// spin as measured by `measure_frame`. Every point gets the change that the rigid body would have at its place. Each
+// wakes the body. Pinned points stay, and their share is lost. Frozen bodies ignore all of these; a body whose points
+// coincide cannot be turned. Non-finite values are refused, and nothing changes. O(points).
 
 /// An impulse J [mass·length/s] at the place p of the world: every point's velocity changes by
 /// J/M + perpendicular(x - c) cross(p - c, J)/I at once.

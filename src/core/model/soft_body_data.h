@@ -80,11 +80,10 @@ public:
 	/// Pins the point in place (infinite mass, no velocity) or releases it.
 	Status set_pinned(std::uint32_t point, bool pinned);
 	bool is_pinned(std::uint32_t point) const { return has_pins() && pinned_inverse_masses_[point] == 0; }
-	/// Moves a pinned point straight to `position` during the next step. Springs, contacts and friction feel its
-	/// velocity in each substep. After the step it is there and rests, unless it has another target by then. Wakes the
-	/// body if `position` is another place. A target that the body cannot follow tears at it until it is reset beside
-	/// its pins (StepReport::reset_bodies). Refuses a point that is not pinned and non-finite positions. A frozen body
-	/// ignores it. O(pins that move).
+	/// Moves a pinned point straight to `position` during the next step, felt by springs, contacts and friction; then
+	/// it rests there. Wakes the body if `position` is another place. A target that the body cannot follow tears at it
+	/// until it is reset (StepReport::reset_bodies). Refuses a point that is not pinned and non-finite positions. A
+	/// frozen body ignores it. O(pins that move).
 	Status set_pin_target(std::uint32_t point, Vec2 position);
 	/// Moves every point by the map p -> pose(reference⁻¹(p)) without changing velocities. Previous positions follow,
 	/// so that nothing is drawn in between. Refuses non-finite poses.
@@ -108,11 +107,10 @@ public:
 	bool is_active() const { return active_; }
 	void set_active(bool active);
 
-	/// A frozen body keeps its shape and place, as if of infinite mass, and others collide with it. It is not stepped
-	/// and costs no more than a sleeping one. Forces, impulses and pin targets on it are ignored, and its queue is
-	/// emptied. It may still be teleported, its points set, its pins changed: bodies near it wake. After release it
-	/// goes on at rest, with its pins. It does not count as asleep. A rigid body that lies on it is stopped, not moved
-	/// out. Default false.
+	/// A frozen body keeps its shape and place, as if of infinite mass, and others collide with it. It is not stepped,
+	/// does not count as asleep, and ignores forces, impulses and pin targets; its queue is emptied. It may be
+	/// teleported, its points set, its pins changed: bodies near it wake. After release it goes on at rest. A rigid
+	/// body that lies on it is stopped, not moved out. Default false.
 	bool is_frozen() const { return frozen_; }
 	void set_frozen(bool frozen);
 

@@ -34,11 +34,11 @@ public:
 		std::shared_ptr<const ElasticTriangles> triangles = nullptr;
 	};
 
-	/// Checks everything and builds the shape. Refuses: a bad hull (see `check_hull`) or one of negative winding; sizes
-	/// that do not match; non-finite points; masses <= 0; springs whose index is out of range, whose ends coincide or
-	/// repeat an earlier spring, whose rest length is not > 0, or whose stiffness or damping is negative or not finite;
-	/// modes of another number of points; triangles beside modes, with corners out of range or without area; and sizes
-	/// and masses whose area, inertia, inverse or frequency is out of range. O(points² + springs).
+	/// Checks everything and builds the shape. Refuses a bad hull (see `check_hull`) or one of negative winding; sizes
+	/// that do not match; non-finite points; masses <= 0; springs with an index out of range, coinciding ends, an
+	/// earlier spring's ends, a rest length not > 0, or a negative or non-finite value; modes of another number of
+	/// points; triangles beside modes, with corners out of range or without area; and derived values out of range.
+	/// O(points² + springs).
 	static Result<std::shared_ptr<const SoftBodyShape>> create(Description description);
 
 	std::span<const Vec2> rest_positions() const { return rest_positions_; }
@@ -63,10 +63,9 @@ public:
 	Real radius() const { return radius_; } ///< largest distance of a point from the center of mass
 
 	/// Upper bound of the highest squared angular frequency of the springs [1/s²] in any configuration. The Hessian of
-	/// one spring has eigenvalues k and k(1 - l/|x|) <= k, so the whole is bounded by the scalar graph Laplacian of the
-	/// stiffnesses over the masses, and that by its signless twin (D_i x_i + sum of k x_j) / m_i. For this non-negative
-	/// matrix every positive vector x gives a rigorous bound (Collatz and Wielandt): the largest quotient. A few power
-	/// iterations choose x.
+	/// one spring has eigenvalues k and k(1 - l/|x|) <= k, so the graph Laplacian of the stiffnesses over the masses
+	/// bounds the whole, and its signless twin (D_i x_i + sum of k x_j) / m_i bounds that: by its largest quotient for
+	/// any positive vector x (Collatz and Wielandt). A few power iterations choose x.
 	Real spring_frequency_squared() const { return spring_frequency_squared_; }
 	/// Upper bound of the springs' damping rate [1/s]: as `spring_frequency_squared`, over damping coefficients.
 	Real spring_damping_rate() const { return spring_damping_rate_; }

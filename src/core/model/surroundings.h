@@ -67,11 +67,10 @@ struct Collider {
 	std::uint32_t internal_edges = 0;
 
 	/// For a one-way collider: the direction out of the side that holds, a unit vector in the frame of the vertices;
-	/// zero for an ordinary collider. A soft body that comes from the front is held, however fast. A body that comes
-	/// from behind or from the side, or overlaps it deeper than the margin without having been held, passes as a whole
-	/// until it is clear. Only the extent of the collider counts: a body may hang over its end. Memories of a body
-	/// refer to the collider's shape, direction and tag: two like colliders on different rigid bodies need different
-	/// tags. Colliders of dynamic rigid bodies hold from all sides.
+	/// else zero. It holds bodies that come from the front. A body that comes from behind or from the side, or overlaps
+	/// it deeper than the margin without having been held, passes until it is clear. Only the collider's own extent
+	/// counts. Two like colliders on different rigid bodies need different tags. Colliders of dynamic rigid bodies hold
+	/// from all sides.
 	Vec2 one_way = {};
 	Real one_way_margin = -1; ///< [length]; negative: ONE_WAY_MARGIN times the length unit
 

@@ -23,13 +23,10 @@ struct FoundShape {
 	int32_t shape = 0;
 };
 
-/// Soft bodies that are close together form a group, and the engine is asked by one rectangle around each group. Known
-/// bodies (those of the list given to `exclude`, and proxies) are left out of the answers; the list is handed over
-/// again when its cost is less than that of needless answers. Groups of sleeping bodies are asked every second tick.
-/// The engine tests at most 2048 shapes in one query and does not report more; rectangles with many known shapes are
-/// asked in pieces, so only more than a thousand shapes of areas, or of bodies that soft bodies do not collide with, in
-/// one place could hide something. Costs: docs/decisions/reading-the-engine.md.
-/// bodies that soft bodies do not collide with, in one place could hide something.
+/// Asks the engine by one rectangle around each group of close soft bodies. Known bodies (the list of `exclude`, and
+/// proxies) are left out of the answers. Groups of sleeping bodies are asked every second tick. The engine tests at
+/// most 2048 shapes in one query and does not report more, so rectangles with many known shapes are asked in pieces.
+/// See docs/decisions/reading-the-engine.md.
 class ColliderSearch {
 public:
 	ColliderSearch();

@@ -17,13 +17,10 @@ namespace softbody {
 
 class HullProxy;
 
-/// Keeps the core's environment equal to the engine's: rectangle, circle, capsule, segment, convex and concave polygon
-/// and world boundary, on bodies of every mode, with any transform. A body near a soft one is read once, with all its
-/// shapes, and kept while it is near. Bodies are handed over in the order of bodies and shapes, however the engine
-/// found them. Place, motion and layers of a body are read every tick; of several bodies of one node, tiles for
-/// example, one is asked, and the others when it moved. In turn, LOOKS bodies a tick are checked for existence and
-/// enabled shapes, and REREAD_SHAPES shapes and materials are read again. The core's list is made anew only when a body
-/// came, went or changed, so static colliders cost nothing and let bodies sleep on them.
+/// Keeps the core's environment equal to the engine's: shapes of every kind but separation rays, on bodies of every
+/// mode, with any transform. A body near a soft one is read once and kept while it is near; its place, motion and
+/// layers are read every tick, its shapes and existence in turn. The core's list is made anew only when a body came,
+/// went or changed, so static colliders cost nothing. See docs/decisions/reading-the-engine.md.
 class EnvironmentReader {
 public:
 	explicit EnvironmentReader(const godot::RID &p_space) : space_(p_space) {}

@@ -16,26 +16,12 @@
 
 namespace softbody {
 
-/// The soft body as rays, shape queries, areas and the motion of characters see it: a kinematic body of convex polygons
-/// that follow the hull. It has no mask, so it detects nothing itself; areas detect it, and as it is kinematic, the
-/// engine works out their gravity and damping for it (`read_area_effects`).
-///
-/// Its place and its polygons change at once, not with the engine's next step as is usual for kinematic bodies: a query
-/// in `_physics_process` finds the present hull. Polygons are within OUTLINE_TOLERANCE of the hull, except in dents: a
-/// part (`HullParts::convex`) is shown as its convex hull until a dent in it is deeper than DENT_TOLERANCE; then the
-/// hull is shown in wedges, until it has been smooth for a while. Wedges cost many times as much, and in a pile nearly
-/// all bodies are dented by their neighbors, so the caller chooses the bodies that may have them. A body with a
-/// kinematic body near has them anyway, as a character in a filled dent would be stuck.
-///
-/// **Characters.** A kinematic character would be stopped at the hull and so never press it. Near known ones
-/// (`begin_near`) the outline is drawn in by `inset`: they come that far in, the core's contact presses the hull under
-/// them by as much, and they come no farther. The depth counts from the rest shape fitted to the body; otherwise the
-/// outline would give way again and again under a standing character.
-///
-/// **Rigid bodies** that the soft body meets are solved by the core. Collision exceptions with near ones keep the
-/// engine from solving them as well.
-///
-/// A sleeping body costs nothing. RIDs stay constant for the life of the proxy.
+/// The soft body as rays, shape queries, areas and the motion of characters see it: a kinematic body without mask, of
+/// convex polygons that follow the hull at once, within OUTLINE_TOLERANCE. A part with a dent (`HullParts::convex`) is
+/// shown as its convex hull; a dent deeper than DENT_TOLERANCE is shown in wedges, at many times the cost, if the
+/// caller allows it or a kinematic body is near. Near kinematic bodies (`begin_near`) the outline is drawn in by
+/// `inset`, so that they press the hull. Collision exceptions leave near rigid bodies to the core. A sleeping body
+/// costs nothing. RIDs stay constant for the life of the proxy. See docs/decisions/engine-proxy.md.
 class HullProxy {
 public:
 	HullProxy() = default;
