@@ -17,8 +17,7 @@ inline constexpr int MAX_HULL_POINTS = 4096;
 /// between them [1]. Larger: points are joined past others. Smaller: rounding decides which diagonals a lattice gets.
 inline constexpr Real CIRCLE_TOLERANCE = Real(1e-4);
 
-/// Largest Poisson's ratio of a material [1]. At 1/2, the limit of theory, the area cannot change and the moduli are
-/// infinite.
+/// Largest Poisson's ratio of a material [1]. At 1/2 the area cannot change and the moduli are infinite.
 inline constexpr Real MOST_POISSON_RATIO = Real(0.49);
 
 /// Largest substep count accepted or chosen [1]. A body that needs more cannot be stepped explicitly in real time; its
@@ -43,14 +42,12 @@ inline constexpr int MAX_CONTACT_SUBSTEPS = 16;
 inline constexpr Real SLEEP_SPEED = Real(0.05);
 inline constexpr Real SLEEP_WOBBLE = 3;
 
-/// Speed [length/s, times WorldData::length_unit] below which a body without gravity counts as at rest, for its center
-/// of mass and its points. A drifting body is not at rest, however slow. In pixels this is the default of Godot's own
-/// bodies.
+/// Speed [length/s, times WorldData::length_unit] below which the center of mass and the points of a body without
+/// gravity count as at rest. Drifting bodies do not rest. In pixels, the default of Godot's own bodies.
 inline constexpr Real SLEEP_SPEED_WEIGHTLESS = Real(0.02);
 
-/// Time [s] after which a body that has hardly moved is drowsy, and time in which its velocities then fall to 1/e. The
-/// remaining tremors would let a pile creep, slip and wake itself. Longer: piles sleep later. Shorter: slow bodies
-/// stick.
+/// Time [s] after which a body that has hardly moved is drowsy, and time in which its velocities then fall to 1/e.
+/// Without it tremors let a pile creep and wake itself. Longer: piles sleep later. Shorter: slow bodies stick.
 inline constexpr Real DROWSY_TIME = Real(0.1);
 inline constexpr Real DROWSY_DECAY = Real(0.1);
 
@@ -97,8 +94,8 @@ inline constexpr int EXPLICIT_SUBSTEP_CAP = 32;
 /// Substeps of a body whose automatic choice is XPBD [1]. More make it stiffer and livelier.
 inline constexpr int XPBD_SUBSTEPS = 8;
 
-/// Damping ratio c / sqrt(k m) below which large deformations ring for long and a pile may not settle [1]. Nothing is
-/// clamped to it; the node warns.
+/// Damping ratio c / sqrt(k m) below which large deformations ring for long [1]. Nothing is clamped to it; the node
+/// warns.
 inline constexpr Real DAMPING_FLOOR = Real(0.02);
 
 /// Default damping as a fraction of sqrt(k m) [1].
@@ -112,9 +109,8 @@ inline constexpr Real DEFAULT_SHAPE_MATCHING = Real(0.4);
 /// so that rounding can never put it on the other side. Larger: visible gap. Smaller: leaks far from the origin.
 inline constexpr Real LINEAR_SLOP = Real(0.001);
 
-/// Depth in a one-way collider up to which it still holds a body, if the collider sets none [length, times
-/// WorldData::length_unit]. Larger: bodies that have hardly come through from behind are held. Smaller: bodies pressed
-/// into it for a moment may fall through.
+/// Depth up to which a one-way collider still holds a body, if it sets none [length, times WorldData::length_unit].
+/// Larger: bodies that have hardly come through from behind are held. Smaller: pressed bodies may fall through.
 inline constexpr Real ONE_WAY_MARGIN = Real(0.01);
 
 /// Least cosine between a contact's normal and the direction in which a one-way collider holds [1]. Larger: bodies slip
@@ -144,8 +140,7 @@ inline constexpr Real LIMIT_ONSET = Real(1.5);
 inline constexpr Real LIMIT_SPEED = 4;
 inline constexpr Real LIMIT_FAR = Real(0.3);
 
-/// Largest share of the way to its place in the body's affine map that a point of a crumpled body goes in a substep
-/// [1].
+/// Largest share of the way to its place in the affine map that a point of a crumpled body goes in a substep [1].
 inline constexpr Real LIMIT_SMOOTHING = Real(0.25);
 
 /// Fraction of its rest length below which a spring has no usable direction and exerts no force in that evaluation [1].
@@ -171,8 +166,7 @@ inline constexpr Real TOUCH_GAP = Real(0.02);
 /// Passes over the contacts with dynamic rigid bodies in each substep [1]. Fewer: a box on several bodies rocks longer.
 inline constexpr int RIGID_CONTACT_PASSES = 4;
 
-/// Passes over the joints in each substep [1]. Fewer: several joints on one point or rigid body give way to one
-/// another.
+/// Passes over the joints in each substep [1]. Fewer: several joints on one point or body give way to one another.
 inline constexpr int JOINT_PASSES = 4;
 
 /// Share of the smaller body's radius by which a rigid joint with an old gap closes in a substep, beyond the opening of

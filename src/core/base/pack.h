@@ -66,9 +66,8 @@ struct BasicPackMask {
 };
 using PackMask = BasicPackMask<PACK_WIDTH>;
 
-/// WIDTH scalars side by side. Each goes through the operations that a single `Real` would, with equal roundings: code
-/// written for any scalar type T gives the same bits for `Real` as for a lane. A `Real` converts to a pack of equal
-/// lanes.
+/// WIDTH scalars side by side. Code written for any scalar type T gives the same bits for `Real` as for a lane. A
+/// `Real` converts to a pack of equal lanes.
 template <std::size_t WIDTH>
 class BasicPack {
 public:

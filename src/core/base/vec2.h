@@ -15,7 +15,6 @@
 namespace softbody {
 
 /// Two-dimensional vector of the scalar type T: `Real`, or `RealPack` for several vectors side by side.
-/// Aggregate without invariants.
 template <class T>
 struct BasicVec2 {
 	T x = T(0);

@@ -253,8 +253,7 @@ Reduction::Reduction(std::span<const Vec2> points, std::size_t hull_count) :
 	solid_.factor(MODE_POISSON_RATIOS[REFERENCE_RATIO]);
 }
 
-// Where hull points are closer together than the lattice's nodes, each gets an equal part of the sum within a cell's
-// length.
+// Hull points closer together than the lattice's nodes share the sum within a cell's length equally.
 void Reduction::smooth_shares() {
 	const auto edge = [&](std::size_t i) { return double(length(points_[(i + 1) % hull_count_] - points_[i])); };
 	const auto tributary = [&](std::size_t i) { return (edge((i + hull_count_ - 1) % hull_count_) + edge(i)) / 2; };
@@ -346,9 +345,8 @@ void Reduction::assign_edges() {
 	}
 }
 
-// An inner point stands for the part of the solid that is nearer to it than to the other inner points. It moves as the
-// mean rigid motion of that part, and its load is spread over it. A load on a single place would let it swing inside
-// the body.
+// An inner point stands for the part of the solid nearest to it: it moves as the mean rigid motion of that part, and
+// its load is spread over it. A load on a single place would let it swing inside the body.
 void Reduction::assign_regions() {
 	const std::span<const Vec2> inner = std::span(points_).subspan(hull_count_);
 	const std::span<const double> node_masses = solid_.node_masses();

@@ -37,8 +37,7 @@ struct Point {
 	double y;
 };
 
-// Clips by one axis-parallel line (Sutherland and Hodgman). Edges that a concave polygon leaves along the line cancel
-// in its area.
+// Clips by one axis-parallel line (Sutherland and Hodgman). Edges along the line cancel in the area.
 void clip(const std::vector<Point> &from, double Point::*axis, double bound, double sign, std::vector<Point> &to) {
 	to.clear();
 	for (std::size_t i = 0; i < from.size(); ++i) {

@@ -36,8 +36,8 @@ public:
 	/// The place of a point inside the outline or beside it.
 	Embedding embed(Vec2 point) const;
 
-	/// Factors the stiffness matrix for a Poisson's ratio, 0 <= ν < 0.5. A faint spring to the ground holds rigid
-	/// motion. O(nodes · bandwidth²).
+	/// Factors the stiffness matrix for a Poisson's ratio, 0 <= ν < 0.5, with a faint spring to the ground. O(nodes ·
+	/// bandwidth²).
 	void factor(double poisson_ratio);
 	/// Replaces loads by the displacements that they cause. Precondition: `factor` was called. Several loads at once:
 	/// entry k of load c at [k * loads_count + c].

@@ -17,8 +17,7 @@ namespace softbody {
 
 namespace {
 
-// Least distance of a lattice point from the outline over the spacing. Smaller: flat triangles at the outline, which
-// swing fastest and take more substeps.
+// Least distance of a lattice point from the outline over the spacing. Smaller: flat triangles take more substeps.
 constexpr double CLEARANCE = 0.7;
 
 const double ROW_HEIGHT = std::sqrt(0.75); // of the lattice, over its spacing
@@ -78,8 +77,8 @@ public:
 	}
 
 private:
-	// Places where a horizontal line meets the outline, ascending: between the first and the second it is inside, and
-	// so on.
+	// Places where a horizontal line meets the outline, ascending; it is inside from the first to the second, and so
+	// on.
 	std::vector<double> crossings_at(double y) const {
 		std::vector<double> crossings;
 		for (std::size_t i = 0; i < hull_.size(); ++i) {

@@ -12,8 +12,7 @@ namespace softbody {
 
 /// Largest loss of area of a body that holds its weight [1]: a firm body by the sizing rule (see FIRM_STRENGTH).
 inline constexpr Real FIRM_AREA_LOSS = Real(0.05);
-/// Loss of area above which a body counts as folded even if its outline is whole [1]; at FOLDING_STRENGTH a circle has
-/// lost an eighth to a fifth.
+/// Loss of area above which a body counts as folded [1]; at FOLDING_STRENGTH a circle has lost an eighth to a fifth.
 inline constexpr Real FOLDED_AREA_LOSS = Real(0.21);
 
 /// Deformation of a body under its weight.

@@ -6,9 +6,8 @@
 
 namespace softbody {
 
-/// Damps velocity and spin of a body as a whole by BodySettings::linear_damp and `angular_damp` over `h` [s]: they fall
-/// by exp(-damp h), so the number of substeps does not matter. RigidBody2D's rule 1 - damp h is the first order of it,
-/// and stops a body dead where damp h > 1. Motion relative to the rigid one and pinned points are unchanged. Several
+/// Damps velocity and spin of a body as a whole by `linear_damp` and `angular_damp` over `h` [s]: by exp(-damp h),
+/// independent of the number of substeps. Motion relative to the rigid one and pinned points are unchanged. Several
 /// bodies side by side get the bits of each alone. O(points).
 template <class T>
 void damp_rigid_motion(const BodyLanes<T> &body, Real h);

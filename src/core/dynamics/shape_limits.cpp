@@ -71,8 +71,7 @@ Stretches stretches_of(const Map &f) {
 	return { { turned + mirrored, turned - mirrored }, { u, perpendicular(u) }, { v, perpendicular(v) } };
 }
 
-// The stretches that a body is brought to: within bounds, and with the least area. A bound of 0 is off: a mirrored body
-// stays mirrored.
+// The stretches within bounds and with the least area. A bound of 0 is off: a mirrored body stays mirrored.
 std::array<double, 2> allowed_stretches(const std::array<double, 2> &found, const ShapeBounds &bounds) {
 	std::array<double, 2> allowed;
 	for (std::size_t k = 0; k < 2; ++k) {
@@ -157,8 +156,7 @@ bool keep_whole(SoftBodyData &body, Real h, bool bears_load) {
 	if (!excess) {
 		return false; // not finite: it is about to be reset
 	}
-	// Crumpled: its area is lost although the whole is not small. Its points are drawn to their places in the affine
-	// map.
+	// Crumpled: area is lost although the whole is not small. Points are drawn to their places in the affine map.
 	const Real area = hull_area<Real>(body.hull()) / body.shape().rest_area();
 	const Real least_area = bounds_of(settings).least_area;
 	const Real onset = least_area * LIMIT_ONSET;

@@ -29,8 +29,7 @@ struct StabilityReport {
 	Real folding_youngs_modulus = 0; ///< where q is FOLDING_STRENGTH [force/length]
 	Real firm_youngs_modulus = 0; ///< where q is FIRM_STRENGTH [force/length]
 	Real damping = 0; ///< mean of the springs [force·s/length]
-	/// Damping below which strong deformations ring for long: DAMPING_FLOOR sqrt(k m), with the means k and m
-	/// [force·s/length].
+	/// Damping below which strong deformations ring for long [force·s/length]: DAMPING_FLOOR sqrt(k m), of the means.
 	Real least_damping = 0;
 
 	bool is_too_soft() const { return strength < FOLDING_STRENGTH; }

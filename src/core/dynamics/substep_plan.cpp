@@ -17,8 +17,7 @@ namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
-// Largest h with h²Ω² + 2h·rate <= S²: the root of the quadratic, without the cancellation of the textbook form for
-// small Ω.
+// Largest h with h²Ω² + 2h·rate <= S², without the cancellation of the textbook formula for small Ω.
 double within_quadratic(double frequency_squared, double rate, double budget) {
 	const double root = std::sqrt(rate * rate + frequency_squared * budget * budget);
 	const double denominator = rate + root;

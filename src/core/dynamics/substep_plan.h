@@ -40,8 +40,8 @@ struct SubstepPlan {
 struct FrequencyBounds {
 	double frequency_squared = 0; ///< Ω², of the highest squared angular frequency [1/s²]
 	double damping_rate = 0; ///< Γ, of the highest damping rate [1/s]
-	/// β, the least ratio of damping to stiffness [s]; infinite without stiffness. Evaluated for explicit Euler, midpoint and Heun only, as it visits every
-	/// spring.
+	/// β, the least ratio of damping to stiffness [s]; infinite without stiffness. Visits every spring, so it is
+	/// evaluated for explicit Euler, midpoint and Heun only.
 	double damping_time = 0;
 };
 /// The body at rest: exact for springs and shape matching, and for pressure while the hull keeps its size. O(1).

@@ -26,9 +26,8 @@ namespace softbody {
 // Shear is quadratic in the positions: with u = F_xx - F_yy and v = F_xy + F_yx it is μ/2 (u² + v²). Its forces are
 // linear and never vanish in a sheared triangle, inverted or not. |F|²/2 = J + (u² + v²)/2.
 
-/// The |F|²/2 from which on a triangle's change of area is measured relative to its size [1]; 1 is a triangle at rest.
-/// Larger: stretched bodies are stiffer against a change of area than the planned substeps bear. Smaller: moderate
-/// stretches deviate from the solid's.
+/// |F|²/2 above which a triangle's change of area is measured relative to its size [1]; 1 at rest. Larger: stretched
+/// bodies are stiffer than the planned substeps bear. Smaller: moderate stretches deviate from the solid's.
 inline constexpr Real PLAIN_SIZE = Real(1.1);
 
 /// Largest pressure of a triangle over the shear modulus [1]. Larger: inverted triangles push so hard that they hold

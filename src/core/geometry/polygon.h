@@ -20,8 +20,7 @@ Real perimeter(std::span<const Vec2> polygon);
 /// Center of area [length]; the mean of the points when the area is zero. O(n).
 Vec2 area_centroid(std::span<const Vec2> polygon);
 
-/// Whether p lies inside the closed polygon, convex or concave (even-odd rule). Points exactly on the border may fall
-/// on either side. O(n).
+/// Whether p lies inside the closed polygon (even-odd rule). Points on the border may fall on either side. O(n).
 bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon);
 
 /// Whether every border point is seen from `center` without crossing the border: the condition for centre springs,

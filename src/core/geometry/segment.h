@@ -23,8 +23,7 @@ struct SegmentDistance {
 	Real t = 0; ///< parameter in [0, 1] along cd
 };
 
-/// Distance of segments ab and cd, and the closest points. Where several pairs are closest (parallel segments) one of
-/// them is given. A segment may be a point.
+/// Distance and closest points of segments ab and cd; of equally close pairs, one. A segment may be a point.
 SegmentDistance closest_points_on_segments(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
 /// Motion of a point from one place to another at constant velocity during a time of 1.

@@ -18,8 +18,7 @@ namespace softbody {
 /// inside and outside the hull.
 class Attachment {
 public:
-	/// At `place`, in the coordinates of `rest_positions` [length]. Refuses an empty list and non-finite values.
-	/// O(points).
+	/// At `place`, in the frame of `rest_positions` [length]. Refuses an empty list and non-finite values. O(points).
 	static Result<Attachment> create(std::span<const Vec2> rest_positions, Vec2 place);
 
 	/// The present place, and the rotation of the flesh around it since creation. Where the rotation is undefined, as

@@ -12,9 +12,8 @@
 
 namespace softbody {
 
-/// Everything that the forces on a body depend on besides the state of its points: of one body (T = `Real`), or of
-/// PACK_WIDTH bodies of one shape and equal settings side by side (T = `RealPack`). A view: its sources must outlive
-/// it.
+/// What the forces on a body depend on besides its points: for one body (T = `Real`), or for PACK_WIDTH bodies of one
+/// shape and equal settings side by side (T = `RealPack`). A view: its sources must outlive it.
 template <class T>
 struct BodyModel {
 	const SoftBodyShape &shape;

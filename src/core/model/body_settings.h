@@ -19,25 +19,21 @@ enum class FailureResponse : std::uint8_t {
 };
 inline constexpr int FAILURE_RESPONSE_COUNT = 2;
 
-/// Coefficients of the body's model beyond its springs, and how it is stepped. A term with coefficient 0 is not
-/// evaluated.
+/// Coefficients of the body's model beyond its springs, and how it is stepped. A term with coefficient 0 is off.
 struct BodySettings {
 	/// Factors on the stiffness and damping of all springs of the shape [1], >= 0. Springs of stiffness 0 are not evaluated.
 	Real spring_stiffness_scale = 1;
 	Real spring_damping_scale = 1;
-	/// Shear modulus μ of the elastic modes or triangles [force/length], >= 0; no effect on a shape with neither. See
-	/// `Material`.
+	/// Shear modulus μ of the elastic modes or triangles [force/length], >= 0; no effect without them. See `Material`.
 	Real shear_modulus = 0;
-	/// Poisson's ratio ν of the elastic modes [1], 0..0.49; triangles do not use it. `area_stiffness` resists the
-	/// change of area.
+	/// Poisson's ratio ν of the elastic modes [1], 0..0.49; not of triangles. `area_stiffness` resists the change of
+	/// area.
 	Real poisson_ratio = Real(0.45);
 	/// Bulk modulus K of the hull's area [force/length], >= 0: energy K (A - inflation A0)² / (2 A0) for small changes,
-	/// harder as the area goes to 0. Solved as a compliant constraint (XPBD, Macklin 2016), so it takes no substeps,
-	/// however large. With elastic triangles it is the bulk modulus of each triangle instead, by explicit forces, and
-	/// takes substeps.
+	/// harder as the area goes to 0. A compliant constraint (XPBD, Macklin 2016), which takes no substeps. With elastic
+	/// triangles it is the modulus of each triangle, by explicit forces, and takes substeps.
 	Real area_stiffness = 0;
-	/// Damping of elastic modes and area: the time β for which strain rate counts as strain [s], >= 0 (Kelvin and
-	/// Voigt).
+	/// Damping of elastic modes and area: time β for which strain rate counts as strain [s], >= 0 (Kelvin and Voigt).
 	Real elastic_damping_time = 0;
 	/// Share of the rest area above which the area is kept [1], 0..1; 0, the default, switches it off. See
 	/// `keep_whole`. `set_default_limits` sets values for nearly every body.
@@ -50,8 +46,7 @@ struct BodySettings {
 	/// best-fitting rigid copy of the rest shape with m k_s / mean(m). 0 switches the term off; then a folded body
 	/// stays folded. About 0.4 of the springs' stiffness always recovers.
 	Real shape_stiffness = 0;
-	/// Damping of motion relative to the rigid motion [force·s/length], >= 0, divided by mass like `shape_stiffness`.
-	/// It slows wobble, never flight or spin.
+	/// Damping of motion relative to the rigid motion [force·s/length], >= 0. It slows wobble, never flight or spin.
 	Real shape_damping = 0;
 	/// Pressure stiffness k_p [force/length], >= 0: the body pushes its hull outward with the pressure
 	/// k_p (inflation - A/A0) (thesis 2.1.3). Without inner springs it is a balloon.

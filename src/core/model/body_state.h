@@ -101,8 +101,7 @@ struct BodyState {
 	friend bool operator==(const BodyState &, const BodyState &) = default;
 };
 
-/// Refuses, by name, lists that do not match `point_count` and `hull_count`, indices out of range or order, and
-/// non-finite values. O(points).
+/// Refuses, by name, lists of other sizes, indices out of range or order, and non-finite values. O(points).
 Status check_body_state(const BodyState &state, std::size_t point_count, std::size_t hull_count);
 
 /// A state as bytes, equal on every machine: little-endian, with a version, the size of `Real` and a checksum.

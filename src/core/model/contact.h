@@ -38,9 +38,8 @@ struct Contact {
 	Real depth = 0; ///< overlap before they were moved apart [length], >= 0
 };
 
-/// A body and a thing that it touches now, also while at rest or asleep. The other is a soft body by its id, or
-/// everything in the environment with one tag; all surfaces without a tag count as one. Its indices are meaningless
-/// here.
+/// A body and a thing that it touches now, awake or asleep. The other is a soft body by its id, or everything in the
+/// environment with one tag, or all without a tag. Its indices are meaningless here.
 struct Touch {
 	BodyId body;
 	ContactOther other;

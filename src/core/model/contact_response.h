@@ -8,8 +8,7 @@ namespace softbody {
 enum class ContactResponse {
 	/// Points and edges are moved apart and lose their approach, with friction (see `solve_pair_contact`). The default.
 	POSITION_BASED,
-	/// The thesis's separation force, for comparison only (see `SeparationForce`): it gains energy, lets fast bodies pass
-	/// and brings no pile to rest.
+	/// The thesis's separation force, for comparison only (see `SeparationForce` and docs/accuracy.md).
 	SEPARATION_FORCE,
 };
 

@@ -12,8 +12,7 @@ namespace softbody {
 
 namespace {
 
-// Common key of two edges that lie against each other, one of them reversed: its ends by their place in a grid, its
-// body and its layers.
+// Common key of two edges that lie against each other, one reversed: ends in a grid, body and layers.
 struct Edge {
 	std::array<std::int64_t, 6> key{};
 	std::uint32_t collider = 0;

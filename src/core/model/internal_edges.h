@@ -8,10 +8,9 @@
 
 namespace softbody {
 
-/// Sets `Collider::internal_edges` of convex polygons without rounding that lie edge to edge: tiles, or the convex
-/// pieces of a concave polygon. Two edges belong together if they go from corner to corner, in opposite directions,
-/// within `tolerance` [length] > 0, belong to one rigid body or to none, and have equal layers. Edges that overlap only
-/// in part are unchanged. O(n log n) in the number of edges.
+/// Sets `Collider::internal_edges` of convex polygons without rounding that lie edge to edge: tiles, or pieces of a
+/// concave polygon. Two edges match if they run from corner to corner in opposite directions within `tolerance`
+/// [length] > 0, on one rigid body or none, with equal layers. O(n log n) in the number of edges.
 void mark_internal_edges(std::span<Collider> colliders, Real tolerance);
 
 } // namespace softbody

@@ -20,8 +20,7 @@ class FillMesh {
 public:
 	/// How the mesh is made.
 	struct Options {
-		/// Pieces that each hull edge is divided into. 1 draws it straight; more follow a smooth curve through the hull
-		/// points (Catmull and Rom 1974).
+		/// Pieces of each hull edge. 1 draws it straight; more follow a smooth curve (Catmull and Rom 1974).
 		std::size_t pieces = 1;
 		/// Width of the edge over which the body fades out, half of it inside [length]; 0 is a hard edge.
 		Real soft_edge = 0;
@@ -30,8 +29,7 @@ public:
 	};
 
 	FillMesh() = default;
-	/// `rest` are all points of the body at rest, the hull first, accepted by `check_hull` and in either winding.
-	/// Usually O(rim²).
+	/// `rest` are all points at rest, the hull first, accepted by `check_hull`, of either winding. Usually O(rim²).
 	FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Options &options);
 
 	std::size_t vertex_count() const { return vertex_count_; }
@@ -44,8 +42,7 @@ public:
 
 	/// Writes the `rim_count()` places of the rim for a body whose points lie at `points`. O(rim).
 	void place_rim(std::span<const Vec2> points, std::span<Vec2> rim) const;
-	/// Writes the places of all vertices; `rim` is the result of `place_rim` for these points. O(vertices), no
-	/// allocation.
+	/// Writes the places of all vertices; `rim` is the result of `place_rim`. O(vertices), no allocation.
 	void place(std::span<const Vec2> points, std::span<const Vec2> rim, std::span<Vec2> vertices) const;
 
 	/// Gives every vertex a value, from values of the hull points: along the rim as `place_rim` does, inside by mean

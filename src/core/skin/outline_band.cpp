@@ -39,15 +39,14 @@ Corner corner_of(Vec2 before, Vec2 place, Vec2 after) {
 	corner.normal_before = normal_of(in, in_length, corner.normal_after);
 	corner.turn = cross(corner.normal_before, corner.normal_after);
 	corner.shorter_edge = std::min(in_length, out_length);
-	// The sum of two unit normals has the direction of the mitre and the length 2 cos(half the angle); the mitre has
-	// the length 1 over that cosine.
+	// The sum of two unit normals has the mitre's direction and length 2 cos(half the angle), the mitre 1 over that
+	// cosine.
 	const Vec2 sum = corner.normal_before + corner.normal_after;
 	corner.mitre = sum * (2 / std::max(length_squared(sum), Real(1e-6)));
 	return corner;
 }
 
-// The unit vector between two others. Edges that fold back onto each other have opposite normals with no vector
-// halfway: then `otherwise`.
+// The unit vector between two others; `otherwise` where they are opposite, as edges fold back onto each other.
 Vec2 direction_between(Vec2 from, Vec2 to, Real share, Vec2 otherwise) {
 	const Vec2 between = from * (1 - share) + to * share;
 	const Real size = length(between);

@@ -24,8 +24,7 @@ public:
 	DebugDrawing &operator=(const DebugDrawing &) = delete;
 	~DebugDrawing();
 
-	/// Replaces the drawing. `points` are the body's in the node's frame, which is at `frame` now; `contacts` are those
-	/// of this body.
+	/// Replaces the drawing. `points` are the body's in the node's frame, now at `frame`; `contacts` are this body's.
 	void draw(const SoftBodyData &body, std::span<const Vec2> points, const godot::Transform2D &frame,
 			std::span<const Contact> contacts, const SubstepPlan &plan);
 

@@ -38,8 +38,8 @@ private:
 /// State of one frame, made new for each.
 class DrawingFrame {
 public:
-	/// Distance beyond the edges of the view at which a body counts as visible [px]. Smaller: a body that comes in fast
-	/// would show its old shape for one frame.
+	/// Distance beyond the view at which a body counts as visible [px]. Smaller: fast bodies show an old shape for one
+	/// frame.
 	static constexpr double MARGIN = 64;
 
 	/// Called when a node in the scene of this viewport begins, or ends, to be drawn. All its nodes share a view.

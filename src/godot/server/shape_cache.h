@@ -15,8 +15,7 @@ namespace softbody {
 /// steps bodies of one shape side by side, and a thousand nodes that share a material need one shape when it changes.
 /// May be called from any thread. O(hull + springs) for a known shape.
 Result<std::shared_ptr<const SoftBodyShape>> find_or_create_shape(std::span<const Vec2> hull, const StructureOptions &options);
-/// Number of shapes built, not found, since the extension was loaded. A shape with elastic modes takes some
-/// milliseconds.
+/// Number of shapes built, not found, since the extension was loaded.
 std::int64_t built_shape_count();
 
 } // namespace softbody

@@ -15,8 +15,7 @@ namespace softbody {
 
 namespace {
 
-// Most threads by default: with more, a step of a few milliseconds gains little, and the rest of the game needs threads
-// too.
+// Most threads by default: more gain little for a step of a few milliseconds, and the game needs threads too.
 constexpr int MAX_AUTOMATIC = 8;
 
 } // namespace

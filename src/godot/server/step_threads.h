@@ -11,9 +11,8 @@
 
 namespace softbody {
 
-/// A step divides its work some hundred times, so helpers are requested from the pool once a step and stay to its end.
-/// The pool may be busy: the step never waits for a helper that has not begun, and a late helper joins the next step or
-/// leaves.
+/// Requests helpers from the pool once a step; they stay to its end. The step never waits for a helper that has not
+/// begun, and a late helper joins the next step or leaves. See docs/decisions/step-threads.md.
 class StepThreads {
 public:
 	StepThreads();

@@ -15,8 +15,7 @@ namespace softbody {
 
 namespace {
 
-// Share of gravity that may change unnoticed. The direction of point gravity changes whenever a body moves, and a
-// change of gravity keeps a body awake.
+// Share of gravity that may change unnoticed: point gravity changes with every move, and a change keeps a body awake.
 constexpr Real GRAVITY_TOLERANCE = Real(1e-3);
 
 } // namespace

@@ -36,9 +36,8 @@ AreaEffects read_space_effects(const godot::RID &space);
 /// space. The four ways of overriding, priorities and gravity points are the engine's own.
 AreaEffects read_area_effects(const godot::RID &kinematic_body);
 
-/// Applies gravity to the body, as an acceleration beside the world's, and damping, as settings. `space` are the
-/// effects that the world has on all bodies already. A sleeping body wakes when one of them has changed. Refuses
-/// non-finite values and negative damping.
+/// Applies gravity, as an acceleration beside the world's, and damping, as settings. `space` are the effects that the
+/// world applies already. A sleeping body wakes on a change. Refuses non-finite values and negative damping.
 Status apply_area_effects(const AreaEffects &effects, const AreaEffects &space, SoftBodyData &r_body);
 
 } // namespace softbody

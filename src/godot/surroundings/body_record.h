@@ -38,10 +38,9 @@ enum class BodyChange {
 	GONE, ///< it is no longer a body of this space
 };
 
-/// A body of the physics server and all its shapes. A body that has been static for a while becomes static colliders of
-/// the core. Every other body is a rigid body of the core: a body moved by the game (AnimatableBody2D, CharacterBody2D,
-/// a frozen RigidBody2D, a moved StaticBody2D) goes in a tick the way from its place in the last tick to the present
-/// one; a RigidBody2D is pushed by soft bodies and pushes them.
+/// A body of the physics server and all its shapes. A static body becomes static colliders of the core, any other a
+/// rigid body: moved by the game (AnimatableBody2D, CharacterBody2D, a frozen RigidBody2D, a moved StaticBody2D) it
+/// goes in a tick the way of the last tick; a RigidBody2D is pushed by soft bodies and pushes them.
 class BodyRecord {
 public:
 	/// Reads a body that is in `p_space` in this tick.
@@ -54,8 +53,8 @@ public:
 	bool is_tile() const { return is_tile_; }
 	bool is_rigid() const { return is_rigid_; }
 	godot::PhysicsServer2D::BodyMode mode() const { return mode_; }
-	/// Whether its node tells which shapes are disabled. The physics server does not: of other bodies only shapes count
-	/// that queries keep finding.
+	/// Whether its node tells which shapes are disabled. The server does not: of other bodies shapes count that queries
+	/// find.
 	bool is_told_by_node() const { return is_told_by_node_; }
 	/// Box around all its shapes, in the world.
 	Aabb bounds() const;
@@ -63,13 +62,11 @@ public:
 	const Surface &surface() const { return surface_; }
 	/// The core's rigid body at the beginning of the coming step.
 	const RigidBody &rigid_body() const { return rigid_body_; }
-	/// The frame of the translated shapes, in the world: for a static body the world itself, else the body's rotation
-	/// and position.
+	/// Frame of the translated shapes, in the world: identity for a static body, else the body's rotation and position.
 	godot::Transform2D frame() const;
 	/// Origin in the world.
 	godot::Vector2 origin() const { return transform_.get_origin(); }
-	/// A border of the body, which has no rigid body in the core: at its place at the end of the coming step, with its
-	/// velocity.
+	/// A border of the body, at its place at the end of the coming step, with its velocity.
 	Border border_in_world(const Plane &p_border, double p_delta) const;
 	const std::vector<ShapeRecord> &shapes() const { return shapes_; }
 

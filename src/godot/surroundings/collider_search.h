@@ -34,8 +34,8 @@ public:
 	ColliderSearch(const ColliderSearch &) = delete;
 	ColliderSearch &operator=(const ColliderSearch &) = delete;
 
-	/// Updates the places of soft bodies, and how far each may get in a step of `p_delta` [s]. O(bodies), with a sort
-	/// once in REGROUP_INTERVAL ticks.
+	/// Updates places and reach of soft bodies for a step of `p_delta` [s]. O(bodies), sorted once in REGROUP_INTERVAL
+	/// ticks.
 	void follow(const WorldData &p_world, double p_delta);
 	/// Adds shapes that overlap a group, on layers that its bodies collide with. May repeat known shapes.
 	void find(godot::PhysicsDirectSpaceState2D *p_state, std::vector<FoundShape> &r_found);

@@ -22,12 +22,10 @@ namespace {
 // are noticed sooner, for about a microsecond each.
 constexpr int REREAD_SHAPES = 16;
 
-// Bodies that are checked each tick for having left or changed shapes. More: changes are noticed sooner, for a fifth of
-// a microsecond each.
+// Bodies checked each tick for changes. More: changes are noticed sooner, for a fifth of a microsecond each.
 constexpr int LOOKS = 160;
 
-// Ticks after which bodies that are no longer near are forgotten. Shorter: bodies that go to and fro are read again and
-// again.
+// Ticks after which distant bodies are forgotten. Shorter: bodies that go to and fro are read again and again.
 constexpr int64_t FORGET_INTERVAL = 64;
 
 // Most bodies kept that are gone but may come back; each is asked for every tick.

@@ -28,8 +28,7 @@ public:
 	EnvironmentReader(const EnvironmentReader &) = delete;
 	EnvironmentReader &operator=(const EnvironmentReader &) = delete;
 
-	/// Updates the environment of the world for a step of `p_delta` [s]. The bodies `p_joined` belong to it wherever
-	/// they are.
+	/// Updates the environment for a step of `p_delta` [s]. The bodies `p_joined` belong to it wherever they are.
 	void read(godot::PhysicsDirectSpaceState2D *p_state, const std::vector<godot::RID> &p_joined, double p_delta, WorldData &r_world);
 	/// Whether `tell` has bodies to report, in this tick or to withdraw from the last.
 	bool has_moving() const { return had_moving_ || !moving_.empty(); }

@@ -49,8 +49,7 @@ public:
 	/// Whether it is shown in wedges.
 	bool is_detailed() const { return !parts_.convex.empty() && slots_.size() > parts_.convex.size(); }
 
-	/// Encloses the reports of the environment reader on bodies near this one; a body not reported in between is no
-	/// longer near.
+	/// Encloses the reports of bodies near this one; a body not reported in between is no longer near.
 	void begin_near();
 	void note_near(const godot::RID &body, godot::PhysicsServer2D::BodyMode mode);
 	void end_near();

@@ -20,8 +20,7 @@ struct ShapeTraits {
 	friend bool operator==(const ShapeTraits &, const ShapeTraits &) = default;
 };
 
-/// The traits of the shapes [0, `p_count`) of a CollisionObject2D, by their index in its body; shapes unknown to the
-/// node are ordinary. O(shapes).
+/// The traits of shapes [0, `p_count`) of a CollisionObject2D, by index; unknown shapes are ordinary. O(shapes).
 std::vector<ShapeTraits> read_shape_traits(godot::Object *p_owner, int p_count);
 
 /// A number that changes when shapes of the CollisionObject2D are added, removed, enabled or disabled. O(shape owners).

@@ -156,8 +156,7 @@ void solve_shear(const ElasticTriangle &triangle, const SoftBodyData &body, std:
 	x[c] -= on_c * w[c];
 }
 
-// The area of a triangle as the constraint C of compliance 1/(K A0), where h is quadratic; beyond, with its pressure
-// there.
+// The area of a triangle as the constraint C of compliance 1/(K A0) where h is quadratic; beyond, by its pressure.
 void solve_dilation(const ElasticTriangle &triangle, const SoftBodyData &body, Real h, std::span<Vec2> x) {
 	const BodySettings &settings = body.settings();
 	const std::span<const Real> w = body.inverse_masses();
@@ -229,9 +228,8 @@ void balance_energy(SoftBodyData &body, double allowed, const SubstepInput &inpu
 	}
 }
 
-// Work of moving pins on the body within the substep: against the forces on them at its start and at its end, each for
-// half of the way. Without this work balance_energy would hold a body back from the pins that carry it. `forces` is
-// overwritten.
+// Work of moving pins on the body within the substep: against the forces at its start and at its end, each for half of
+// the way. Without it balance_energy would hold a body back from its pins. `forces` is overwritten.
 double work_of_pins(const SoftBodyData &body, std::span<const Vec2> before, std::span<const Vec2> x, std::span<const Vec2> v,
 		std::span<Vec2> forces) {
 	double work = 0;
