@@ -79,12 +79,15 @@ inline constexpr Real LEAST_SOLIDITY = Real(0.95);
 /// Fewer: a body folded onto itself stiffens. More: proportional cost where it is folded.
 inline constexpr int SELF_CONTACT_PASSES = 4;
 
-/// Default strength of the thesis's separation force [force/length², times WorldData::length_unit]. Larger: bodies
-/// overlap less, and take smaller steps to stay stable. Smaller: piles sink into one another.
+/// Default strength of the separation force, the thesis's answer to contacts [force/length², times
+/// WorldData::length_unit]. Larger: bodies overlap less, and take smaller steps to stay stable. Smaller: piles sink into
+/// one another.
 inline constexpr Real SEPARATION_STIFFNESS = 10000;
 
-/// Stability budget S of the substep rule h²Ω² + 2hΓ <= S² [1]. 2 is the limit of the linear theory and fails for
-/// crumpled bodies. Figures: docs/accuracy.md, "The automatic choice".
+/// Stability budget S of the substep rule h²Ω² + 2hΓ <= S² [1]. 2 is the limit of the linear
+/// theory and fails for crumpled bodies. At 1.3 none of 12 500 random crumpled bodies (`bench.sh auto`) becomes
+/// non-finite or doubles its energy, with 1.9 times the fewest substeps that a search finds safe; of 12 000 others one
+/// came to 2.03 times.
 inline constexpr Real STABILITY_BUDGET = Real(1.3);
 
 /// Most substeps the automatic choice spends on explicit springs [1]. A body that needs more gets XPBD, which gains no
@@ -101,8 +104,8 @@ inline constexpr Real DAMPING_FLOOR = Real(0.02);
 /// Default damping as a fraction of sqrt(k m) [1].
 inline constexpr Real DEFAULT_DAMPING_RATIO = Real(0.05);
 
-/// Default shape-matching stiffness as a fraction of the springs' stiffness [1]. Below about 0.4 some strongly deformed
-/// bodies stay folded forever.
+/// Default shape-matching stiffness as a fraction of the springs' stiffness [1]. Below about
+/// 0.4, some strongly deformed bodies stay folded for good.
 inline constexpr Real DEFAULT_SHAPE_MATCHING = Real(0.4);
 
 /// Half thickness given to a line segment [length, times WorldData::length_unit]. A point rests this far from the line,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Energy and momentum of a body, for tests and charts.
+// Energy and momentum of a body, for tests, charts and the curious.
 #pragma once
 
 #include "core/base/vec2.h"

@@ -15,13 +15,13 @@ namespace softbody {
 /// between the point's neighbors, turned outward. `gradient` has at least as many entries as `hull`. O(hull points).
 Real area_and_gradient(std::span<const Vec2> hull, std::span<Vec2> gradient);
 
-/// Pressure of the body [force/length] at the area A: k_p (s - A/A0), positive when it pushes outward. Linear in the
-/// area rather than 1/A (Matyka 2004): a gas law explodes as the hull is crushed and changes sign when the hull is
-/// inverted; this one always pushes towards the target area.
+/// Pressure of the body [force/length] at the area A: k_p (s - A/A0), positive when it pushes outward.
+/// Linear in the area rather than 1/A (Matyka 2004): a gas law explodes as the hull is crushed and
+/// turns its sign when the hull is inverted, this one always pushes back towards the target area.
 Real pressure_at(const SoftBodyData &body, Real area);
 
-/// Adds the pressure's force p ∂A/∂x_i on every hull point. Its work is p dA. The forces sum to zero force and zero
-/// torque, because rigid motion does not change the area.
+/// Adds the pressure's force p ∂A/∂x_i on every hull point. The work it does is p dA, and the forces
+/// sum to zero force and zero torque because area does not change under rigid motion.
 template <class T>
 void add_pressure_forces(const SoftBodyShape &shape, const BodySettings &settings,
 		std::span<const BasicVec2<T>> positions, std::span<BasicVec2<T>> forces);

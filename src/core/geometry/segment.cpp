@@ -25,7 +25,7 @@ double closest_parameter(Vec2d p, Vec2d along) {
 	return size > 0 ? std::clamp(dot(p, along) / size, 0.0, 1.0) : 0.0;
 }
 
-// All motion relative to the moving end a. Two motions are left: of the point and of the end b.
+// Everything seen from the moving end a, so that two motions are left: of the point and of the end b.
 struct RelativeMotion {
 	Vec2d point;
 	Vec2d point_way;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests on line segments: intersection, distance, and the time at which a moving point hits a moving segment.
+// Tests on line segments: where two meet, how far they are apart, when a moving point hits a moving one.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -23,10 +23,11 @@ struct SegmentDistance {
 	Real t = 0; ///< parameter in [0, 1] along cd
 };
 
-/// Distance and closest points of segments ab and cd; of equally close pairs, one. A segment may be a point.
+/// How far segments ab and cd are apart, and where. Where several pairs are closest (parallel
+/// segments) one of them is given. A segment may be a point.
 SegmentDistance closest_points_on_segments(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
-/// Motion of a point from one place to another at constant velocity during a time of 1.
+/// A point that moves from one place to another at constant velocity during a time of 1.
 struct Motion {
 	Vec2 from;
 	Vec2 to;

@@ -41,7 +41,7 @@ public:
 	int contact_substeps() const { return contact_substeps_; }
 	Status set_contact_substeps(int contact_substeps);
 
-	/// The way soft bodies are kept apart. Default POSITION_BASED.
+	/// How soft bodies that touch one another are kept apart. Default POSITION_BASED.
 	ContactResponse contact_response() const { return contact_response_; }
 	void set_contact_response(ContactResponse response);
 	/// Strength κ of the separation force [force/length², times `length_unit`], >= 0. Default SEPARATION_STIFFNESS.
@@ -109,14 +109,13 @@ public:
 	/// Refuses colliders that `check_collider` refuses, and a missing rigid body.
 	Status add_collider(Collider collider);
 
-	/// Adds a chain: a segment from each point to the next, and back to the first if `closed`, with the radius, surface
-	/// and rigid body of `like`. It holds from both sides; bodies inside a closed chain stay inside. Refuses fewer than
-	/// two points (three if closed), neighbors that coincide and colliders that `add_collider` refuses; then it adds
-	/// nothing.
+	/// Adds a chain: a segment from each point to the next, and back to the first if `closed`, with the radius, surface and
+	/// rigid body of `like`. It holds from both sides; what is inside a closed one stays inside. Refuses fewer than two
+	/// points (three if closed), neighbors that coincide and what `add_collider` refuses, and then adds nothing.
 	Status add_chain(std::span<const Vec2> points, bool closed, const Collider &like = {});
 
-	/// Rigid bodies that own colliders. A step moves them: after it they have their poses at its end, and the
-	/// velocities after contacts.
+	/// Rigid bodies that own colliders. A step moves them: after it they are where its end found them, with the
+	/// velocities that contacts left them.
 	std::span<const RigidBody> rigid_bodies() const { return rigid_bodies_; }
 	/// Returns its index, by which colliders refer to it; indices hold until the environment is cleared.
 	Result<std::uint32_t> add_rigid_body(const RigidBody &body);

@@ -45,8 +45,9 @@ struct BasicWorkspace {
 };
 using IntegratorWorkspace = BasicWorkspace<Real>;
 
-/// Advances positions and velocities by one substep, without contacts. Stages evaluate contact-free forces; the caller
-/// solves contacts once, after the substep. A pinned point (inverse mass 0) keeps its velocity, which is 0.
+/// Advances positions and velocities by one substep, without contacts. Stages evaluate the same
+/// contact-free forces; contacts are solved once, after the substep, by whoever calls.
+/// A pinned point (inverse mass 0) keeps its velocity, which is 0.
 template <class T>
 using LaneStep = void (*)(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
 
