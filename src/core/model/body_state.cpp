@@ -48,7 +48,7 @@ Status check_index(const char *name, std::size_t index, std::size_t count) {
 			"restore it into a body of the shape that it was saved from");
 }
 
-// All that can be said without knowing the body.
+// Checks that need no body.
 Status check_values(const BodyState &state) {
 	using List = std::pair<const char *, const std::vector<Vec2> *>;
 	for (const auto &[name, points] : { List{ "positions", &state.positions }, List{ "velocities", &state.velocities },
@@ -70,7 +70,7 @@ Status check_values(const BodyState &state) {
 	if (!are_finite) {
 		return refused("memory", "non-finite", "must be finite", "restore a sound state");
 	}
-	// Turned again and again it is a unit vector but for roundings, of up to 1e-3 in each pose that it was given.
+	// Products of rotations leave a unit vector up to rounding, up to 1e-3 for each pose given by a user.
 	const Real size = length(Vec2{ state.rotation_memory.c, state.rotation_memory.s });
 	if (!(size > Real(0.5) && size < 2)) {
 		return refused("rotation_memory", "length " + number_text(size), "must have unit length", "restore a sound state");
@@ -106,7 +106,7 @@ public:
 	std::vector<std::uint8_t> bytes;
 };
 
-/// Past the end, or after what cannot be, everything reads as 0 and `is_valid` stays false.
+/// Past the end, or after invalid data, everything reads as 0 and `is_valid` stays false.
 class Reader {
 public:
 	explicit Reader(std::span<const std::uint8_t> bytes) :
@@ -139,7 +139,7 @@ public:
 		read(value.x);
 		read(value.y);
 	}
-	/// Every item has at least `item_size` bytes: a count beyond what is left is refused before anything is allocated.
+	/// Every item has at least `item_size` bytes: a count beyond the remaining bytes is refused before any allocation.
 	template <class Item>
 	void read_list(std::vector<Item> &items, std::size_t item_size, const auto &read_item) {
 		const std::uint32_t count = bits<std::uint32_t>();
@@ -171,7 +171,7 @@ std::uint64_t checksum_of(std::span<const std::uint8_t> bytes) {
 	return sum;
 }
 
-/// Calls `each` for every single value, in the order of the bytes.
+/// Calls `each` for every value, in the order of the bytes.
 template <class State>
 void visit_values(State &state, const auto &each) {
 	each(state.rotation_memory.c);
@@ -347,8 +347,8 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 		return status;
 	}
 	const std::uint32_t restored = rest_state_.restored + 1;
-	wake(); // for those who fell asleep with it
-	// What rests on a frozen body wakes where that changes.
+	wake(); // for bodies that fell asleep with it
+	// Bodies that rest on a frozen body wake when it changes.
 	const bool is_other = frozen_ != state.frozen || !std::ranges::equal(state.positions, positions());
 	if (is_other) {
 		disturb();
