@@ -62,7 +62,7 @@ private:
 	struct Side {
 		SoftBodyData *body = nullptr;
 		std::uint32_t active_index = UINT32_MAX;
-		PointOnEdge place; ///< of a soft body; of what else there is without inverse mass
+		PointOnEdge place; ///< on the soft body; has no inverse mass where this end is not soft
 		std::uint32_t rigid = NO_RIGID_BODY;
 		Vec2 position; ///< as in `JointAnchor`
 		Vec2 before; ///< where it was when the substep began
