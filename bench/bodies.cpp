@@ -4,6 +4,7 @@
 
 #include "core/creator/soft_body_creator.h"
 #include "core/model/spring2d.h"
+#include "thesis/damping_ratio.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,8 @@
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/integrators/integrator_step.h"
+#include "thesis/separation_force.h"
+#include "thesis/damping_ratio.h"
 
 #include <algorithm>
 #include <array>
@@ -308,7 +310,7 @@ json penetrations(bool quick) {
 
 // The thesis's separation force beside position-based contacts.
 
-using softbody::ContactResponse;
+enum class ContactResponse { POSITION_BASED, SEPARATION_FORCE };
 constexpr std::array RESPONSES = { ContactResponse::POSITION_BASED, ContactResponse::SEPARATION_FORCE };
 
 const char *response_name(ContactResponse response) {
@@ -320,8 +322,8 @@ json response_bounce(ContactResponse response, double offset, int substeps) {
 	constexpr double SPEED = 2; // m/s each
 	softbody::WorldData world;
 	world.set_sleeping(false);
-	world.set_contact_response(response);
-	if (world.set_contact_substeps(substeps)) {
+	const bool is_force = response == ContactResponse::SEPARATION_FORCE; // in time steps as short as a substep
+	if (world.set_contact_substeps(is_force ? 1 : substeps)) {
 		throw std::runtime_error("so many substeps are refused");
 	}
 	softbody::StructureOptions options;
@@ -331,7 +333,8 @@ json response_bounce(ContactResponse response, double offset, int substeps) {
 	BodySettings settings;
 	settings.shape_stiffness = Real(0.4 * STIFFNESS);
 	settings.integrator = Integrator::SEMI_IMPLICIT_EULER;
-	settings.substeps = substeps;
+	settings.substeps = is_force ? 1 : substeps;
+	settings.collision_layer = is_force ? 0 : 1;
 	for (const double side : { -1.0, 1.0 }) {
 		const softbody::Pose pose{ { Real(side), Real(-side * offset / 2) }, softbody::Rotation::from_angle(Real(std::numbers::pi / 8)) };
 		SoftBodyData body = take(SoftBodyData::create(shape, settings, pose));
@@ -350,8 +353,11 @@ json response_bounce(ContactResponse response, double offset, int substeps) {
 	const double energy_before = energy();
 	const double spin_before = spin();
 	softbody::Simulator simulator(world);
-	for (int i = 0; i < 2 * RATE; ++i) {
-		simulator.simulate(STEP);
+	for (int i = 0; i < 2 * RATE * (is_force ? substeps : 1); ++i) {
+		if (is_force) {
+			take(softbody::add_separation_forces(world));
+		}
+		simulator.simulate(is_force ? STEP / Real(substeps) : STEP);
 	}
 	return { { "response", response_name(response) }, { "offset", offset }, { "substeps", substeps },
 		{ "energy_after", energy() / energy_before }, { "angular_momentum_change", std::abs(spin() - spin_before) / (SPEED * 0.5) } };
@@ -360,7 +366,7 @@ json response_bounce(ContactResponse response, double offset, int substeps) {
 json response_pile(ContactResponse response, std::size_t count, int seconds) {
 	const PileScene scene = centered(pile_scene(count));
 	SoftPileSettings settings = default_settings(carrying_stiffness(scene));
-	settings.response = response;
+	settings.has_separation_force = response == ContactResponse::SEPARATION_FORCE;
 	SoftPile pile(scene, settings);
 	std::vector<Duration> times;
 	for (int i = 0; i < seconds * RATE; ++i) {

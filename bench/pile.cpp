@@ -4,7 +4,7 @@
 #include "soft_pile.h"
 
 #include "core/geometry/polygon.h"
-#include "core/geometry/polygon_overlap.h"
+#include "thesis/polygon_overlap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "bodies.h"
 
 #include "core/geometry/polygon.h"
-#include "core/geometry/polygon_overlap.h"
+#include "thesis/polygon_overlap.h"
 
 #include <algorithm>
 #include <cmath>

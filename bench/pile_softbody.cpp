@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
+#include "thesis/damping_ratio.h"
 
 #include <cmath>
 #include <stdexcept>

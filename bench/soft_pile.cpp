@@ -8,6 +8,8 @@
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/substep_plan.h"
+#include "thesis/separation_force.h"
+#include "thesis/damping_ratio.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +109,6 @@ SoftPile::SoftPile(PileScene scene, const SoftPileSettings &settings, softbody::
 		throw std::runtime_error(refused->message());
 	}
 	world_.set_interpolated(settings.interpolated);
-	world_.set_contact_response(settings.response);
 	world_.set_sleeping(settings.may_sleep);
 	world_.add_border(border(0, 0, { 0, 1 }));
 	if (scene_.has_walls) {
@@ -121,7 +122,7 @@ SoftPile::SoftPile(PileScene scene, const SoftPileSettings &settings, softbody::
 	body.rolling_resistance = Real(settings.rolling_resistance);
 	body.shape_stiffness = Real(settings.shape_stiffness);
 	body.shape_damping = Real(settings.shape_damping);
-	body.collision_layer = settings.bodies_collide ? 1 : 0;
+	body.collision_layer = settings.bodies_collide && !settings.has_separation_force ? 1 : 0;
 	std::map<double, Shape> shapes; // of each mass
 	for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
 		double factor = i % 2 == 1 ? settings.heavy : 1;
@@ -136,14 +137,27 @@ SoftPile::SoftPile(PileScene scene, const SoftPileSettings &settings, softbody::
 		const softbody::Pose pose{ place.center, softbody::Rotation::from_angle(Real(place.angle)) };
 		world_.add_soft_body(take(softbody::SoftBodyData::create(shape, body, pose)));
 	}
+	if (settings.has_separation_force) {
+		separation_steps_ = contact_substeps();
+		body.substeps = 1;
+		for (softbody::SoftBodyData &each : world_.soft_bodies()) {
+			if (each.set_settings(body)) {
+				throw std::runtime_error("a single substep is refused");
+			}
+		}
+	}
 }
 
 Duration SoftPile::step() {
 	const Stopwatch watch;
-	report_ = simulator_.simulate(Real(scene_.time_step));
-	const Duration took = watch.elapsed();
-	resets_ += report_.reset_bodies.size();
-	return took;
+	for (int i = 0; i < std::max(separation_steps_, 1); ++i) {
+		if (separation_steps_ > 0) {
+			take(softbody::add_separation_forces(world_));
+		}
+		report_ = simulator_.simulate(Real(scene_.time_step / std::max(separation_steps_, 1)));
+		resets_ += report_.reset_bodies.size();
+	}
+	return watch.elapsed();
 }
 
 StepTimes SoftPile::run(int steps) {

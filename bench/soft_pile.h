@@ -30,7 +30,7 @@ struct SoftPileSettings {
 	bool may_sleep = false; ///< off, so that every counted body is simulated
 	bool interpolated = true; ///< whether a step keeps its start, for drawing
 	double rolling_resistance = 0.03; ///< the node's default
-	softbody::ContactResponse response = softbody::ContactResponse::POSITION_BASED;
+	bool has_separation_force = false; ///< the thesis's force instead of contacts between bodies, in time steps as short as a substep
 };
 
 /// The default model: shape matching of 0.4 k, damped like the node does, the automatic method and substeps.
@@ -109,6 +109,7 @@ private:
 	softbody::Simulator simulator_;
 	softbody::StepReport report_;
 	std::size_t resets_ = 0;
+	int separation_steps_ = 0; ///< in a time step, where the separation force acts
 };
 
 /// As result files name it.

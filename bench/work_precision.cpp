@@ -6,6 +6,7 @@
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
+#include "thesis/damping_ratio.h"
 
 #include <algorithm>
 #include <cmath>

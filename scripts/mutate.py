@@ -190,7 +190,7 @@ def included(source):
 
 def build_base(jobs):
     """All sources, and in which objects code of each file of the core is."""
-    sources = [p.relative_to(ROOT) for folder in ("src/core", "tests") for p in sorted((ROOT / folder).rglob("*.cpp"))]
+    sources = [p.relative_to(ROOT) for folder in ("src/core", "src/thesis", "tests") for p in sorted((ROOT / folder).rglob("*.cpp"))]
     # Linked last, as the core asks for: no other code may run its copies of inline functions.
     sources.sort(key=lambda source: source.name.endswith("_avx2.cpp"))
 

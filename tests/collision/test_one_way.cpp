@@ -3,6 +3,7 @@
 #include "core/collision/one_way.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
+#include "scenes/chain.h"
 #include "scenes/jelly.h"
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
@@ -57,7 +58,7 @@ void add_platform(WorldData &world, Platform kind, Vec2 direction = UP) {
 			world.add_collider(collider);
 			break;
 		case Platform::CHAIN:
-			REQUIRE_FALSE(world.add_chain(std::vector<Vec2>{ { -200, 0 }, { -110, 0 }, { -33, 0 }, { 41, 0 }, { 130, 0 }, { 200, 0 } }, false, collider));
+			REQUIRE_FALSE(add_chain(world, std::vector<Vec2>{ { -200, 0 }, { -110, 0 }, { -33, 0 }, { 41, 0 }, { 130, 0 }, { 200, 0 } }, false, collider));
 			break;
 		case Platform::TILES:
 			for (int i = 0; i < 10; ++i) {

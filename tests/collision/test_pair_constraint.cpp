@@ -232,6 +232,26 @@ TEST_CASE("a pinned point or edge does not move, and two of them leave each othe
 	CHECK(stuck.upper[0] == Vec2{ Real(0.3), Real(-0.01) });
 }
 
+TEST_CASE("an edge contact beside a pinned or heavy end does not throw the free end away, and keeps momentum") {
+	// A heavy point on the edge next to an end that hardly moves: to make way alone the light end would go by depth / (1 - t).
+	for (const Real heavy : { Real(0), Real(1e6) }) { // 0: pinned
+		for (const Real t : { Real(0.99), Real(0.9999) }) {
+			CAPTURE(heavy);
+			Meeting meeting;
+			meeting.lower_masses = { 1, heavy, 1 };
+			meeting.upper_masses[0] = 1e6;
+			meeting.t = t;
+			meeting.upper_velocities[0] = { 0, -3 };
+			Meeting after = meeting;
+			CHECK(after.solve(Real(0.01)) > 0);
+			CHECK(distance(after.lower[0], meeting.lower[0]) <= 5.01 * 0.01);
+			CHECK(double(length(after.lower_velocities[0])) <= 5.01 * 3);
+			const Vec2 change = after.momentum() - meeting.momentum();
+			CHECK((heavy == 0 || double(length(change)) <= 4 * EPSILON * 3e6));
+		}
+	}
+}
+
 TEST_CASE("rolling resistance between bodies brakes their relative spin by at most r R J, and keeps angular momentum") {
 	const auto spinning = [](Real spin, Real inertia) {
 		SolverBody body;

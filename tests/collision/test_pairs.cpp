@@ -4,11 +4,12 @@
 #include "core/creator/hulls.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/simulator.h"
-#include "core/geometry/polygon_overlap.h"
+#include "thesis/polygon_overlap.h"
 #include "core/model/body_frame.h"
 #include "scenes/thesis_body.h"
 #include "support/random.h"
 #include "support/threads.h"
+#include "thesis/momentum.h"
 
 #include <algorithm>
 #include <cmath>

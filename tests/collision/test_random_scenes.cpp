@@ -6,6 +6,7 @@
 #include "core/dynamics/simulator.h"
 #include "support/compare.h"
 #include "support/random.h"
+#include "thesis/damping_ratio.h"
 
 #include <doctest/doctest.h>
 

@@ -9,6 +9,7 @@
 #include "support/compare.h"
 #include "support/random.h"
 #include "support/threads.h"
+#include "thesis/damping_ratio.h"
 
 #include <doctest/doctest.h>
 

@@ -5,6 +5,7 @@
 #include "core/dynamics/simulator.h"
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
+#include "scenes/chain.h"
 #include "scenes/deformations.h"
 #include "scenes/jelly.h"
 #include "scenes/loose_points.h"
@@ -13,6 +14,8 @@
 #include "support/compare.h"
 #include "support/random.h"
 #include "support/threads.h"
+#include "thesis/damping_ratio.h"
+#include "thesis/momentum.h"
 
 #include <doctest/doctest.h>
 
@@ -481,7 +484,7 @@ TEST_CASE("a snake that curls up in a box of thin walls stays in it, however har
 		world.set_gravity({ 0, -30 });
 		const std::array<Vec2, 4> box = { { { Real(-3.2), Real(-0.5) }, { Real(3.2), Real(-0.5) }, { Real(3.2), Real(0.5) },
 				{ Real(-3.2), Real(0.5) } } };
-		world.add_chain(box, true);
+		add_chain(world, box, true);
 		world.add_soft_body(ribbon_body({ 6, 0.15, 40, 0, 1, stiffness }, settings_with(true)));
 		SoftBodyData &body = world.soft_bodies()[0];
 		const Outcome outcome = run(world, 600, [&](int) { curl(body, 30); });

@@ -4,6 +4,7 @@
 #include "core/geometry/polygon.h"
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
+#include "thesis/damping_ratio.h"
 
 #include <doctest/doctest.h>
 

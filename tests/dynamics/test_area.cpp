@@ -8,6 +8,7 @@
 #include "core/geometry/polygon.h"
 #include "core/model/material.h"
 #include "support/random.h"
+#include "thesis/momentum.h"
 
 #include <doctest/doctest.h>
 

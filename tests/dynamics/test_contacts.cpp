@@ -2,6 +2,7 @@
 // What a simulation tells about contacts: how hard bodies rest on things, and when touches begin and end.
 #include "core/base/constants.h"
 #include "core/dynamics/simulator.h"
+#include "scenes/chain.h"
 #include "scenes/mixed.h"
 #include "scenes/thesis_body.h"
 #include "support/batches.h"
@@ -95,7 +96,7 @@ const std::vector<std::pair<std::string, std::function<void(WorldData &)>>> FLOO
 	{ "chain", [](WorldData &world) {
 		 Collider link;
 		 link.surface = tagged(5);
-		 world.add_chain(std::vector<Vec2>{ { -20, 0 }, { 0, 0 }, { 20, 0 } }, false, link);
+		 add_chain(world, std::vector<Vec2>{ { -20, 0 }, { 0, 0 }, { 20, 0 } }, false, link);
 	 } },
 	{ "kinematic", [](WorldData &world) {
 		 Collider box{ { { -20, -1 }, { 20, -1 }, { 20, 0 }, { -20, 0 } }, 0, tagged(5) };

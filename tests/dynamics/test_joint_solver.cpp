@@ -10,6 +10,7 @@
 #include "support/compare.h"
 #include "support/random.h"
 #include "support/threads.h"
+#include "thesis/momentum.h"
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -68,7 +68,7 @@ TEST_CASE("the work of the pressure over a small change is p dA, and that is the
 		body.set_point(i, body.positions()[i] + way, {});
 	}
 	const double change = signed_area(body.hull()) - area;
-	const double pressure = pressure_at(body, Real(area));
+	const double pressure = body.settings().pressure_stiffness * (body.settings().inflation - area / body.shape().rest_area());
 	// Second-order terms: 1e-6 m² times the pressure's 100 N/m and its slope, on a work of about 0.05 J.
 	CHECK(work == doctest::Approx(pressure * change).epsilon(0.05));
 	CHECK(energy - measure_energy(body, {}).pressure == doctest::Approx(work).epsilon(0.05));

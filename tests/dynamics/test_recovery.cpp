@@ -5,6 +5,7 @@
 #include "scenes/deformations.h"
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
+#include "thesis/damping_ratio.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a step computes depends on the state alone: put back, bodies go on in the same bits.
 #include "core/dynamics/simulator.h"
+#include "scenes/chain.h"
 #include "scenes/jelly.h"
 #include "scenes/mixed.h"
 #include "support/threads.h"
@@ -25,7 +26,7 @@ WorldData pile_world(bool is_lively = true) {
 	world.add_border({ { { -3, 0 }, { 1, 0 } }, {} });
 	world.add_border({ { { 3, 0 }, { -1, 0 } }, {} });
 	world.add_collider({ { { -1, 0 }, { 0, 0 }, { 0, Real(0.4) }, { -1, Real(0.6) } }, Real(0.05), {} });
-	world.add_chain(std::vector<Vec2>{ { 1, 1 }, { 2, Real(0.6) }, { 3, Real(0.5) } }, false);
+	add_chain(world, std::vector<Vec2>{ { 1, 1 }, { 2, Real(0.6) }, { 3, Real(0.5) } }, false);
 	RigidBody lift;
 	lift.pose.position = { Real(-2.2), Real(0.1) };
 	Collider box{ { { Real(-0.5), Real(-0.1) }, { Real(0.5), Real(-0.1) }, { Real(0.5), Real(0.1) }, { Real(-0.5), Real(0.1) } }, 0, {} };

@@ -7,6 +7,7 @@
 #include "scenes/loose_points.h"
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
+#include "thesis/momentum.h"
 
 #include <doctest/doctest.h>
 

@@ -10,6 +10,7 @@
 #include "scenes/deformations.h"
 #include "scenes/jelly.h"
 #include "support/random.h"
+#include "thesis/momentum.h"
 
 #include <doctest/doctest.h>
 

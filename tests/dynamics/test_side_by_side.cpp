@@ -2,6 +2,7 @@
 // Bodies stepped side by side, on any number of threads, move as each would alone: to the last bit.
 #include "core/base/constants.h"
 #include "core/dynamics/simulator.h"
+#include "scenes/chain.h"
 #include "scenes/deformations.h"
 #include "scenes/thesis_body.h"
 #include "support/batches.h"
@@ -224,7 +225,7 @@ TEST_CASE("bodies of a batch end in the same bits as alone where some of them li
 				ball.surface.restitution = Real(0.5);
 				CHECK_FALSE(world.add_collider(ball));
 				const std::vector<Vec2> chain = { { 9, Real(0.2) }, { 10, 0 }, { 11, Real(0.3) } };
-				CHECK_FALSE(world.add_chain(chain, false));
+				CHECK_FALSE(add_chain(world, chain, false));
 			};
 			WorldData together;
 			prepare_colliders(together);

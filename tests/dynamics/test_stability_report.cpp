@@ -5,6 +5,7 @@
 #include "core/dynamics/stability_report.h"
 #include "scenes/jelly.h"
 #include "support/compare.h"
+#include "thesis/damping_ratio.h"
 
 #include <doctest/doctest.h>
 

@@ -13,6 +13,7 @@
 #include "core/model/material.h"
 #include "support/compare.h"
 #include "support/random.h"
+#include "thesis/momentum.h"
 
 #include <doctest/doctest.h>
 

@@ -6,8 +6,10 @@
 #include "core/model/rigid_motion.h"
 #include "fuzz/bytes.h"
 #include "fuzz/targets.h"
+#include "scenes/chain.h"
 #include "scenes/mixed.h"
 #include "scenes/ribbon.h"
+#include "thesis/separation_force.h"
 
 #include <algorithm>
 #include <array>
@@ -145,7 +147,7 @@ private:
 			case 2: world_.set_contact_substeps(bytes_.integer(-1, 8)); break;
 			case 3: world_.set_sleeping(bytes_.chance()); break;
 			case 4: world_.set_interpolated(bytes_.chance()); break;
-			case 5: world_.set_contact_response(ContactResponse(bytes_.integer(0, 1))); break;
+			case 5: (void)add_separation_forces(world_, SEPARATION_STIFFNESS * Real(bytes_.integer(0, 1))); break;
 			case 6: world_.wake_all(); break;
 		}
 	}
@@ -190,7 +192,7 @@ private:
 			}
 		}
 		if (collider.vertices.size() == 2 && bytes_.chance()) {
-			world_.add_chain(collider.vertices, false, collider);
+			testing::add_chain(world_, collider.vertices, false, collider);
 			return;
 		}
 		world_.add_collider(std::move(collider));

@@ -3,6 +3,7 @@
 #include "core/geometry/segment.h"
 #include "geometry/integer_geometry.h"
 #include "support/compare.h"
+#include "thesis/segment_distance.h"
 
 #include <doctest/doctest.h>
 

@@ -5,6 +5,7 @@
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
 #include "support/random.h"
+#include "thesis/momentum.h"
 
 #include <doctest/doctest.h>
 

@@ -186,26 +186,6 @@ TEST_CASE("springs of zero stiffness and damping are allowed, and so is every sp
 	CHECK(SoftBodyShape::create(description).has_value());
 }
 
-TEST_CASE("other spring values make another shape and leave the first alone") {
-	const auto shape = SoftBodyShape::create(rectangle()).value();
-	const auto other = shape->with_spring_values(10, 3).value();
-	for (const Spring2D &spring : other->springs()) {
-		CHECK(spring.stiffness == 10);
-		CHECK(spring.damping == 3);
-	}
-	CHECK(other->springs()[1].rest_length == 3);
-	CHECK(is_just_above(other->spring_frequency_squared(), chain_frequency_squared(10, 10)));
-	CHECK(is_just_above(other->spring_damping_rate(), chain_frequency_squared(3, 3)));
-	CHECK(shape->springs()[0].stiffness == 100);
-	CHECK(largest_distance(other->rest_positions(), shape->rest_positions()) <= 4 * EPSILON * 4);
-	CHECK(distance(other->origin_offset(), shape->origin_offset()) <= 4 * EPSILON * 24);
-	for (const Real bad : { Real(-1), NOT_A_NUMBER, INFINITE }) {
-		CHECK(shape->with_spring_values(bad, 1).error().name == "stiffness");
-		CHECK(shape->with_spring_values(1, bad).error().name == "damping");
-	}
-	CHECK(shape->with_spring_values(0, 0).has_value());
-}
-
 TEST_CASE("another total mass scales every mass, the inertia, and the frequency bound inversely") {
 	const auto shape = SoftBodyShape::create(rectangle()).value();
 	const auto other = shape->with_total_mass(4).value();

@@ -5,6 +5,7 @@
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/world_data.h"
+#include "scenes/chain.h"
 
 #include <array>
 #include <bit>
@@ -54,7 +55,7 @@ inline WorldData mixed_world(Real spin = 0, bool monitors = true) {
 	const std::array<Vec2, 4> slope = { Vec2{ 6, 2 }, { 8, Real(0.8) }, { 10, Real(0.4) }, { 12, Real(0.3) } };
 	Collider link;
 	link.surface = tagged(CHAIN);
-	world.add_chain(slope, false, link);
+	add_chain(world, slope, false, link);
 
 	const auto add_moving = [&](RigidBody body, MixedTag tag, Vec2 half) {
 		Collider box{ { { -half.x, -half.y }, { half.x, -half.y }, half, { -half.x, half.y } }, 0, tagged(tag) };

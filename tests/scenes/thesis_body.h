@@ -4,6 +4,7 @@
 
 #include "core/creator/soft_body_creator.h"
 #include "core/model/soft_body_data.h"
+#include "thesis/damping_ratio.h"
 
 #include <memory>
 

@@ -79,11 +79,6 @@ inline constexpr Real LEAST_SOLIDITY = Real(0.95);
 /// Fewer: a body folded onto itself stiffens. More: proportional cost where it is folded.
 inline constexpr int SELF_CONTACT_PASSES = 4;
 
-/// Default strength of the separation force, the thesis's answer to contacts [force/length², times
-/// WorldData::length_unit]. Larger: bodies overlap less, and take smaller steps to stay stable. Smaller: piles sink into
-/// one another.
-inline constexpr Real SEPARATION_STIFFNESS = 10000;
-
 /// Stability budget S of the substep rule h²Ω² + 2hΓ <= S² [1]. 2 is the limit of the linear
 /// theory and fails for crumpled bodies. At 1.3 none of 12 500 random crumpled bodies (`bench.sh auto`) becomes
 /// non-finite or doubles its energy, with 1.9 times the fewest substeps that a search finds safe; of 12 000 others one
@@ -100,9 +95,6 @@ inline constexpr int XPBD_SUBSTEPS = 8;
 /// Damping ratio c / sqrt(k m) below which large deformations ring for long [1]. Nothing is clamped to it; the node
 /// warns.
 inline constexpr Real DAMPING_FLOOR = Real(0.02);
-
-/// Default damping as a fraction of sqrt(k m) [1].
-inline constexpr Real DEFAULT_DAMPING_RATIO = Real(0.05);
 
 /// Default shape-matching stiffness as a fraction of the springs' stiffness [1]. Below about
 /// 0.4, some strongly deformed bodies stay folded for good.

@@ -3,6 +3,7 @@
 #include "core/collision/pair_bounce.h"
 
 #include "core/base/constants.h"
+#include "core/collision/point_edge_constraint.h"
 #include "core/model/body_frame.h"
 
 #include <algorithm>
@@ -68,14 +69,10 @@ void give_back_pair_bounce(SoftBodyData &first, SoftBodyData &second, Vec2 push,
 		// What this substep's contacts have just taken belongs to the approach.
 		const Real approach = dot(push, normal) * inverse_mass - leaving;
 		if (!touch.touching) {
-			touch.approach = 0;
 			touch.energy = pair[0].kinetic_energy() + pair[1].kinetic_energy() +
 					double(approach * approach - leaving * leaving) / (2 * double(inverse_mass));
-		} else if (std::abs(approach) <= bounce_threshold) {
-			touch.approach *= std::max(Real(0), 1 - h / BOUNCE_MEMORY); // as on a surface
 		}
-		touch.approach = std::max(touch.approach, approach);
-		touch.touching = true;
+		remember_approach(touch, approach, bounce_threshold, h);
 		return;
 	}
 	if (!(leaving > 0)) {

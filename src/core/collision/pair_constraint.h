@@ -4,6 +4,7 @@
 
 #include "core/base/constants.h"
 #include "core/base/vec2.h"
+#include "core/collision/point_edge_constraint.h"
 #include "core/geometry/aabb.h"
 #include "core/model/body_frame.h"
 
@@ -87,20 +88,14 @@ bool part_bodies(SolverBody &body, SolverBody &other, Vec2 direction, Real dista
 
 inline Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairContact &contact, Real h) {
 	const auto &[p, a, b, t, normal, depth, is_fresh] = contact;
-	const Real share_a = 1 - t;
-	const Real share_b = t;
-	const Real inverse_mass_p = body.inverse_masses[p];
-	const Real inverse_mass_a = other.inverse_masses[a] * share_a;
-	const Real inverse_mass_b = other.inverse_masses[b] * share_b;
-	// An impulse J on the point and -J on the edge change their distance by J w, w = w_p + w_a (1-t)² + w_b t².
-	const Real inverse_mass = inverse_mass_p + inverse_mass_a * share_a + inverse_mass_b * share_b;
+	const PointAgainstEdge sides{ p, body.inverse_masses[p], PointOnEdge({ a, b, t }, other.inverse_masses) };
+	const Real inverse_mass = sides.inverse_mass();
 	if (!(inverse_mass > 0)) {
 		return 0; // both pinned
 	}
-	const Vec2 relative =
-			body.velocities[p] - (other.velocities[a] * share_a + other.velocities[b] * share_b);
+	const Vec2 relative = body.velocities[p] - sides.edge.of(other.velocities);
 	const Real approach = -dot(relative, normal);
-	const Vec2 edge_way = (other.positions[a] - other.before[a]) * share_a + (other.positions[b] - other.before[b]) * share_b;
+	const Vec2 edge_way = sides.edge.between(other.positions[a] - other.before[a], other.positions[b] - other.before[b]);
 	const Vec2 relative_way = body.positions[p] - body.before[p] - edge_way;
 	Real push = depth;
 	if (!is_fresh && body.inverse_mass + other.inverse_mass > 0) {
@@ -111,8 +106,6 @@ inline Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairCo
 		}
 		push = std::min(depth, fresh + OLD_OVERLAP_PUSH * size);
 	}
-	Vec2 shift = normal * push;
-	const Real friction = std::min(body.friction, other.friction);
 	// The point met the edge somewhere within the substep: what it came too far is what its approach must lose, as
 	// velocities that follow from the moved positions would. Taking all of the approach from every graze instead
 	// keeps a pile trembling for good (200 bodies, 8 substeps: 1e-3 J each after 16 s instead of 1e-5).
@@ -124,24 +117,19 @@ inline Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairCo
 	}
 	// Nothing where they part already. No branch: half of all contacts do, and no processor can guess which.
 	const Real normal_change = std::max(Real(0), std::min(approach, deepening));
-	const Vec2 tangent = perpendicular(normal);
-	const Real most = friction * normal_change;
-	const Vec2 brake = tangent * std::max(-most, std::min(-dot(relative, tangent), most));
-	Vec2 velocity_change = normal * normal_change + brake;
-	shift += brake * h;
-	shift *= 1 / inverse_mass;
-	velocity_change *= 1 / inverse_mass;
-	// Who is about to be reset must not take the other along. A sum is finite only if all of it is: one question for four.
-	if (!std::isfinite((shift.x + shift.y) + (velocity_change.x + velocity_change.y))) {
+	const ContactChange<Real> change = contact_change(relative, normal, push, normal_change,
+			std::min(body.friction, other.friction), h);
+	const Real per_impulse = 1 / inverse_mass;
+	const Vec2 shift = change.position * per_impulse;
+	const Vec2 impulse = change.velocity * per_impulse;
+	// A body that is about to be reset must not take the other along. A sum is finite only if all of it is: one question
+	// for four.
+	if (!std::isfinite((shift.x + shift.y) + (impulse.x + impulse.y))) {
 		return 0;
 	}
-	body.positions[p] += shift * inverse_mass_p;
-	body.velocities[p] += velocity_change * inverse_mass_p;
-	other.positions[a] -= shift * inverse_mass_a;
-	other.velocities[a] -= velocity_change * inverse_mass_a;
-	other.positions[b] -= shift * inverse_mass_b;
-	other.velocities[b] -= velocity_change * inverse_mass_b;
-	return normal_change / inverse_mass;
+	sides.part(body.positions, other.positions, shift);
+	sides.part(body.velocities, other.velocities, impulse);
+	return normal_change * per_impulse;
 }
 
 } // namespace softbody

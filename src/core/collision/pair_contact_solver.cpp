@@ -15,11 +15,6 @@ void PairContactSolver::begin_substep(Real h) {
 	h_ = h;
 }
 
-void PairContactSolver::begin_response(const WorldData &world) {
-	response_ = world.contact_response();
-	separation_force_.begin_substep(world.separation_stiffness() / world.length_unit(), h_);
-}
-
 std::size_t PairContactSolver::handle(SolverBody &a, SolverBody &b) {
 	impulse_ = 0;
 	push_ = {};
@@ -27,9 +22,6 @@ std::size_t PairContactSolver::handle(SolverBody &a, SolverBody &b) {
 	const Real distance_squared = length_squared(a.center - b.center);
 	if (!a.box.overlaps(b.box) || distance_squared > reach * reach) {
 		return 0;
-	}
-	if (response_ == ContactResponse::SEPARATION_FORCE) {
-		return separation_force_.handle(a, b) > 0;
 	}
 	const bool are_fast = a.way + b.way > SWEEP_SHARE * std::min(a.width, b.width);
 	const Real near = std::max(a.radius, b.radius);

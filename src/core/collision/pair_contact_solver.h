@@ -6,7 +6,6 @@
 #include "core/collision/contact_log.h"
 #include "core/collision/hull_contact.h"
 #include "core/collision/pair_constraint.h"
-#include "core/collision/separation_force.h"
 #include "core/model/world_data.h"
 
 #include <cstdint>
@@ -25,8 +24,6 @@ class alignas(128) PairContactSolver {
 public:
 	/// Length of the coming substep [s].
 	void begin_substep(Real h);
-	/// Which response `world` asks for, for the same. Without this call, contacts are position-based.
-	void begin_response(const WorldData &world);
 
 	/// Answers every contact between the two bodies. Returns how many.
 	/// O(points within the other's circle × hull points).
@@ -45,8 +42,6 @@ private:
 
 	HullEdges edges_;
 	const SolverBody *edges_of_ = nullptr; ///< whose hull they are, as it is now
-	ContactResponse response_ = ContactResponse::POSITION_BASED;
-	SeparationForce separation_force_;
 	Real h_ = 0;
 	Real impulse_ = 0;
 	Vec2 push_;

@@ -159,11 +159,10 @@ void PairContacts::recall_touches(const PairBodies &bodies) {
 	}
 }
 
-void PairContacts::begin_substeps(const PairBodies &bodies, Real h) {
+void PairContacts::begin_substeps(Real h) {
 	h_ = h;
 	for (PairContactSolver &handling : solvers_) {
 		handling.begin_substep(h);
-		handling.begin_response(bodies.world);
 	}
 }
 

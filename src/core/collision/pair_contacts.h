@@ -51,7 +51,7 @@ public:
 	bool has_pair(std::uint32_t active_index) const { return is_used_ && has_pair_[active_index] != 0; }
 
 	/// What holds for all substeps of `h` [s] of a turn.
-	void begin_substeps(const PairBodies &bodies, Real h);
+	void begin_substeps(Real h);
 	/// Solves the contacts of all pairs of the turn after a substep.
 	void solve(const PairBodies &bodies, const SubstepGroup &group, const ParallelFor &parallel_for);
 	/// Brakes spins by what pairs pressed on each other in all substeps, once their frames have been taken.

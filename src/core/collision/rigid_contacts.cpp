@@ -75,7 +75,7 @@ void RigidContacts::find(const NearBody &near, Task &task) const {
 			contact.rigid_body = collider.rigid_body;
 			contact.collider = i;
 			contact.feature = feature;
-			contact.place = hull.to[at.place.a] * (1 - at.place.t) + hull.to[at.place.b] * at.place.t;
+			contact.place = position_of(at.place, hull.to);
 			contact.belt = motion.to.rotation.apply(collider.surface.velocity_at(motion.to.apply_inverse(contact.place)));
 			contact.friction = combined_friction(body.settings(), collider.surface);
 			contact.restitution = combined_restitution(body.settings(), collider.surface);
@@ -131,17 +131,10 @@ Vec2 RigidContacts::inverse_mass_along(const Contact &contact, Vec2 impulse) con
 }
 
 // An impulse J n on the place and its opposite on the rigid body change their relative normal velocity by J k with
-// k = w + 1/m + (r × n)² / I; w = w_a (1-t)² + w_b t² as in `solve_surface_contact`.
+// k = w + 1/m + (r × n)² / I, with w the inverse mass of the place.
 void RigidContacts::prepare(Contact &contact) {
-	const auto [a, b, t] = contact.at.place;
 	const RigidBody &rigid = world_->rigid_bodies()[contact.rigid_body];
-	const std::span<const Real> inverse_masses = contact.body->inverse_masses();
-	const Real share_a = 1 - t;
-	const Real share_b = a == b ? Real(0) : t;
-	contact.inverse_mass_a = inverse_masses[a] * share_a;
-	contact.inverse_mass_b = inverse_masses[b] * share_b;
-	contact.inverse_mass = std::max(contact.inverse_mass_a * share_a + contact.inverse_mass_b * share_b,
-			LEAST_EDGE_INVERSE_MASS * std::max(inverse_masses[a], inverse_masses[b]));
+	contact.edge = PointOnEdge(contact.at.place, contact.body->inverse_masses());
 	contact.arm = contact.place - rigid.center();
 	const Real share = length(rigid.support);
 	const bool is_pressed = share > 0 && dot(contact.at.normal, rigid.support) > 0;
@@ -151,12 +144,12 @@ void RigidContacts::prepare(Contact &contact) {
 	const Real side_lever = cross(contact.arm, perpendicular(contact.at.normal));
 	const auto straight = [&](Vec2 direction) {
 		const Real along = dot(contact.held, direction);
-		return contact.inverse_mass + rigid.inverse_mass * (1 - along * along);
+		return contact.edge.inverse_mass + rigid.inverse_mass * (1 - along * along);
 	};
 	contact.normal_response = straight(contact.at.normal) + contact.inverse_inertia * lever * lever;
 	contact.tangent_response = straight(perpendicular(contact.at.normal)) + contact.inverse_inertia * side_lever * side_lever;
 	const Real approach = -dot(relative_velocity(contact), contact.at.normal);
-	contact.wanted = approach > bounce_threshold_ ? contact.restitution * approach : Real(0);
+	contact.wanted = rebound_speed(approach, contact.restitution, bounce_threshold_);
 	// What is about to be reset must not take the rigid body along.
 	if (!std::isfinite(approach)) {
 		contact.normal_response = 0;
@@ -164,10 +157,8 @@ void RigidContacts::prepare(Contact &contact) {
 }
 
 Vec2 RigidContacts::relative_velocity(const Contact &contact) const {
-	const auto [a, b, t] = contact.at.place;
 	const RigidBody &rigid = world_->rigid_bodies()[contact.rigid_body];
-	const std::span<const Vec2> v = contact.body->velocities();
-	return v[a] * (1 - t) + v[b] * t -
+	return contact.edge.of(contact.body->velocities()) -
 			(rigid.linear_velocity + perpendicular(contact.arm) * rigid.angular_velocity + contact.belt);
 }
 
@@ -184,7 +175,7 @@ void RigidContacts::push(Contact &contact) {
 	const Vec2 tangent = perpendicular(normal);
 	const Real slide = dot(relative_velocity(contact), tangent);
 	const Real most = contact.friction * pressing;
-	const Real braking = std::clamp(contact.tangent_impulse - slide / contact.tangent_response, -most, most);
+	const Real braking = within(most, contact.tangent_impulse - slide / contact.tangent_response);
 	apply(contact, tangent * (braking - contact.tangent_impulse));
 	contact.tangent_impulse = braking;
 }
@@ -195,32 +186,23 @@ void RigidContacts::apply(Contact &contact, Vec2 impulse) {
 	if (!rigid.change_velocities(-inverse_mass_along(contact, impulse), -turning * contact.inverse_inertia)) {
 		return; // as for what is about to be reset
 	}
-	const HullPlace &place = contact.at.place;
-	const std::span<Vec2> v = contact.body->mutable_velocities();
-	v[place.a] += impulse * contact.inverse_mass_a;
-	if (place.a != place.b) {
-		v[place.b] += impulse * contact.inverse_mass_b;
-	}
+	contact.edge.push(contact.body->mutable_velocities(), impulse);
 	Reaction &reaction = world_->mutable_reactions()[contact.rigid_body];
 	reaction.impulse -= impulse;
 	reaction.angular_impulse -= turning;
 }
 
-// With the way slid that friction takes back, as in `solve_surface_contact`. Other contacts may have moved the place already.
+// With the way slid that friction takes back, as in `contact_change`. Other contacts may have moved the place already.
 void RigidContacts::move_out(Contact &contact) {
-	if (!(contact.inverse_mass > 0) || !(contact.normal_response > 0)) {
+	if (!(contact.edge.inverse_mass > 0) || !(contact.normal_response > 0)) {
 		return;
 	}
-	const auto [a, b, t] = contact.at.place;
 	const std::span<Vec2> x = contact.body->mutable_positions();
-	const Vec2 moved = x[a] * (1 - t) + x[b] * t - contact.place;
+	const Vec2 moved = contact.edge.of(x) - contact.place;
 	const Real depth = std::max(contact.at.depth - dot(moved, contact.at.normal), Real(0));
 	const Real braked = contact.tangent_impulse * contact.tangent_response * h_;
-	const Vec2 shift = (contact.at.normal * depth + perpendicular(contact.at.normal) * braked) * (1 / contact.inverse_mass);
-	x[a] += shift * contact.inverse_mass_a;
-	if (a != b) {
-		x[b] += shift * contact.inverse_mass_b;
-	}
+	const Vec2 shift = contact.at.normal * depth + perpendicular(contact.at.normal) * braked;
+	contact.edge.change(x, shift);
 }
 
 void RigidContacts::note(const Contact &contact) {

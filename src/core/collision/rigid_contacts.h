@@ -64,9 +64,7 @@ private:
 		Real inverse_inertia = 0; ///< of the rigid body, as held
 		Real friction = 0;
 		Real restitution = 0;
-		Real inverse_mass_a = 0; ///< share times inverse mass of the ends of the place
-		Real inverse_mass_b = 0;
-		Real inverse_mass = 0; ///< of the place
+		PointOnEdge edge; ///< where it is on the soft body
 		Real normal_response = 0; ///< change of relative velocity per impulse
 		Real tangent_response = 0;
 		Real wanted = 0; ///< normal relative velocity [length/s]

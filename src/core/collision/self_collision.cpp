@@ -3,6 +3,7 @@
 #include "core/collision/self_collision.h"
 
 #include "core/base/constants.h"
+#include "core/collision/point_edge_constraint.h"
 #include "core/geometry/segment.h"
 #include "core/geometry/triangle.h"
 #include "core/geometry/vec2d.h"
@@ -387,40 +388,20 @@ Real SelfCollision::side_of_chain(std::uint32_t point, std::uint32_t edge) const
 
 void SelfCollision::solve(SoftBodyData &body, std::uint32_t point, std::uint32_t edge, const Contact &contact, Real h) {
 	const std::uint32_t next = after(edge);
-	const Real share_a = 1 - contact.t;
-	const Real share_b = contact.t;
-	const Real inverse_mass_p = body.inverse_masses()[point];
-	const Real inverse_mass_a = body.inverse_masses()[edge] * share_a;
-	const Real inverse_mass_b = body.inverse_masses()[next] * share_b;
-	const Real inverse_mass = inverse_mass_p + inverse_mass_a * share_a + inverse_mass_b * share_b;
-	if (!(inverse_mass > 0)) {
+	const PointAgainstEdge sides{ point, body.inverse_masses()[point],
+		PointOnEdge({ edge, next, contact.t }, body.inverse_masses()) };
+	if (!(sides.inverse_mass() > 0)) {
 		return; // pinned
 	}
 	const std::span<Vec2> velocities = body.mutable_velocities();
-	const Vec2 relative = velocities[point] - (velocities[edge] * share_a + velocities[next] * share_b);
-	const Real approach = -dot(relative, contact.normal);
-	Vec2 push = contact.normal * contact.depth;
-	Vec2 change;
-	if (approach > 0) {
-		// As between bodies: what came too far is what the approach must lose.
-		const Real normal_change = std::min(approach, contact.depth / h);
-		const Vec2 slide = relative + contact.normal * approach;
-		const Real slide_speed = length(slide);
-		change = contact.normal * normal_change;
-		if (slide_speed > 0) {
-			const Vec2 brake = slide * (-std::min(slide_speed, body.settings().friction * normal_change) / slide_speed);
-			change += brake;
-			push += brake * h;
-		}
-	}
-	push *= 1 / inverse_mass;
-	change *= 1 / inverse_mass;
-	to_[point] += push * inverse_mass_p;
-	velocities[point] += change * inverse_mass_p;
-	to_[edge] -= push * inverse_mass_a;
-	velocities[edge] -= change * inverse_mass_a;
-	to_[next] -= push * inverse_mass_b;
-	velocities[next] -= change * inverse_mass_b;
+	const Vec2 relative = velocities[point] - sides.edge.of(velocities);
+	// As between bodies: what came too far is what the approach must lose.
+	const Real normal_change = std::max(Real(0), std::min(-dot(relative, contact.normal), contact.depth / h));
+	const ContactChange<Real> change =
+			contact_change(relative, contact.normal, contact.depth, normal_change, body.settings().friction, h);
+	const Real per_impulse = 1 / sides.inverse_mass();
+	sides.part(to_, to_, change.position * per_impulse);
+	sides.part(velocities, velocities, change.velocity * per_impulse);
 	is_moved_[point] = is_moved_[edge] = is_moved_[next] = 1;
 }
 

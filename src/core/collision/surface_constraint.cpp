@@ -21,49 +21,21 @@ Real combined_restitution(const BodySettings &settings, const Surface &surface) 
 
 Real solve_surface_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,
 		Real h) {
-	const auto [a, b, t] = contact.place;
-	const Real share_a = 1 - t;
-	const Real share_b = a == b ? Real(0) : t;
-	const Real inverse_mass_a = body.inverse_masses()[a] * share_a;
-	const Real inverse_mass_b = body.inverse_masses()[b] * share_b;
-	// An impulse J at the place moves it by J w with w = w_a (1-t)² + w_b t²; dividing by w turns the
-	// wanted change at the place into the changes of its end points.
-	// Beside a pinned or very heavy end the exact w goes to 0 and would throw the other end away; the floor
-	// leaves such a contact partly unsolved, for the next substep.
-	const Real largest = std::max(body.inverse_masses()[a], body.inverse_masses()[b]);
-	const Real inverse_mass = std::max(inverse_mass_a * share_a + inverse_mass_b * share_b, LEAST_EDGE_INVERSE_MASS * largest);
-	if (!(inverse_mass > 0)) {
+	const PointOnEdge place(contact.place, body.inverse_masses());
+	if (!(place.inverse_mass > 0)) {
 		return 0; // pinned
 	}
 	const std::span<Vec2> x = body.mutable_positions();
 	const std::span<Vec2> v = body.mutable_velocities();
-	const Vec2 place = x[a] * share_a + x[b] * share_b;
-	const Vec2 relative = v[a] * share_a + v[b] * share_b - surface.velocity_at(place);
-	Vec2 shift = contact.normal * contact.depth;
-	Vec2 velocity_change;
-	Real normal_change = 0;
-
+	const Vec2 relative = place.of(v) - surface.velocity_at(place.of(x));
 	const Real approach = -dot(relative, contact.normal);
-	if (approach > 0) {
-		const Real friction = combined_friction(body.settings(), surface);
-		const Real restitution = combined_restitution(body.settings(), surface);
-		normal_change = approach * (approach > bounce_threshold ? 1 + restitution : Real(1));
-		const Vec2 slide = relative + contact.normal * approach;
-		const Real slide_speed = length(slide);
-		velocity_change = contact.normal * normal_change;
-		if (slide_speed > 0) {
-			const Vec2 brake = slide * (-std::min(slide_speed, friction * normal_change) / slide_speed);
-			velocity_change += brake;
-			shift += brake * h;
-		}
-	}
-	x[a] += shift * (inverse_mass_a / inverse_mass);
-	v[a] += velocity_change * (inverse_mass_a / inverse_mass);
-	if (a != b) {
-		x[b] += shift * (inverse_mass_b / inverse_mass);
-		v[b] += velocity_change * (inverse_mass_b / inverse_mass);
-	}
-	return normal_change / inverse_mass;
+	const Real restitution = combined_restitution(body.settings(), surface);
+	const Real normal_change = approach > 0 ? approach + rebound_speed(approach, restitution, bounce_threshold) : Real(0);
+	const ContactChange<Real> change = contact_change(relative, contact.normal, contact.depth, normal_change,
+			combined_friction(body.settings(), surface), h);
+	place.change(x, change.position);
+	place.change(v, change.velocity);
+	return normal_change / place.inverse_mass;
 }
 
 void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h) {
@@ -87,15 +59,7 @@ void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_t
 		touch.restitution = load.restitution / load.normal_impulse;
 		// What this substep's contacts have just taken belongs to the approach.
 		const Vec2 before = velocity - load.impulse * (1 / mass) - touch.surface_velocity;
-		const Real approach = -dot(before, touch.normal);
-		if (!touch.touching) {
-			touch.approach = 0;
-		} else if (std::abs(approach) <= bounce_threshold) {
-			// A turning point passes through here within a substep or two; a body at rest stays.
-			touch.approach *= std::max(Real(0), 1 - h / BOUNCE_MEMORY);
-		}
-		touch.approach = std::max(touch.approach, approach);
-		touch.touching = true;
+		remember_approach(touch, -dot(before, touch.normal), bounce_threshold, h);
 		return;
 	}
 	const Real leaving = dot(velocity - touch.surface_velocity, touch.normal);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/vec2.h"
+#include "core/collision/point_edge_constraint.h"
 #include "core/model/body_lanes.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/surroundings.h"
@@ -11,21 +12,6 @@
 #include <span>
 
 namespace softbody {
-
-/// A place on a body's hull: a point (`a == b`, `t` 0), or a place on the edge from `a` to `b`.
-struct HullPlace {
-	std::size_t a = 0;
-	std::size_t b = 0;
-	Real t = 0; ///< share of b, 0..1
-};
-
-inline Vec2 position_of(const HullPlace &place, std::span<const Vec2> positions) {
-	return positions[place.a] * (1 - place.t) + positions[place.b] * place.t;
-}
-
-inline std::uint32_t nearest_point(const HullPlace &place) {
-	return std::uint32_t(place.t < Real(0.5) ? place.a : place.b);
-}
 
 /// A contact of a body with its surroundings, ready to be solved.
 struct SurfaceContact {

@@ -13,7 +13,7 @@ template <class T>
 void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_threshold, Real h,
 		BasicContactLoad<T> &load, std::span<BasicPointSolution<T>> solutions) {
 	const Surface &surface = border.surface;
-	const T friction(combined_friction(body.model.settings, surface));
+	const Real friction = combined_friction(body.model.settings, surface);
 	const Real restitution = combined_restitution(body.model.settings, surface);
 	// Bodies side by side have no bounce to remember.
 	const bool load_matters = std::is_same_v<T, Real> || body.model.settings.rolling_resistance > 0;
@@ -29,20 +29,18 @@ void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_th
 		}
 		const BasicVec2<T> relative = v - surface.velocity_at(x);
 		const T approach = -dot(relative, normal);
-		const auto is_pressing = both(is_inside, approach > T(0));
-		const T normal_change = approach * select(approach > T(bounce_threshold), T(1 + restitution), T(1));
-		const BasicVec2<T> slide = relative + normal * approach;
-		const T slide_speed = length(slide);
-		const T kept = -(lesser(slide_speed, friction * normal_change) / slide_speed);
-		const BasicVec2<T> brake = slide * select(slide_speed > T(0), kept, T(0));
-		x += select(is_inside, normal * -distance, BasicVec2<T>{}) + select(is_pressing, brake * T(h), BasicVec2<T>{});
-		v += select(is_pressing, normal * normal_change + brake, BasicVec2<T>{});
+		const T normal_change = select(both(is_inside, approach > T(0)),
+				approach + rebound_speed(approach, restitution, bounce_threshold), T(0));
+		const T depth = select(is_inside, -distance, T(0));
+		const ContactChange<T> change = contact_change(relative, normal, depth, normal_change, friction, h);
+		x += change.position;
+		v += change.velocity;
 		load.contacts += select(is_inside, T(1), T(0));
 		if (load_matters || !solutions.empty()) {
-			const T impulse = select(is_pressing, normal_change * T(1 / body.inverse_masses[i]), T(0));
+			const T impulse = normal_change * T(1 / body.inverse_masses[i]);
 			load.add(impulse, normal, x, surface, restitution);
 			if (!solutions.empty()) {
-				solutions[i] = { select(is_inside, -distance, T(0)), impulse };
+				solutions[i] = { depth, impulse };
 			}
 		}
 	}

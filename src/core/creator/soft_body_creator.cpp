@@ -194,8 +194,4 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	return SoftBodyShape::create(std::move(description));
 }
 
-Real damping_for_ratio(Real ratio, Real stiffness, Real total_mass, std::size_t point_count) {
-	return ratio * std::sqrt(stiffness * total_mass / Real(point_count));
-}
-
 } // namespace softbody

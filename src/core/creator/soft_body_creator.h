@@ -60,8 +60,4 @@ public:
 			const StructureOptions &options);
 };
 
-/// Damping coefficient c [force·s/length] that gives each spring the damping ratio `ratio`
-/// on points of mass `total_mass / point_count`: c = ratio sqrt(k m).
-Real damping_for_ratio(Real ratio, Real stiffness, Real total_mass, std::size_t point_count);
-
 } // namespace softbody

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Energy and momentum of a body.
+// Energy of a body.
 #include "core/dynamics/energy.h"
 
 #include "core/dynamics/elastic_lanes.h"
@@ -95,19 +95,6 @@ Energy measure_energy(const SoftBodyData &body, Vec2 gravity) {
 		energy.springs += double(spring.stiffness) * body.settings().spring_stiffness_scale * stretch * stretch / 2;
 	}
 	return energy;
-}
-
-Momentum measure_momentum(const SoftBodyData &body, Vec2 origin) {
-	Momentum momentum;
-	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		const double mass = body.shape().masses()[i];
-		const Vec2 v = body.velocities()[i];
-		const Vec2 p = body.positions()[i];
-		momentum.linear_x += mass * v.x;
-		momentum.linear_y += mass * v.y;
-		momentum.angular += mass * ((double(p.x) - origin.x) * v.y - (double(p.y) - origin.y) * v.x);
-	}
-	return momentum;
 }
 
 } // namespace softbody

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Energy and momentum of a body, for tests, charts and the curious.
+// Energy of a body.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -21,13 +21,5 @@ struct Energy {
 };
 
 Energy measure_energy(const SoftBodyData &body, Vec2 gravity);
-
-struct Momentum {
-	double linear_x = 0; ///< [mass·length/s]
-	double linear_y = 0;
-	double angular = 0; ///< about `origin` [mass·length²/s]
-};
-
-Momentum measure_momentum(const SoftBodyData &body, Vec2 origin = {});
 
 } // namespace softbody

@@ -43,17 +43,8 @@ JointSolver::Side JointSolver::side_of(const JointAnchor &anchor) const {
 	side.body = world_->find(anchor.body);
 	side.active_index = active_indices_[std::size_t(side.body - world_->soft_bodies().data())];
 	const std::uint32_t hull_count = std::uint32_t(side.body->shape().hull_count());
-	const bool is_on_edge = anchor.fraction != 0;
-	side.place.a = anchor.point;
-	side.place.b = is_on_edge ? (anchor.point + 1) % hull_count : anchor.point;
-	side.place.t = anchor.fraction;
-	const std::span<const Real> w = side.body->inverse_masses();
-	const Real share_a = 1 - side.place.t;
-	const Real share_b = side.place.t;
-	side.inverse_mass_a = w[side.place.a] * share_a;
-	side.inverse_mass_b = w[side.place.b] * share_b;
-	side.inverse_mass = std::max(side.inverse_mass_a * share_a + side.inverse_mass_b * share_b,
-			LEAST_EDGE_INVERSE_MASS * std::max(w[side.place.a], w[side.place.b]));
+	const std::uint32_t end = anchor.fraction != 0 ? (anchor.point + 1) % hull_count : anchor.point;
+	side.place = PointOnEdge({ anchor.point, end, anchor.fraction }, side.body->inverse_masses());
 	return side;
 }
 
@@ -184,7 +175,7 @@ bool JointSolver::wake_joined() {
 
 void JointSolver::update_place(Side &side, Real elapsed) const {
 	if (side.body) {
-		side.at = position_of(side.place, side.body->positions());
+		side.at = side.place.of(side.body->positions());
 	} else if (side.rigid != NO_RIGID_BODY) {
 		const RigidBody &rigid = world_->rigid_bodies()[side.rigid];
 		const Pose pose = rigid.is_dynamic() ? rigid.pose : rigid.pose_after(elapsed);
@@ -197,7 +188,7 @@ void JointSolver::update_place(Side &side, Real elapsed) const {
 
 Vec2 JointSolver::velocity_of(const Side &side) const {
 	if (side.body) {
-		return position_of(side.place, side.body->velocities());
+		return side.place.of(side.body->velocities());
 	}
 	if (side.rigid != NO_RIGID_BODY) {
 		const RigidBody &rigid = world_->rigid_bodies()[side.rigid];
@@ -211,20 +202,13 @@ void JointSolver::move(Side &side, Vec2 way) const {
 		return;
 	}
 	const std::span<Vec2> x = side.body->mutable_positions();
-	x[side.place.a] += way * side.inverse_mass_a;
-	if (side.place.a != side.place.b) {
-		x[side.place.b] += way * side.inverse_mass_b;
-	}
-	side.at = position_of(side.place, x);
+	side.place.push(x, way);
+	side.at = side.place.of(x);
 }
 
 void JointSolver::apply(Side &side, Vec2 impulse) const {
 	if (side.body) {
-		const std::span<Vec2> v = side.body->mutable_velocities();
-		v[side.place.a] += impulse * side.inverse_mass_a;
-		if (side.place.a != side.place.b) {
-			v[side.place.b] += impulse * side.inverse_mass_b;
-		}
+		side.place.push(side.body->mutable_velocities(), impulse);
 	} else if (side.rigid != NO_RIGID_BODY) {
 		RigidBody &rigid = world_->mutable_rigid_bodies()[side.rigid];
 		if (!rigid.is_dynamic()) {
@@ -245,7 +229,7 @@ void JointSolver::apply(Side &side, Vec2 impulse) const {
 void JointSolver::close_gap(Active &active, Vec2 gap, Vec2 relative_velocity, Real h) {
 	Side &first = active.sides[0];
 	Side &second = active.sides[1];
-	const Real inverse_mass = first.inverse_mass + second.inverse_mass;
+	const Real inverse_mass = first.place.inverse_mass + second.place.inverse_mass;
 	const Real size = length(gap);
 	if (!(inverse_mass > 0) || !(size > 0)) {
 		return;
@@ -269,7 +253,7 @@ void JointSolver::close_gap(Active &active, Vec2 gap, Vec2 relative_velocity, Re
 void JointSolver::keep_spin(Active &active, Real closed) {
 	auto &[first, second] = active.sides;
 	const Real distance = dot(second.at - first.at, active.direction);
-	const Real inverse_mass = first.inverse_mass + second.inverse_mass;
+	const Real inverse_mass = first.place.inverse_mass + second.place.inverse_mass;
 	const bool is_soft = first.rigid == NO_RIGID_BODY && second.rigid == NO_RIGID_BODY;
 	if (!is_soft || !(inverse_mass > 0) || !(distance > 2 * std::abs(closed))) {
 		return;
@@ -307,7 +291,7 @@ void JointSolver::prepare(Active &active, Real elapsed, Real h) {
 		gap = active.direction * (distance - joint.rest_length);
 	}
 	if (is_rigid(joint)) {
-		if (first.inverse_mass + second.inverse_mass > 0) {
+		if (first.place.inverse_mass + second.place.inverse_mass > 0) {
 			close_gap(active, gap, relative_velocity, h);
 			update_place(first, elapsed);
 			update_place(second, elapsed);
@@ -318,7 +302,7 @@ void JointSolver::prepare(Active &active, Real elapsed, Real h) {
 	if (!active.is_line) {
 		return;
 	}
-	active.response = first.inverse_mass + second.inverse_mass;
+	active.response = first.place.inverse_mass + second.place.inverse_mass;
 	for (const Side &side : active.sides) {
 		if (side.rigid != NO_RIGID_BODY) {
 			const RigidBody &rigid = world_->rigid_bodies()[side.rigid];
@@ -339,7 +323,7 @@ void JointSolver::push(Active &active) {
 		}
 		change = n * (dot(relative, n) / active.response);
 	} else {
-		Real a = first.inverse_mass + second.inverse_mass;
+		Real a = first.place.inverse_mass + second.place.inverse_mass;
 		Real b = 0;
 		Real c = a;
 		for (const Side &side : active.sides) {
@@ -388,7 +372,7 @@ void JointSolver::stretch(Active &active, Real h) {
 	move(second, change * -h);
 	apply(first, change);
 	apply(second, -change);
-	keep_spin(active, impulse * h * (first.inverse_mass + second.inverse_mass));
+	keep_spin(active, impulse * h * (first.place.inverse_mass + second.place.inverse_mass));
 	active.impulse += change;
 	active.total += change;
 }
@@ -397,7 +381,7 @@ void JointSolver::begin_substep(const SubstepGroup &group) {
 	for (Active &active : active_) {
 		for (Side &side : active.sides) {
 			if (side.body && active.is_in(group)) {
-				side.before = position_of(side.place, side.body->positions());
+				side.before = side.place.of(side.body->positions());
 			}
 		}
 	}

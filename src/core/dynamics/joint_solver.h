@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/collision/broad_phase.h"
+#include "core/collision/point_edge_constraint.h"
 #include "core/collision/substep_group.h"
-#include "core/collision/surface_constraint.h"
 #include "core/model/world_data.h"
 
 #include <algorithm>
@@ -62,12 +62,9 @@ private:
 	struct Side {
 		SoftBodyData *body = nullptr;
 		std::uint32_t active_index = UINT32_MAX;
-		HullPlace place;
+		PointOnEdge place; ///< on the soft body; has no inverse mass where this end is not soft
 		std::uint32_t rigid = NO_RIGID_BODY;
 		Vec2 position; ///< as in `JointAnchor`
-		Real inverse_mass_a = 0; ///< share times inverse mass of the ends of the place
-		Real inverse_mass_b = 0;
-		Real inverse_mass = 0; ///< of the place
 		Vec2 before; ///< where it was when the substep began
 		Vec2 at; ///< where it is now
 		Vec2 arm; ///< from the rigid body's center of mass

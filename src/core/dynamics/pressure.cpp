@@ -13,10 +13,6 @@ Real area_and_gradient(std::span<const Vec2> hull, std::span<Vec2> gradient) {
 	return hull_area<Real>(hull);
 }
 
-Real pressure_at(const SoftBodyData &body, Real area) {
-	return body.settings().pressure_stiffness * (body.settings().inflation - area / body.shape().rest_area());
-}
-
 template void add_pressure_forces<Real>(const SoftBodyShape &, const BodySettings &, std::span<const Vec2>,
 		std::span<Vec2>);
 template void add_pressure_forces<RealPack>(const SoftBodyShape &, const BodySettings &,

@@ -214,7 +214,7 @@ void Simulator::step_islands(int substeps, Real dt) {
 	std::ranges::copy_if(coupled_, std::back_inserter(group_), [&](std::uint32_t i) { return group.has(i); });
 	const bool moves_rigid_bodies = substeps == contact_substeps_.of_rigid_bodies();
 	const Real duration = dt / Real(substeps);
-	pair_contacts_.begin_substeps(pair_bodies(), duration);
+	pair_contacts_.begin_substeps(duration);
 	for (int substep = 0; substep < substeps; ++substep) {
 		if (moves_rigid_bodies) {
 			rigid_contacts_.begin_substep(duration);

@@ -18,10 +18,4 @@ constexpr Real signed_distance(const Plane &plane, Vec2 p) {
 	return dot(plane.normal, p - plane.position);
 }
 
-/// The closest point of the plane, along the normal. Thesis Alg. 4.4 intersects along the velocity
-/// instead, which throws a shallow, fast point far away.
-constexpr Vec2 project(const Plane &plane, Vec2 p) {
-	return p - plane.normal * signed_distance(plane, p);
-}
-
 } // namespace softbody

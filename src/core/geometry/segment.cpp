@@ -20,11 +20,6 @@ constexpr double END_TOLERANCE = 1e-6;
 // a root in double, which near a grazing hit is about 1e-8 in time but not in distance.
 constexpr double GAP_TOLERANCE = 1e-9;
 
-double closest_parameter(Vec2d p, Vec2d along) {
-	const double size = dot(along, along);
-	return size > 0 ? std::clamp(dot(p, along) / size, 0.0, 1.0) : 0.0;
-}
-
 // Everything seen from the moving end a, so that two motions are left: of the point and of the end b.
 struct RelativeMotion {
 	Vec2d point;
@@ -122,36 +117,6 @@ Real closest_parameter_on_segment(Vec2 p, Vec2 a, Vec2 b) {
 		return 0;
 	}
 	return std::clamp(dot(p - a, along) / size, Real(0), Real(1));
-}
-
-SegmentDistance closest_points_on_segments(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-	const Vec2d ab = difference(b, a);
-	const Vec2d cd = difference(d, c);
-	const Vec2d ac = difference(c, a);
-	const Vec2d ad = difference(d, a);
-	const Vec2d bc = difference(c, b);
-	if (const auto meet = segment_intersection(a, b, c, d)) {
-		return { 0, *meet, Real(closest_parameter(ab * double(*meet) - ac, cd)) };
-	}
-	// In the plane, segments that do not meet are closest at an end of one of them.
-	double best_s = 0;
-	double best_t = 0;
-	double least = 0;
-	bool first = true;
-	const auto offer = [&](double s, double t) {
-		const Vec2d gap = ac + cd * t - ab * s;
-		if (first || dot(gap, gap) < least) {
-			least = dot(gap, gap);
-			best_s = s;
-			best_t = t;
-			first = false;
-		}
-	};
-	offer(0, closest_parameter(ac * -1, cd));
-	offer(1, closest_parameter(bc * -1, cd));
-	offer(closest_parameter(ac, ab), 0);
-	offer(closest_parameter(ad, ab), 1);
-	return { Real(std::sqrt(least)), Real(best_s), Real(best_t) };
 }
 
 std::optional<SegmentImpact> point_segment_impact(const Motion &p, const Motion &a, const Motion &b) {

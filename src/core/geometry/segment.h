@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests on line segments: where two meet, how far they are apart, when a moving point hits a moving one.
+// Tests on line segments: where two meet, when a moving point hits a moving one.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -15,17 +15,6 @@ std::optional<Real> segment_intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
 /// Parameter t in [0, 1] of the point a + t(b - a) closest to p; 0 when a and b coincide.
 Real closest_parameter_on_segment(Vec2 p, Vec2 a, Vec2 b);
-
-/// Two closest points of two segments.
-struct SegmentDistance {
-	Real distance = 0; ///< [length], 0 when they meet
-	Real s = 0; ///< parameter in [0, 1] along ab
-	Real t = 0; ///< parameter in [0, 1] along cd
-};
-
-/// How far segments ab and cd are apart, and where. Where several pairs are closest (parallel
-/// segments) one of them is given. A segment may be a point.
-SegmentDistance closest_points_on_segments(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
 /// A point that moves from one place to another at constant velocity during a time of 1.
 struct Motion {

@@ -344,24 +344,6 @@ std::array<double, 2> SoftBodyShape::largest_triangle_inverse_masses() const {
 	return { bound_of(&Coupling::shear), bound_of(&Coupling::dilation) };
 }
 
-Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::with_spring_values(Real stiffness, Real damping) const {
-	if (Status status = check_at_least("stiffness", stiffness, 0, "N/m")) {
-		return *status;
-	}
-	if (Status status = check_at_least("damping", damping, 0, "N·s/m")) {
-		return *status;
-	}
-	std::shared_ptr<SoftBodyShape> copy(new SoftBodyShape(*this));
-	for (Spring2D &spring : copy->springs_) {
-		spring.stiffness = stiffness;
-		spring.damping = damping;
-	}
-	if (Status status = copy->derive()) {
-		return *status;
-	}
-	return std::shared_ptr<const SoftBodyShape>(std::move(copy));
-}
-
 Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::with_total_mass(Real total_mass) const {
 	if (Status status = check_above("mass", total_mass, 0, "kg")) {
 		return *status;

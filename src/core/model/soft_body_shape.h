@@ -82,8 +82,6 @@ public:
 	Real least_hull_mass() const { return least_hull_mass_; } ///< [mass]
 	Real shortest_hull_edge() const { return shortest_hull_edge_; } ///< at rest [length], > 0
 
-	/// Copy with every spring's stiffness and damping replaced. Refuses negative or non-finite values.
-	Result<std::shared_ptr<const SoftBodyShape>> with_spring_values(Real stiffness, Real damping) const;
 	/// Copy with all masses scaled so that they sum to `total_mass`. Refuses values not > 0.
 	Result<std::shared_ptr<const SoftBodyShape>> with_total_mass(Real total_mass) const;
 

@@ -60,21 +60,6 @@ Status WorldData::set_contact_substeps(int contact_substeps) {
 	return {};
 }
 
-void WorldData::set_contact_response(ContactResponse response) {
-	if (response != contact_response_) {
-		wake_all();
-	}
-	contact_response_ = response;
-}
-
-Status WorldData::set_separation_stiffness(Real stiffness) {
-	if (Status status = check_at_least("separation_stiffness", stiffness, 0, "N/m²")) {
-		return status;
-	}
-	separation_stiffness_ = stiffness;
-	return {};
-}
-
 BodyId WorldData::add_soft_body(SoftBodyData body) {
 	if (free_slots_.empty()) {
 		free_slots_.push_back(std::uint32_t(slots_.size()));
@@ -248,38 +233,6 @@ Status WorldData::add_collider(Collider collider) {
 	}
 	colliders_.push_back(std::move(collider));
 	environment_version_ = next_version();
-	return {};
-}
-
-Status WorldData::add_chain(std::span<const Vec2> points, bool closed, const Collider &like) {
-	const std::size_t least = closed ? 3 : 2;
-	if (points.size() < least) {
-		return Error{ "chain", std::to_string(points.size()) + " points",
-			"must have at least " + std::to_string(least) + " points", "give the missing points" };
-	}
-	const std::size_t count = colliders_.size();
-	for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
-		Collider segment = like;
-		const std::size_t size = points.size();
-		segment.vertices = { points[i], points[(i + 1) % size] };
-		if (closed || i > 0) {
-			segment.ghost_at_first = points[(i + size - 1) % size];
-		}
-		if (closed || i + 2 < size) {
-			segment.ghost_at_second = points[(i + 2) % size];
-		}
-		Status status;
-		if (segment.vertices[0] == segment.vertices[1]) {
-			status = Error{ "chain[" + std::to_string(i) + "]", "coincides with the next", "must differ from its neighbors",
-				"remove one of the two" };
-		} else {
-			status = add_collider(std::move(segment));
-		}
-		if (status) {
-			colliders_.erase(colliders_.begin() + std::ptrdiff_t(count), colliders_.end());
-			return status;
-		}
-	}
 	return {};
 }
 

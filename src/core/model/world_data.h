@@ -6,7 +6,6 @@
 #include "core/base/error.h"
 #include "core/base/vec2.h"
 #include "core/model/body_id.h"
-#include "core/model/contact_response.h"
 #include "core/model/joint.h"
 #include "core/model/rigid_body.h"
 #include "core/model/soft_body_data.h"
@@ -40,13 +39,6 @@ public:
 	/// MIN_CONTACT_SUBSTEPS.
 	int contact_substeps() const { return contact_substeps_; }
 	Status set_contact_substeps(int contact_substeps);
-
-	/// How soft bodies that touch one another are kept apart. Default POSITION_BASED.
-	ContactResponse contact_response() const { return contact_response_; }
-	void set_contact_response(ContactResponse response);
-	/// Strength κ of the separation force [force/length², times `length_unit`], >= 0. Default SEPARATION_STIFFNESS.
-	Real separation_stiffness() const { return separation_stiffness_; }
-	Status set_separation_stiffness(Real stiffness);
 
 	/// Wakes every sleeping body.
 	void wake_all();
@@ -109,11 +101,6 @@ public:
 	/// Refuses colliders that `check_collider` refuses, and a missing rigid body.
 	Status add_collider(Collider collider);
 
-	/// Adds a chain: a segment from each point to the next, and back to the first if `closed`, with the radius, surface and
-	/// rigid body of `like`. It holds from both sides; what is inside a closed one stays inside. Refuses fewer than two
-	/// points (three if closed), neighbors that coincide and what `add_collider` refuses, and then adds nothing.
-	Status add_chain(std::span<const Vec2> points, bool closed, const Collider &like = {});
-
 	/// Rigid bodies that own colliders. A step moves them: after it they are where its end found them, with the
 	/// velocities that contacts left them.
 	std::span<const RigidBody> rigid_bodies() const { return rigid_bodies_; }
@@ -159,8 +146,6 @@ private:
 	std::vector<RigidBody> rigid_bodies_;
 	std::vector<Reaction> reactions_; ///< one a rigid body
 	std::uint64_t environment_version_ = 0;
-	ContactResponse contact_response_ = ContactResponse::POSITION_BASED;
-	Real separation_stiffness_ = SEPARATION_STIFFNESS;
 };
 
 } // namespace softbody

@@ -7,12 +7,13 @@
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/energy.h"
 #include "core/geometry/polygon.h"
-#include "core/geometry/polygon_overlap.h"
+#include "thesis/polygon_overlap.h"
 #include "core/model/body_frame.h"
 #include "core/model/material.h"
 #include "scenes/deformations.h"
 #include "scenes/jelly.h"
 #include "scenes/stress/stress.h"
+#include "thesis/damping_ratio.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Spin, sizes, places and pins out of the ordinary.
 #include "scenes/stress/bodies.h"
+#include "thesis/momentum.h"
 
 namespace softbody::testing {
 

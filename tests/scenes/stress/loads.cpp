@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What presses on bodies: a hundred others, closing walls, funnels, gravity out of bounds.
 #include "scenes/stress/bodies.h"
+#include "scenes/chain.h"
 
 #include <algorithm>
 #include <limits>
@@ -121,7 +122,7 @@ StressScene funnel(const StressSetup &setup, double gap) {
 		wall.surface.friction = Real(0.2);
 		const Real lip = side * Real(gap * JELLY_RADIUS + 2);
 		const std::vector<Vec2> points = { { lip, 0 }, { lip + side * 200, -200 }, { lip + side * 200, -800 } };
-		scene.world.add_chain(points, false, wall);
+		add_chain(scene.world, points, false, wall);
 	}
 	scene.world.add_border(floor_at(400));
 	scene.world.add_soft_body(stress_ball({ 10, -200 }, setup, { 1, 100 }));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Heavy against light, stiff against soft: between bodies and within one.
 #include "scenes/stress/bodies.h"
+#include "thesis/damping_ratio.h"
+#include "thesis/momentum.h"
 
 namespace softbody::testing {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How much two polygons overlap.
-#include "core/geometry/polygon_overlap.h"
+#include "thesis/polygon_overlap.h"
 
 #include "core/geometry/polygon.h"
 #include "core/geometry/vec2d.h"

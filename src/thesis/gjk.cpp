@@ -5,7 +5,7 @@
 // by the point w of D that lies least far along v. D lies wholly beyond the line through w across v, so v·w / |v| is a
 // lower bound of the distance while |v| is an upper one. Only a positive lower bound makes the sets "apart": a wrong
 // turn of the search by rounding can cost a separation, but not invent one.
-#include "core/geometry/gjk.h"
+#include "thesis/gjk.h"
 
 #include "core/geometry/vec2d.h"
 

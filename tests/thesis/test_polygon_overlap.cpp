@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Claims about how much polygons overlap, against cuts into slabs, dense sampling and known shapes.
 #include "core/geometry/polygon.h"
-#include "core/geometry/polygon_overlap.h"
+#include "thesis/polygon_overlap.h"
 #include "geometry/integer_geometry.h"
 #include "support/compare.h"
 

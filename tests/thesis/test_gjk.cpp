@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Claims about the distance of convex sets, against all pairs of segments and triangles on a small integer grid.
-#include "core/geometry/gjk.h"
+#include "thesis/gjk.h"
 #include "geometry/integer_geometry.h"
 #include "support/compare.h"
 
