@@ -102,7 +102,7 @@ json measure_size(std::size_t bodies, ThreadPool &pool) {
 	row["forces_ns"] = seen ? json(forces) : json(nullptr);
 	row["broad_phase_ns"] = boxes + pairs;
 	row["contacts_ns"] = seen ? json(contact) : json(nullptr);
-	// By processor time, so as if nobody else used the machine; without the cost of asking a second thread.
+	// By processor time, so independent of other programs; without the cost of waking a second thread.
 	const double with_two = mean - statistics_of(saved).mean * ns;
 	row["scheduled_speedup"] = seen ? json(mean / with_two) : json(nullptr);
 	row["rest_ns"] = seen ? json(mean - forces - boxes - pairs - contact) : json(nullptr);

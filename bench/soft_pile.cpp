@@ -52,7 +52,7 @@ SoftPileSettings default_settings(double stiffness) {
 SoftPileSettings explicit_euler_settings(double stiffness, double h) {
 	SoftPileSettings settings = default_settings(stiffness);
 	settings.integrator = softbody::Integrator::EXPLICIT_EULER;
-	settings.substeps = settings.contact_substeps; // one force substep in each, and as many for who touches nobody
+	settings.substeps = settings.contact_substeps; // one force substep in each, and as many for bodies without contacts
 	settings.damping = 2 * h * stiffness;
 	settings.shape_damping = 2 * h * settings.shape_stiffness;
 	return settings;
