@@ -18,8 +18,8 @@ constexpr std::size_t BODIES_AHEAD = 12;
 
 } // namespace
 
-Simulator::Simulator(WorldData &world, ParallelFor parallel_for) :
-		world_(world), parallel_for_(std::move(parallel_for)), bodies_(world),
+Simulator::Simulator(WorldData &world, ParallelFor parallel_for, Clock clock) :
+		world_(world), parallel_for_(std::move(parallel_for)), clock_(std::move(clock)), bodies_(world),
 		sleep_(world, bodies_, surroundings_, joint_solver_), steppers_(MOST_SLICES) {}
 
 SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
@@ -51,13 +51,18 @@ StepReport Simulator::simulate(Real dt) {
 	if (report.refused) {
 		return report;
 	}
+	profile_ = {};
+	timer_.start();
 	begin_step(dt);
 	find_rigid_contacts(dt);
+	timer_.lap(profile_.begin);
 	if (!bodies_.awake().empty() || rigid_contacts_.has_bodies()) {
 		bodies_.plan_pressure(dt);
 		divide_bodies(dt);
 	}
+	timer_.lap(profile_.broad_phase);
 	step_free(dt);
+	timer_.lap(profile_.bodies);
 	if (!coupled_.empty() || rigid_contacts_.has_bodies()) {
 		step_coupled(dt);
 	} else {
@@ -73,6 +78,8 @@ StepReport Simulator::simulate(Real dt) {
 		let_sleep();
 	}
 	collect(report);
+	timer_.lap(profile_.end);
+	report.profile = profile_;
 	return report;
 }
 
@@ -197,6 +204,7 @@ void Simulator::step_coupled(Real dt) {
 		}
 	});
 	check_touched_sleepers(dt);
+	timer_.lap(profile_.bodies);
 }
 
 // The islands that take so many contact substeps.
@@ -226,12 +234,15 @@ void Simulator::step_islands(int substeps, Real dt) {
 				std::ranges::copy(bodies_.solver_body(i).hull(), bodies_.sweep_start(i).begin());
 			}
 		});
+		timer_.lap(profile_.bodies);
 		pair_contacts_.solve(pair_bodies(), group, parallel_for_);
+		timer_.lap(profile_.pair_contacts);
 		joint_solver_.solve(Real(substep + 1) * duration, duration, group);
 		if (moves_rigid_bodies && rigid_contacts_.has_bodies()) {
 			rigid_contact_count_ += rigid_contacts_.solve(parallel_for_);
 		}
 		solve_self_contacts(group_, duration);
+		timer_.lap(profile_.couplings);
 	}
 }
 

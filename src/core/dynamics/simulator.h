@@ -15,6 +15,7 @@
 #include "core/dynamics/pin_motion.h"
 #include "core/dynamics/rigid_neighbors.h"
 #include "core/dynamics/sleep_watch.h"
+#include "core/dynamics/step_profile.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/model/world_data.h"
 
@@ -39,6 +40,7 @@ struct StepReport {
 	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves solved, summed over substeps
 	/// Joints that bore more than they can (Joint::break_force) and are gone. Each is told once.
 	std::vector<JointId> broken_joints;
+	StepProfile profile;
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
@@ -51,7 +53,7 @@ class Simulator {
 public:
 	/// `world` must outlive the simulator. With `parallel_for` the work of a step is divided; its results are the
 	/// same bits for any number of threads.
-	explicit Simulator(WorldData &world, ParallelFor parallel_for = {});
+	explicit Simulator(WorldData &world, ParallelFor parallel_for = {}, Clock clock = {});
 	Simulator(const Simulator &) = delete;
 	Simulator &operator=(const Simulator &) = delete;
 
@@ -96,6 +98,9 @@ private:
 
 	WorldData &world_;
 	ParallelFor parallel_for_;
+	Clock clock_;
+	PhaseTimer timer_{ clock_ };
+	StepProfile profile_; ///< of the present step
 	ActiveBodies bodies_;
 	ColliderIndex surroundings_;
 	SleepWatch sleep_;

@@ -182,7 +182,7 @@ Status SoftBodyShape::derive() {
 
 	spring_frequency_squared_ = Real(largest_rate(&Spring2D::stiffness));
 	spring_damping_rate_ = Real(largest_rate(&Spring2D::damping));
-	const auto [shear, dilation] = largest_triangle_mobilities();
+	const auto [shear, dilation] = largest_triangle_inverse_masses();
 	triangle_shear_inverse_mass_ = Real(shear);
 	triangle_dilation_inverse_mass_ = Real(dilation);
 	return check_derived();
@@ -325,7 +325,7 @@ std::vector<Coupling> couplings_of(const ElasticTriangles &mesh) {
 } // namespace
 
 // Shear, then dilation.
-std::array<double, 2> SoftBodyShape::largest_triangle_mobilities() const {
+std::array<double, 2> SoftBodyShape::largest_triangle_inverse_masses() const {
 	if (triangles_ == nullptr) {
 		return { 0, 0 };
 	}

@@ -92,7 +92,7 @@ private:
 	Status derive();
 	Status check_derived() const;
 	double largest_rate(Real Spring2D::*coefficient) const;
-	std::array<double, 2> largest_triangle_mobilities() const;
+	std::array<double, 2> largest_triangle_inverse_masses() const;
 	template <class Apply>
 	double largest_eigenvalue(const Apply &apply) const;
 
