@@ -251,6 +251,7 @@ func test_braces_do_not_leave_a_dented_hull() -> void:
 func test_what_users_read_can_be_translated() -> void:
 	check_equal(Words.say("Trace Hull"), "Trace Hull", "text without a translation")
 	if not TranslationServer.has_method(&"get_or_add_domain"):
+		skip("this engine has no translation domains (4.4)")
 		return
 	var translation := Translation.new()
 	translation.locale = TranslationServer.get_locale()

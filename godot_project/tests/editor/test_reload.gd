@@ -390,7 +390,7 @@ func test_no_old_library_stays() -> void:
 		await frames(2)
 	var maps := FileAccess.open("/proc/self/maps", FileAccess.READ)
 	if maps == null:
-		check(true, "only Linux tells")
+		skip("only Linux tells what is mapped into memory")
 		return
 	var mapped := {}
 	while not maps.eof_reached():
