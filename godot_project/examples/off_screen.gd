@@ -15,7 +15,7 @@ var _age := 0.0
 func _ready() -> void:
 	for i in COUNT:
 		var body := SoftBody2D.new()
-		body.hull = SoftBody2D.make_circle_hull(34, 14)
+		body.polygon = SoftBody2D.make_circle_polygon(34, 14)
 		body.position = Vector2(80 + SPACING * i, 250 + 90 * (i % 3))
 		body.stiffness = 180
 		body.bounce = 0.92

@@ -38,7 +38,7 @@ var count := 0
 
 var _bodies: Node2D
 var _substance := SoftBodyMaterial2D.new()
-var _hull := SoftBody2D.make_circle_hull(RADIUS, 8)
+var _polygon := SoftBody2D.make_circle_polygon(RADIUS, 8)
 var _smooth := 0.0 # µs
 var _watched := 0 # ticks since the budget was first reached
 var _mean_count := 0.0
@@ -111,7 +111,7 @@ func _add_some() -> void:
 
 func _add_body() -> void:
 	var body := SoftBody2D.new()
-	body.hull = _hull
+	body.polygon = _polygon
 	body.soft_body_material = _substance
 	body.mass = 0.03
 	# The thesis's bodies have a radius of half a meter; a meter is 22 px here, not 100.

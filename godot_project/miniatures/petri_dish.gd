@@ -12,7 +12,7 @@ const WALL_PARTS := 64
 const OTHERS := 13
 const CRUMBS := 70
 const CRUMB_AREA := 110.0 # px²
-const SIGHT := 260.0 # px, between the hulls
+const SIGHT := 260.0 # px, between the polygons
 const PLAYER_RADIUS := 34.0
 const TINTS: Array[Color] = [
 	Color("ff6b6b"), Color("ffb347"), Color("b388eb"), Color("5aa9e6"), Color("ffd93d"), Color("f78fb3"),

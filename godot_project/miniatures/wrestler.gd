@@ -38,12 +38,12 @@ var _mass := 0.0
 
 func _init(tint := Color.WHITE, direction := 1.0) -> void:
 	facing = direction
-	var leg := SoftBody2D.make_capsule_hull(15, 76, 13)
-	var arm := SoftBody2D.make_capsule_hull(12, 76, 12)
+	var leg := SoftBody2D.make_capsule_polygon(15, 76, 13)
+	var arm := SoftBody2D.make_capsule_polygon(12, 76, 12)
 	_legs.append(_add_part("BackLeg", leg, Vector2(12, 74), tint.darkened(0.25), 0.7))
 	_arms.append(_add_part("BackArm", arm, Vector2(18, -6), tint.darkened(0.25), 0.4))
-	torso = _add_part("Torso", SoftBody2D.make_capsule_hull(34, 112, 16), Vector2.ZERO, tint, 2.0)
-	_head = _add_part("Head", SoftBody2D.make_circle_hull(31, 16), Vector2(0, -80), tint.lightened(0.15), 0.7)
+	torso = _add_part("Torso", SoftBody2D.make_capsule_polygon(34, 112, 16), Vector2.ZERO, tint, 2.0)
+	_head = _add_part("Head", SoftBody2D.make_circle_polygon(31, 16), Vector2(0, -80), tint.lightened(0.15), 0.7)
 	_legs.append(_add_part("FrontLeg", leg, Vector2(-12, 74), tint.darkened(0.12), 0.7))
 	_arms.append(_add_part("FrontArm", arm, Vector2(-18, -6), tint.darkened(0.12), 0.4))
 	for part in parts:
@@ -71,7 +71,7 @@ func _add_part(part_name: String, outline: PackedVector2Array, place: Vector2, t
 		part_mass: float) -> SoftBody2D:
 	var part := SoftBody2D.new()
 	part.name = part_name
-	part.hull = outline
+	part.polygon = outline
 	part.position = place
 	part.mass = part_mass
 	part.stiffness = 420 * part_mass

@@ -6,7 +6,7 @@ const MANY := 10000
 
 ## Where a number that is one larger, or the other boolean, is no value to try.
 var other_values := {
-	"hull": SoftBody2D.make_box_hull(Vector2(120, 70), 25), "inner_points": PackedVector2Array([Vector2(10, 5), Vector2(-20, 0)]),
+	"polygon": SoftBody2D.make_box_polygon(Vector2(120, 70), 25), "inner_points": PackedVector2Array([Vector2(10, 5), Vector2(-20, 0)]),
 	"springs": PackedInt32Array([0, 1, 1, 2, 2, 3, 0, 8, 16, 5]), "spring_stiffness_scales": _scales(2), "spring_damping_scales": _scales(3),
 	"spring_length_scales": _scales(0.9), "pinned_points": PackedInt32Array([0, 3]), "pin_targets": [^".."] as Array[NodePath],
 	"poisson_ratio": 0.25, "vertex_colors": PackedColorArray([Color.RED]), "uv": PackedVector2Array([Vector2.ONE]), "texture": PlaceholderTexture2D.new(),
@@ -243,7 +243,7 @@ static func _pack_scene(count: int) -> PackedScene:
 	for i in count:
 		var body := SoftBody2D.new()
 		body.position = Vector2(90 * (i % 10), -95 * floorf(i / 10.0))
-		body.hull = SoftBody2D.make_circle_hull(40, 12 + i % 5)
+		body.polygon = SoftBody2D.make_circle_polygon(40, 12 + i % 5)
 		body.contact_monitor = true
 		root.add_child(body)
 		body.owner = root
@@ -270,7 +270,7 @@ func test_scenes_change_while_threads_run() -> void:
 			while go_on[0]:
 				var scene := _pack_scene(15).instantiate()
 				for body: SoftBody2D in scene.get_children():
-					if body.hull.size() < 12 or body.get_point_count() != body.hull.size() + 1:
+					if body.polygon.size() < 12 or body.get_point_count() != body.polygon.size() + 1:
 						go_on[0] = false
 				scene.free()
 				built[i] += 1)

@@ -4,7 +4,7 @@ extends "res://tests/support/suite.gd"
 
 ## Name, type, and what the hint must contain.
 const PROPERTIES := {
-	"hull": [TYPE_PACKED_VECTOR2_ARRAY, "suffix:px"],
+	"polygon": [TYPE_PACKED_VECTOR2_ARRAY, "suffix:px"],
 	"mass": [TYPE_FLOAT, "suffix:kg"],
 	"youngs_modulus": [TYPE_FLOAT, "exp,suffix:N/m"],
 	"poisson_ratio": [TYPE_FLOAT, "0,0.49"],
@@ -86,8 +86,8 @@ const DEFAULTS := {
 	"linear_damp_mode": 0, "linear_damp": 0.0, "angular_damp_mode": 0, "angular_damp": 0.0,
 }
 const METHODS: Array[String] = [
-	"make_circle_hull", "make_box_hull", "make_capsule_hull", "get_point_count", "get_point_positions",
-	"get_point_velocities", "get_interpolated_hull", "get_interpolated_transform", "get_nearest_point", "has_point", "apply_point_force",
+	"make_circle_polygon", "make_box_polygon", "make_capsule_polygon", "get_point_count", "get_point_positions",
+	"get_point_velocities", "get_interpolated_polygon", "get_interpolated_transform", "get_nearest_point", "has_point", "apply_point_force",
 	"apply_point_impulse", "apply_central_force", "apply_central_impulse", "get_center_of_mass_position",
 	"get_linear_velocity", "get_angular_velocity", "get_area", "get_rest_area", "get_kinetic_energy",
 	"get_penetration", "get_substep_plan", "get_warnings", "reset", "get_rid",
@@ -153,7 +153,7 @@ func test_defaults_are_the_documented_ones() -> void:
 		check_equal(body.get(name), DEFAULTS[name], "default of " + name)
 		check_equal(ClassDB.class_get_property_default_value(&"SoftBody2D", name), DEFAULTS[name],
 				"what the inspector resets %s to" % name)
-	check_points_near(body.hull, SoftBody2D.make_circle_hull(50, 16), 0.001, "the default hull and a circle")
+	check_points_near(body.polygon, SoftBody2D.make_circle_polygon(50, 16), 0.001, "the default polygon and a circle")
 	body.free()
 
 

@@ -38,7 +38,7 @@ func test_a_body_ignores_one_floor_and_rests_on_the_next() -> void:
 	add_floor(400)
 	var body := add_body()
 	await seconds(4)
-	check_near(bounds_of(hull_of(body)).end.y, 400.0, 1, "height of the lowest point")
+	check_near(bounds_of(polygon_of(body)).end.y, 400.0, 1, "height of the lowest point")
 
 
 func test_two_bodies_of_different_masks_see_different_floors() -> void:
@@ -47,8 +47,8 @@ func test_two_bodies_of_different_masks_see_different_floors() -> void:
 	var upper := add_body(Vector2(-100, 0), { "collision_mask": 2 })
 	var lower := add_body(Vector2(100, 0), { "collision_mask": 4 })
 	await seconds(4)
-	check_near(bounds_of(hull_of(upper)).end.y, 100.0, 1, "lowest point of the body that sees the upper floor")
-	check_near(bounds_of(hull_of(lower)).end.y, 400.0, 1, "lowest point of the body that sees the lower floor")
+	check_near(bounds_of(polygon_of(upper)).end.y, 100.0, 1, "lowest point of the body that sees the upper floor")
+	check_near(bounds_of(polygon_of(lower)).end.y, 400.0, 1, "lowest point of the body that sees the lower floor")
 
 
 func test_a_mask_changed_while_resting_lets_go() -> void:

@@ -34,7 +34,7 @@ func test_a_scene_of_a_newer_version_opens_with_what_is_known() -> void:
 
 ## All arrays that are stored of a body; of those whose length must fit the rest, one that does not.
 const ARRAYS := {
-	"hull": 2, "inner_points": -1, "springs": 3, "spring_stiffness_scales": 3, "spring_damping_scales": 3,
+	"polygon": 2, "inner_points": -1, "springs": 3, "spring_stiffness_scales": 3, "spring_damping_scales": 3,
 	"spring_length_scales": 3, "pinned_points": -1, "pin_targets": 3, "vertex_colors": 3, "uv": 3,
 }
 
@@ -97,9 +97,9 @@ func test_a_value_of_a_wrong_type_is_named() -> void:
 
 func test_damaged_arrays_in_a_scene_are_named_and_the_rest_is_kept() -> void:
 	var damages := {
-		"hull = PackedVector2Array(0, 0, nan, 5, 10, 10, 0, 10)": "hull",
-		"hull = PackedVector2Array(0, 0, 10, 0)": "hull",
-		"hull = PackedVector2Array(0, 0, 10, 10, 10, 0, 0, 10)": "hull",
+		"polygon = PackedVector2Array(0, 0, nan, 5, 10, 10, 0, 10)": "polygon",
+		"polygon = PackedVector2Array(0, 0, 10, 0)": "polygon",
+		"polygon = PackedVector2Array(0, 0, 10, 10, 10, 0, 0, 10)": "polygon",
 		"inner_points = PackedVector2Array(inf, 0)": "inner_points",
 		"springs = PackedInt32Array(0, 1, 2)": "springs",
 		"springs = PackedInt32Array(0, -1)": "springs",
@@ -116,7 +116,7 @@ func test_damaged_arrays_in_a_scene_are_named_and_the_rest_is_kept() -> void:
 		stage.add_child(body)
 		await ticks(3)
 		check_equal(body.friction, 0.25, "friction beside " + line)
-		check_equal(body.hull.size(), 16, "hull points beside " + line)
+		check_equal(body.polygon.size(), 16, "polygon points beside " + line)
 		_check_sound(body, "the body with " + line)
 		var errors := take_errors()
 		check(not errors.is_empty() and damages[line] in errors[0], "the message for %s names it: %s" % [line, errors])

@@ -88,9 +88,9 @@ func test_values_out_of_range_are_refused_and_nobody_is_told() -> void:
 
 func test_density_makes_the_mass_of_the_area_and_a_scaled_body_heavier() -> void:
 	# Two by one meters.
-	var hull := SoftBody2D.make_box_hull(Vector2(200, 100), 25)
+	var polygon := SoftBody2D.make_box_polygon(Vector2(200, 100), 25)
 	var material := _make({"density": 3.0, "stiffness": 300.0})
-	var body := add_weightless_body(Vector2.ZERO, {"hull": hull, "mass": 5.0})
+	var body := add_weightless_body(Vector2.ZERO, {"polygon": polygon, "mass": 5.0})
 	check_equal(body.get_total_mass(), 5.0, "mass without a material")
 	body.soft_body_material = material
 	check_near(body.get_total_mass(), 6.0, 1e-4, "mass at 3 kg/m²")
@@ -100,7 +100,7 @@ func test_density_makes_the_mass_of_the_area_and_a_scaled_body_heavier() -> void
 	check_equal(body.get_total_mass(), 5.0, "mass at density 0")
 	material.density = 1.5
 	check_near(body.get_total_mass(), 3.0, 1e-4, "mass at 1.5 kg/m²")
-	var large := add_weightless_body(Vector2(900, 0), {"hull": hull, "scale": Vector2(2, 2), "soft_body_material": material})
+	var large := add_weightless_body(Vector2(900, 0), {"polygon": polygon, "scale": Vector2(2, 2), "soft_body_material": material})
 	check_near(large.get_total_mass(), 12.0, 1e-3, "mass of a body of twice the size")
 	check_equal(body.mass, 5.0, "the node's own mass")
 

@@ -139,7 +139,7 @@ func test_stiffness_changed_while_running_takes_effect_without_a_jump() -> void:
 	await ticks(1)
 	check_below(largest_distance(body.get_point_positions(), points), 2, "way of a point in the tick after the change")
 	await seconds(4)
-	check_below(bounds_of(hull_of(body)).size.y, height - 2, "height of the softened body")
+	check_below(bounds_of(polygon_of(body)).size.y, height - 2, "height of the softened body")
 
 
 func test_mass_changed_while_running_takes_effect_without_a_jump() -> void:
@@ -151,7 +151,7 @@ func test_mass_changed_while_running_takes_effect_without_a_jump() -> void:
 	body.mass = 3
 	check_equal(body.get_point_positions(), points, "points right after the change")
 	await seconds(4)
-	check_below(bounds_of(hull_of(body)).size.y, height - 1.5, "height of the heavier body")
+	check_below(bounds_of(polygon_of(body)).size.y, height - 1.5, "height of the heavier body")
 	body.gravity_scale = 0
 	var before := body.get_linear_velocity()
 	body.apply_central_impulse(Vector2(30, 0))

@@ -29,15 +29,15 @@ func test_rotation_follows_the_spin_and_children_ride_along() -> void:
 	check_near(child.global_position, body.get_point_positions()[0], 2, "child and the point it sits on")
 
 
-func test_a_hull_beside_the_nodes_origin_stays_beside_it() -> void:
-	var hull := SoftBody2D.make_circle_hull(40, 16)
-	for i in hull.size():
-		hull[i] += Vector2(100, 30)
-	var body := add_body(Vector2(10, 20), { "hull": hull })
+func test_a_polygon_beside_the_nodes_origin_stays_beside_it() -> void:
+	var polygon := SoftBody2D.make_circle_polygon(40, 16)
+	for i in polygon.size():
+		polygon[i] += Vector2(100, 30)
+	var body := add_body(Vector2(10, 20), { "polygon": polygon })
 	await ticks(30)
 	var fall := body.get_linear_velocity().y * 0.5 / 2
 	check_near(body.global_position, Vector2(10, 20 + fall), 5, "position of the node")
-	check_near(body.get_center_of_mass_position() - body.global_position, Vector2(100, 30), 0.1, "hull beside the node")
+	check_near(body.get_center_of_mass_position() - body.global_position, Vector2(100, 30), 0.1, "polygon beside the node")
 
 
 func test_moving_the_node_moves_the_whole_body() -> void:
@@ -78,11 +78,11 @@ func test_moving_keeps_the_velocity() -> void:
 
 
 func test_turning_the_node_turns_the_whole_body() -> void:
-	var body := add_weightless_body(Vector2(200, 100), { "hull": SoftBody2D.make_box_hull(Vector2(120, 40), 20) })
+	var body := add_weightless_body(Vector2(200, 100), { "polygon": SoftBody2D.make_box_polygon(Vector2(120, 40), 20) })
 	await ticks(3)
 	body.rotation = PI / 2
 	await ticks(1)
-	check_near(bounds_of(hull_of(body)).size, Vector2(40, 120), 0.5, "size of the box after a quarter turn")
+	check_near(bounds_of(polygon_of(body)).size, Vector2(40, 120), 0.5, "size of the box after a quarter turn")
 	check_near(body.rotation, PI / 2, 0.01, "rotation of the node")
 	await seconds(1)
 	check_near(body.get_linear_velocity(), Vector2.ZERO, 0.1, "velocity")
@@ -111,19 +111,19 @@ func test_a_turned_and_scaled_parent_is_no_obstacle() -> void:
 	add_floor(100)
 	var body := SoftBody2D.new()
 	parent.add_child(body)
-	check_near(bounds_of(hull_of(body)).size, Vector2(150, 150), 1, "size")
+	check_near(bounds_of(polygon_of(body)).size, Vector2(150, 150), 1, "size")
 	await check_rests(body)
 	check_near(body.global_position, body.get_center_of_mass_position(), 8, "node and body")
-	check_near(bounds_of(hull_of(body)).end.y, 100.0, 1, "lowest point")
+	check_near(bounds_of(polygon_of(body)).end.y, 100.0, 1, "lowest point")
 
 
 func test_scale_counts_at_the_start() -> void:
 	var plain := add_weightless_body()
 	var body := add_weightless_body(Vector2(300, 0), { "scale": Vector2(2, 0.5) })
-	check_near(bounds_of(hull_of(body)).size, Vector2(200, 50), 0.1, "size")
+	check_near(bounds_of(polygon_of(body)).size, Vector2(200, 50), 0.1, "size")
 	check_near(body.get_rest_area(), plain.get_rest_area(), 1, "area of a body twice as wide and half as high")
 	await ticks(30)
-	check_near(bounds_of(hull_of(body)).size, Vector2(200, 50), 0.1, "size after half a second")
+	check_near(bounds_of(polygon_of(body)).size, Vector2(200, 50), 0.1, "size after half a second")
 	check_near(body.scale, Vector2(2, 0.5), 0.001, "scale of the node")
 
 
@@ -131,7 +131,7 @@ func test_a_mirrored_body_rests_like_any_other() -> void:
 	add_floor(100)
 	var body := add_body(Vector2.ZERO, { "scale": Vector2(-1, 1) })
 	check_above(body.get_area(), 0, "area")
-	check_points_near(hull_of(body), body.global_transform * body.hull, 0.01, "points and hull")
+	check_points_near(polygon_of(body), body.global_transform * body.polygon, 0.01, "points and polygon")
 	await check_rests(body)
 
 
@@ -143,7 +143,7 @@ func test_scale_set_while_running_resizes_the_body() -> void:
 	await ticks(2)
 	check_near(body.get_rest_area() / area, 4.0, 0.01, "rest area over the old one")
 	await seconds(2)
-	check_near(bounds_of(hull_of(body)).size, Vector2(200, 200), 2, "size")
+	check_near(bounds_of(polygon_of(body)).size, Vector2(200, 200), 2, "size")
 
 
 func test_reparenting_keeps_the_motion() -> void:
@@ -208,13 +208,13 @@ func test_a_hundred_bodies_come_and_go() -> void:
 
 func test_a_duplicate_is_a_body_of_its_own() -> void:
 	add_floor(100)
-	var body := add_body(Vector2.ZERO, { "stiffness": 700.0, "hull": SoftBody2D.make_box_hull(Vector2(60, 60), 20) })
+	var body := add_body(Vector2.ZERO, { "stiffness": 700.0, "polygon": SoftBody2D.make_box_polygon(Vector2(60, 60), 20) })
 	await ticks(10)
 	var copy := body.duplicate() as SoftBody2D
 	copy.position = Vector2(300, 0)
 	stage.add_child(copy)
 	check_equal(copy.stiffness, 700.0, "stiffness of the copy")
-	check_equal(copy.hull, body.hull, "hull of the copy")
+	check_equal(copy.polygon, body.polygon, "polygon of the copy")
 	check_equal(SoftBodyServer2D.get_body_count(), 2, "bodies of the server")
 	body.free()
 	await check_rests(copy, 6)
@@ -257,7 +257,7 @@ func test_reset_brings_the_rest_shape_back() -> void:
 	body.gravity_scale = 0
 	body.global_transform = Transform2D(0, Vector2(0, -200))
 	body.reset()
-	check_points_near(hull_of(body), body.global_transform * body.hull, 0.01, "points and hull")
+	check_points_near(polygon_of(body), body.global_transform * body.polygon, 0.01, "points and polygon")
 	check_near(body.get_linear_velocity(), Vector2.ZERO, 0.001, "velocity")
 	await ticks(30)
 	check_near(body.get_center_of_mass_position(), Vector2(0, -200), 0.01, "place")
@@ -272,7 +272,7 @@ func test_questions_to_a_body_outside_the_tree_are_answered() -> void:
 	check(not body.has_point(Vector2(1000, 0)), "a place far away is inside")
 	check(body.get_substep_plan().has("substeps"), "no substep plan")
 	body.get_point_positions()
-	body.get_interpolated_hull(0.5)
+	body.get_interpolated_polygon(0.5)
 	body.get_nearest_point(Vector2.ZERO)
 	body.reset()
 	body.free()

@@ -4,7 +4,7 @@ extends "res://tests/support/suite.gd"
 
 # Numbers that any version's text format writes exactly.
 const PROPERTIES := {
-	"hull": [Vector2(-50, -30), Vector2(0, -42), Vector2(50, -30), Vector2(58, 10), Vector2(30, 40),
+	"polygon": [Vector2(-50, -30), Vector2(0, -42), Vector2(50, -30), Vector2(58, 10), Vector2(30, 40),
 		Vector2(-30, 40), Vector2(-58, 10)],
 	"mass": 2.5, "youngs_modulus": 480.0, "poisson_ratio": 0.25, "damping_ratio": 0.5,
 	"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK, "least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0, "stiffness": 640.0, "damping": 0.5, "friction": 0.25, "bounce": 0.125,

@@ -160,11 +160,11 @@ func test_a_body_may_leave_the_tree_while_it_is_moved_and_be_the_last_of_its_spa
 
 
 func test_ten_thousand_nodes_come_and_go() -> void:
-	var hull := SoftBody2D.make_circle_hull(10, 8)
+	var polygon := SoftBody2D.make_circle_polygon(10, 8)
 	var parent := Node2D.new()
 	for i in 10000:
 		var body := SoftBody2D.new()
-		body.hull = hull
+		body.polygon = polygon
 		body.collision_mask = 0
 		body.position = Vector2(30 * (i % 100), 30.0 * (i / 100.0))
 		parent.add_child(body)

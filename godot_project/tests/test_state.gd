@@ -79,7 +79,7 @@ func test_bytes_that_are_no_state_of_it_change_nothing() -> void:
 	var state := body.get_state()
 	var damaged := state.duplicate()
 	damaged[40] = damaged[40] ^ 1
-	var other := add_weightless_body(Vector2(500, 0), {"hull": SoftBody2D.make_circle_hull(40, 12)})
+	var other := add_weightless_body(Vector2(500, 0), {"polygon": SoftBody2D.make_circle_polygon(40, 12)})
 	for bad: PackedByteArray in [PackedByteArray(), damaged, state.slice(0, 60), other.get_state()]:
 		var result: Array[int] = [OK]
 		check_refused(func() -> void: result[0] = body.set_state(bad), ["Jelly", "state refused"], "%d bytes" % bad.size())

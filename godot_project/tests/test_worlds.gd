@@ -27,7 +27,7 @@ func test_a_floor_holds_only_the_bodies_of_its_world() -> void:
 	var before := SoftBodyServer2D.get_tick_count()
 	await seconds(3)
 	check_equal(SoftBodyServer2D.get_tick_count() - before, 180, "ticks of the server with two worlds")
-	check_near(bounds_of(hull_of(resting)).end.y, 100.0, 1, "lowest point of the resting body")
+	check_near(bounds_of(polygon_of(resting)).end.y, 100.0, 1, "lowest point of the resting body")
 	check_near(falling.get_linear_velocity().y, GRAVITY * 3, 3, "velocity of the falling body")
 
 
@@ -53,7 +53,7 @@ func test_a_body_may_change_worlds() -> void:
 	await ticks(1)
 	check_near(body.get_linear_velocity(), velocity + Vector2(0, GRAVITY / 60), 0.5, "velocity after the change")
 	await check_rests(body, 8)
-	check_near(bounds_of(hull_of(body)).end.y, 100.0, 1, "lowest point")
+	check_near(bounds_of(polygon_of(body)).end.y, 100.0, 1, "lowest point")
 
 
 func test_a_viewport_may_get_another_world() -> void:
@@ -65,7 +65,7 @@ func test_a_viewport_may_get_another_world() -> void:
 	await ticks(5)
 	check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies of the server")
 	await check_rests(body, 8)
-	check_near(bounds_of(hull_of(body)).end.y, 100.0, 1, "lowest point")
+	check_near(bounds_of(polygon_of(body)).end.y, 100.0, 1, "lowest point")
 
 
 func test_freeing_a_viewport_frees_its_bodies() -> void:

@@ -2,7 +2,7 @@
 extends SoftBody2D
 ## The player: a balloon of jelly that rolls, jumps, goes flat and blows itself up.
 ##
-## Its hull is drawn small, so that it is stretched whenever there is air in it: a skin without wrinkles at every size.
+## Its polygon is drawn small, so that it is stretched whenever there is air in it: a skin without wrinkles at every size.
 ## What it can do is what the node can do; each part says which of its features that is.
 
 signal jumped

@@ -12,7 +12,7 @@ const Palette := preload("res://game/palette.gd")
 
 
 func _ready() -> void:
-	hull = SoftBody2D.make_box_hull(Vector2(span, thickness), thickness)
+	polygon = SoftBody2D.make_box_polygon(Vector2(span, thickness), thickness)
 	mass = span / 160
 	stiffness = 260
 	damping = 0.5
@@ -26,6 +26,6 @@ func _ready() -> void:
 	outline_color = Palette.BRIDGE_DARK
 	outline_width = 4
 	add_to_group(&"soft_bodies")
-	for i in hull.size():
-		if absf(hull[i].x) > span / 2 - thickness * 0.6:
+	for i in polygon.size():
+		if absf(polygon[i].x) > span / 2 - thickness * 0.6:
 			set_point_pinned(i, true)

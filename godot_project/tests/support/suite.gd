@@ -200,8 +200,8 @@ func circle(radius: float) -> CircleShape2D:
 
 # Measures.
 
-func hull_of(body: SoftBody2D) -> PackedVector2Array:
-	return body.get_point_positions().slice(0, body.hull.size())
+func polygon_of(body: SoftBody2D) -> PackedVector2Array:
+	return body.get_point_positions().slice(0, body.polygon.size())
 
 
 func bounds_of(points: PackedVector2Array) -> Rect2:

@@ -35,7 +35,7 @@ bool same_scale(const Transform2D &p_a, const Transform2D &p_b) {
 } // namespace
 
 SoftBody2D::SoftBody2D() {
-	hull_ = make_circle_hull(DEFAULT_RADIUS, DEFAULT_POINTS);
+	polygon_ = make_circle_polygon(DEFAULT_RADIUS, DEFAULT_POINTS);
 	update_topology();
 	set_notify_transform(true);
 }
@@ -81,7 +81,7 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	}
 	built_scale_ = softbody::scale_and_skew(transform);
 	design_ = design.value();
-	hull_reversed_ = design_->is_reversed;
+	polygon_reversed_ = design_->is_reversed;
 	space_->world().remove_soft_body(body_id_);
 	body_id_ = space_->world().add_soft_body(std::move(fresh.value()));
 	apply_pins();
@@ -207,9 +207,9 @@ void SoftBody2D::take_over_transform() {
 		// Another size is another body: keep how it is deformed and how it moves.
 		const PackedVector2Array deformed = known_transform_.affine_inverse().xform(to_godot(body()->positions()));
 		const std::vector<softbody::Vec2> velocities(body()->velocities().begin(), body()->velocities().end());
-		const bool was_reversed = hull_reversed_;
+		const bool was_reversed = polygon_reversed_;
 		rebuild_body(false);
-		if (was_reversed == hull_reversed_) {
+		if (was_reversed == polygon_reversed_) {
 			for (uint32_t i = 0; i < velocities.size(); i++) {
 				body()->set_point(i, to_core(transform.xform(deformed[i])), velocities[i]);
 			}

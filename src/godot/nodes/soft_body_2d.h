@@ -46,8 +46,8 @@ namespace godot {
 /// See doc_classes/SoftBody2D.xml for what each property means to a user; this comment says how the
 /// node is built. Its properties describe a body; the body itself (`softbody::SoftBodyData`) lives in
 /// the world of the node's space while the node is in the tree, and in `stored_body_` while it is not,
-/// so that re-parenting keeps its motion. Point indices of the public interface follow `hull`; the
-/// core may hold the hull reversed (`hull_reversed_`), and `core_index` translates.
+/// so that re-parenting keeps its motion. Point indices of the public interface follow `polygon`; the
+/// core may hold the hull reversed (`polygon_reversed_`), and `core_index` translates.
 class SoftBody2D : public Node2D {
 	GDCLASS(SoftBody2D, Node2D)
 
@@ -97,8 +97,8 @@ public:
 	SoftBody2D();
 	~SoftBody2D();
 
-	void set_hull(const PackedVector2Array &p_hull);
-	PackedVector2Array get_hull() const { return hull_; }
+	void set_polygon(const PackedVector2Array &p_polygon);
+	PackedVector2Array get_polygon() const { return polygon_; }
 	void set_mass(double p_mass);
 	double get_mass() const { return mass_; }
 	double get_total_mass() const { return mass_in_use(); }
@@ -194,14 +194,14 @@ public:
 	Ref<Texture2D> get_outline_texture() const { return skin_.style().outline_texture; }
 	void set_outline_texture_mode(OutlineTextureMode p_mode);
 	OutlineTextureMode get_outline_texture_mode() const;
-	PackedVector2Array get_interpolated_hull(double p_fraction) const;
+	PackedVector2Array get_interpolated_polygon(double p_fraction) const;
 	Transform2D get_interpolated_transform(double p_fraction) const;
 
-	/// What keeps these points from being a hull, as the setter would say it; empty when nothing does.
-	static String get_hull_problem(const PackedVector2Array &p_hull);
-	static PackedVector2Array make_circle_hull(double p_radius, int p_point_count);
-	static PackedVector2Array make_box_hull(const Vector2 &p_size, double p_spacing);
-	static PackedVector2Array make_capsule_hull(double p_radius, double p_height, double p_spacing);
+	/// What keeps these points from being a polygon of a body, as the setter would say it; empty when nothing does.
+	static String get_polygon_problem(const PackedVector2Array &p_polygon);
+	static PackedVector2Array make_circle_polygon(double p_radius, int p_point_count);
+	static PackedVector2Array make_box_polygon(const Vector2 &p_size, double p_spacing);
+	static PackedVector2Array make_capsule_polygon(double p_radius, double p_height, double p_spacing);
 
 	// Structure: soft_body_2d_structure.cpp.
 	void set_inner_points(const PackedVector2Array &p_points);
@@ -372,13 +372,19 @@ protected:
 	void _notification(int p_what);
 	void _validate_property(PropertyInfo &p_property) const;
 	bool _set(const StringName &p_name, const Variant &p_value) {
-		return unfit_.set(*this, get_class_static(), p_name, p_value);
+		return set_former(p_name, p_value) || unfit_.set(*this, get_class_static(), p_name, p_value);
 	}
-	bool _get(const StringName &p_name, Variant &r_value) const { return unfit_.get(p_name, r_value); }
+	bool _get(const StringName &p_name, Variant &r_value) const {
+		return get_former(p_name, r_value) || unfit_.get(p_name, r_value);
+	}
 	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:
-	static void bind_hull();
+	// Names of earlier versions, in soft_body_2d_former.cpp. True if the property had that name.
+	bool set_former(const StringName &p_name, const Variant &p_value);
+	bool get_former(const StringName &p_name, Variant &r_value) const;
+
+	static void bind_polygon();
 	static void bind_mass();
 	static void bind_structure();
 	static void bind_contacts();
@@ -419,7 +425,7 @@ private:
 		ModelChoice wanted; ///< model by the node's properties
 		ModelChoice used;
 		softbody::Status model_problem; ///< why `used` is not `wanted`
-		bool is_reversed = false; ///< see `hull_reversed_`
+		bool is_reversed = false; ///< see `polygon_reversed_`
 		bool has_deep_dents = false; ///< see `softbody::has_deep_dents`
 		PackedStringArray problems; ///< parts of the structure that do not fit the others and were left out
 	};
@@ -525,7 +531,7 @@ private:
 	void leave_screen() { on_screen_ = false; }
 	bool is_off_screen() const;
 
-	PackedVector2Array hull_;
+	PackedVector2Array polygon_;
 	PackedVector2Array inner_points_;
 	PackedInt32Array springs_;
 	PackedFloat32Array spring_stiffness_scales_;
@@ -579,7 +585,7 @@ private:
 	std::optional<softbody::SoftBodyData> stored_body_;
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
-	bool hull_reversed_ = false;
+	bool polygon_reversed_ = false;
 	mutable std::optional<Design> design_; ///< forgotten when the structure changes
 	PackedStringArray told_problems_;
 	bool sleeping_ = false; ///< as last told, or as wanted of a body that is still to be made

@@ -154,7 +154,7 @@ double SoftBody2D::get_contact_depth(int p_index) const {
 
 int SoftBody2D::get_contact_point(int p_index) const {
 	const ContactRecord *contact = find_contact(p_index);
-	return contact != nullptr ? public_index(contact->core_point, hull_reversed_) : -1;
+	return contact != nullptr ? public_index(contact->core_point, polygon_reversed_) : -1;
 }
 
 Object *SoftBody2D::get_contact_collider(int p_index) const {

@@ -19,8 +19,8 @@ namespace godot {
 namespace {
 
 // Hull, inner points and middle in the order the core holds them.
-std::vector<Vec2> rest_points(const PackedVector2Array &p_hull, const PackedVector2Array &p_inner_points, bool p_reversed, bool p_center_point) {
-	std::vector<Vec2> points = softbody::to_core(p_hull);
+std::vector<Vec2> rest_points(const PackedVector2Array &p_polygon, const PackedVector2Array &p_inner_points, bool p_reversed, bool p_center_point) {
+	std::vector<Vec2> points = softbody::to_core(p_polygon);
 	if (p_reversed) {
 		std::reverse(points.begin() + 1, points.end());
 	}
@@ -56,8 +56,8 @@ softbody::Status check_finite(const char *p_name, const Array &p_values) {
 	return std::nullopt;
 }
 
-String size_warning(const char *p_property, int64_t p_size, int64_t p_hull_size) {
-	return "'" + String(p_property) + "' has " + String::num_int64(p_size) + " entries and the hull " + String::num_int64(p_hull_size) + " points, so it is not used. Give it one entry for each point of the hull, or none.";
+String size_warning(const char *p_property, int64_t p_size, int64_t p_polygon_size) {
+	return "'" + String(p_property) + "' has " + String::num_int64(p_size) + " entries and the polygon " + String::num_int64(p_polygon_size) + " points, so it is not used. Give it one entry for each point of the polygon, or none.";
 }
 
 } // namespace
@@ -67,7 +67,7 @@ void SoftBody2D::update_topology() {
 	// Of the node's scale one pixel is this part; the parent's and the camera's are left out, as Godot's own lines do.
 	const Vector2 scale = built_scale_.get_scale().abs();
 	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);
-	skin_.set_rest(rest_points(hull_, inner_points_, hull_reversed_, center_point_), std::size_t(hull_.size()), hull_reversed_, softbody::Real(pixel));
+	skin_.set_rest(rest_points(polygon_, inner_points_, polygon_reversed_, center_point_), std::size_t(polygon_.size()), polygon_reversed_, softbody::Real(pixel));
 	remake_skin();
 }
 
@@ -80,11 +80,11 @@ void SoftBody2D::remake_skin() {
 
 void SoftBody2D::append_drawing_warnings(PackedStringArray &r_warnings) const {
 	const SkinStyle &style = skin_.style();
-	if (!style.vertex_colors.is_empty() && style.vertex_colors.size() != hull_.size()) {
-		r_warnings.push_back(size_warning("vertex_colors", style.vertex_colors.size(), hull_.size()));
+	if (!style.vertex_colors.is_empty() && style.vertex_colors.size() != polygon_.size()) {
+		r_warnings.push_back(size_warning("vertex_colors", style.vertex_colors.size(), polygon_.size()));
 	}
-	if (!style.uv.is_empty() && style.uv.size() != hull_.size()) {
-		r_warnings.push_back(size_warning("uv", style.uv.size(), hull_.size()));
+	if (!style.uv.is_empty() && style.uv.size() != polygon_.size()) {
+		r_warnings.push_back(size_warning("uv", style.uv.size(), polygon_.size()));
 	}
 }
 
@@ -217,7 +217,7 @@ void SoftBody2D::bind_drawing() {
 	ClassDB::bind_method(D_METHOD("get_outline_texture"), &SoftBody2D::get_outline_texture);
 	ClassDB::bind_method(D_METHOD("set_outline_texture_mode", "outline_texture_mode"), &SoftBody2D::set_outline_texture_mode);
 	ClassDB::bind_method(D_METHOD("get_outline_texture_mode"), &SoftBody2D::get_outline_texture_mode);
-	ClassDB::bind_method(D_METHOD("get_interpolated_hull", "fraction"), &SoftBody2D::get_interpolated_hull, DEFVAL(-1.0));
+	ClassDB::bind_method(D_METHOD("get_interpolated_polygon", "fraction"), &SoftBody2D::get_interpolated_polygon, DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("get_interpolated_transform", "fraction"), &SoftBody2D::get_interpolated_transform, DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("_follow_texture"), &SoftBody2D::follow_texture);
 	ClassDB::bind_method(D_METHOD("_enter_screen"), &SoftBody2D::enter_screen);

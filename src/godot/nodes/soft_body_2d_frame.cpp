@@ -66,19 +66,19 @@ bool SoftBody2D::check_fraction(double &r_fraction) const {
 	return true;
 }
 
-PackedVector2Array SoftBody2D::get_interpolated_hull(double p_fraction) const {
-	PackedVector2Array hull;
+PackedVector2Array SoftBody2D::get_interpolated_polygon(double p_fraction) const {
+	PackedVector2Array polygon;
 	if (!check_fraction(p_fraction) || followed_body() == nullptr || space_ == nullptr) {
-		return hull;
+		return polygon;
 	}
 	const Transform2D frame = interpolation_.frame(known_transform_, p_fraction);
 	const std::span<const Vec2> points = local_points(p_fraction);
-	hull.resize(hull_.size());
-	Vector2 *write = hull.ptrw();
-	for (int i = 0; i < int(hull_.size()); i++) {
+	polygon.resize(polygon_.size());
+	Vector2 *write = polygon.ptrw();
+	for (int i = 0; i < int(polygon_.size()); i++) {
 		write[i] = frame.xform(softbody::to_godot(points[core_index(i)]));
 	}
-	return hull;
+	return polygon;
 }
 
 Transform2D SoftBody2D::get_interpolated_transform(double p_fraction) const {

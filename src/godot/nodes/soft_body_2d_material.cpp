@@ -89,7 +89,7 @@ SoftBody2D::ModelChoice SoftBody2D::choose_model() const {
 	if (material_values().has_network_values) {
 		return { ELASTIC_MODEL_NETWORK, REASON_NETWORK_VALUES };
 	}
-	return { ElasticModel(ELASTIC_MODEL_SPRINGS + int(softbody::choose_elastic_model(std::size_t(hull_.size())))), REASON_MATERIAL };
+	return { ElasticModel(ELASTIC_MODEL_SPRINGS + int(softbody::choose_elastic_model(std::size_t(polygon_.size())))), REASON_MATERIAL };
 }
 
 SoftBody2D::ElasticModel SoftBody2D::get_elastic_model_in_use() const {

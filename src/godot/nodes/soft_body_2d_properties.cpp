@@ -26,7 +26,7 @@ bool SoftBody2D::accept(const StringName &p_property, const softbody::Status &p_
 		}
 		return true;
 	}
-	const String message = to_godot(p_status->message());
+	const String message = to_godot(*p_status);
 	refused_[p_property] = message;
 	update_configuration_warnings();
 	ERR_FAIL_V_MSG(false, describe() + ": " + String(p_property) + " refused: " + message + ". The old value stays.");

@@ -28,7 +28,7 @@ Error SoftBody2D::set_state(const PackedByteArray &p_state) {
 	ERR_FAIL_NULL_V_MSG(found, ERR_UNCONFIGURED, describe() + ": has no body yet; add the node to the scene tree first.");
 	const auto state = softbody::body_state_from_bytes({ p_state.ptr(), std::size_t(p_state.size()) });
 	softbody::Status status = state ? found->restore_state(state.value()) : softbody::Status(state.error());
-	ERR_FAIL_COND_V_MSG(status, ERR_INVALID_DATA, describe() + ": state refused: " + softbody::to_godot(status->message()) + ". The body goes on as it was.");
+	ERR_FAIL_COND_V_MSG(status, ERR_INVALID_DATA, describe() + ": state refused: " + softbody::to_godot(*status) + ". The body goes on as it was.");
 	follow_body();
 	found->set_rotation_memory(state.value().rotation_memory); // which the node's following measured anew
 	freeze_ = found->is_frozen();

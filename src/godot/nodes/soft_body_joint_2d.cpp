@@ -74,7 +74,7 @@ SoftBodyJoint2D::~SoftBodyJoint2D() {
 // Properties.
 
 bool SoftBodyJoint2D::change(const char *p_name, double &r_member, double p_value, const softbody::Status &p_status) {
-	ERR_FAIL_COND_V_MSG(p_status.has_value(), false, "SoftBodyJoint2D '" + String(get_name()) + "': " + String(p_name) + " refused: " + to_godot(p_status->message()) + ". The old value stays.");
+	ERR_FAIL_COND_V_MSG(p_status.has_value(), false, "SoftBodyJoint2D '" + String(get_name()) + "': " + String(p_name) + " refused: " + to_godot(*p_status) + ". The old value stays.");
 	r_member = p_value;
 	complained_ = false;
 	return true;
@@ -317,7 +317,7 @@ void SoftBodyJoint2D::prepare_step() {
 		known_ = joint;
 	} else if (!complained_) {
 		complained_ = true;
-		ERR_PRINT("SoftBodyJoint2D '" + String(get_name()) + "' joins nothing: " + to_godot(refused->message()) + ".");
+		ERR_PRINT("SoftBodyJoint2D '" + String(get_name()) + "' joins nothing: " + to_godot(*refused) + ".");
 	}
 }
 

@@ -22,6 +22,8 @@ namespace softbody {
 ///   a script, as what nobody knows was then a variable of its script once.
 /// - **Wrong types.** Said by name, in debug builds; the old value stays.
 ///
+/// - **Former names.** The class takes such a value over itself and has a warning printed here.
+///
 /// Each class of ours hands its `_set`, `_get` and `_get_property_list` on to one of these. Release builds ask nothing.
 class UnfitValues {
 public:
@@ -29,6 +31,8 @@ public:
 	/// dealt with. From any thread, for different owners.
 	bool set(godot::Object &p_owner, const godot::StringName &p_class, const godot::StringName &p_name,
 			const godot::Variant &p_value);
+	/// Has a warning printed, once for each name: a value came under a name that the property had in an earlier version.
+	void note_former(const godot::Object &p_owner, const godot::StringName &p_name, const godot::String &p_text);
 	/// A value that was kept.
 	bool get(const godot::StringName &p_name, godot::Variant &r_value) const;
 	void append_to(godot::List<godot::PropertyInfo> *r_list) const;
@@ -39,6 +43,11 @@ public:
 	void tell(const godot::Object &p_owner);
 
 private:
+	struct Note {
+		godot::StringName name;
+		godot::String text;
+		bool is_told = false;
+	};
 	struct Entry {
 		godot::StringName name;
 		godot::Variant value;
@@ -49,6 +58,7 @@ private:
 	void tell_if_known(const godot::Object &p_owner);
 
 	std::vector<Entry> entries_;
+	std::vector<Note> notes_;
 };
 
 } // namespace softbody

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+extends "res://tests/support/suite.gd"
+## Scenes and scripts of earlier versions name properties as they were called then: their values still count, a warning says
+## what the name is now, and saving writes that.
+
+const SQUARE := "PackedVector2Array(-40, -40, 40, -40, 40, 40, -40, 40)"
+
+
+func _scene_of(lines: String) -> SoftBody2D:
+	var path := "user://former.tscn"
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	file.store_string("[gd_scene format=3]\n\n[node name=\"Jelly\" type=\"SoftBody2D\"]\n" + lines + "\n")
+	file.close()
+	var scene := ResourceLoader.load(path, "PackedScene", ResourceLoader.CACHE_MODE_IGNORE) as PackedScene
+	DirAccess.remove_absolute(path)
+	return scene.instantiate() as SoftBody2D
+
+
+func _saved(body: SoftBody2D) -> String:
+	var path := "user://former_saved.tscn"
+	var scene := PackedScene.new()
+	check_equal(scene.pack(body), OK, "packing")
+	check_equal(ResourceSaver.save(scene, path), OK, "saving")
+	var text := FileAccess.get_file_as_string(path)
+	DirAccess.remove_absolute(path)
+	return text
+
+
+# Where the engine has no Logger nothing of this can be seen.
+func _check_warned_once(fragments: PackedStringArray, what: String) -> void:
+	var errors := take_errors()
+	if _error_log == null:
+		return
+	if check_equal(errors.size(), 1, "number of warnings of %s (%s)" % [what, errors]):
+		for fragment in fragments:
+			check(fragment in errors[0], "the warning of %s names %s: %s" % [what, fragment, errors[0]])
+
+
+func test_the_hull_of_an_old_scene_is_the_polygon_and_is_saved_as_such() -> void:
+	var body := _scene_of("mass = 2.0\nhull = %s\nyoungs_modulus = 500.0" % SQUARE)
+	check_equal(body.polygon, str_to_var(SQUARE), "polygon")
+	check_equal([body.mass, body.youngs_modulus], [2.0, 500.0], "what stands beside it")
+	stage.add_child(body)
+	await ticks(3)
+	check_equal(body.get_point_count(), 5, "points of the body")
+	_check_warned_once(["Jelly", "'hull'", "'polygon'"], "an old scene")
+	var text := _saved(body)
+	check("\npolygon = " in text and not "hull" in text, "the scene is saved with the new name: " + text)
+
+
+func test_an_old_script_or_animation_that_sets_the_hull_sets_the_polygon() -> void:
+	var body := add_body()
+	for i in 3:
+		body.set("hull", str_to_var(SQUARE))
+	check_equal(body.polygon, str_to_var(SQUARE), "polygon")
+	check_equal(body.get("hull"), body.polygon, "what an old script reads")
+	_check_warned_once([String(body.name), "'hull'", "'polygon'"], "an old script")
+
+
+func test_an_old_hull_of_a_wrong_type_or_shape_is_refused_as_the_polygon_is() -> void:
+	for damage: String in ["12", "PackedVector2Array(0, 0, 10, 0)"]:
+		var body := _scene_of("hull = " + damage)
+		check_equal(body.polygon.size(), 16, "points of the polygon beside hull = " + damage)
+		stage.add_child(body)
+		var errors := take_errors()
+		if _error_log != null:
+			check("polygon" in " ".join(errors), "nothing is said of hull = %s: %s" % [damage, errors])
+		body.free()
