@@ -227,8 +227,9 @@ func _on_preset_chosen(preset: int) -> void:
 # A preset sets several values, which the inspector would not put back.
 func _add_undo_of_preset(undo_redo: Object, object: Object, property: String, _value: Variant) -> void:
 	if property == "preset" and (object is SoftBody2D or object is SoftBodyMaterial2D):
-		for value: StringName in [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"friction", &"bounce",
-				&"rolling_resistance"]:
+		var values: Array[StringName] = [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"rolling_resistance"]
+		values.append_array([&"physics_material_override"] if object is SoftBody2D else [&"friction", &"bounce"])
+		for value in values:
 			(undo_redo as EditorUndoRedoManager).add_undo_property(object, value, object.get(value))
 
 

@@ -67,7 +67,8 @@ func _add_body(tint: Color) -> void:
 			body.set_spring_stiffness_scale(i, 6)
 	body.shape_matching = 0.2
 	body.shape_damping = 0.5
-	body.friction = 0.3
+	body.physics_material_override = PhysicsMaterial.new()
+	body.physics_material_override.friction = 0.3
 	body.texture = preload("res://textures/car.svg")
 	body.uv = _texture_coordinates(outline)
 	body.color = tint
@@ -90,7 +91,7 @@ func _add_wheel(place: Vector2) -> void:
 	wheel.stiffness = 420
 	wheel.damping = 0.5
 	wheel.pressure = 300
-	wheel.friction = 1
+	wheel.physics_material_override = PhysicsMaterial.new() # of friction 1
 	# Wheels meet roads, walls and bodies, but not each other.
 	wheel.collision_layer = 2
 	wheel.color = Color("30324a")

@@ -53,6 +53,7 @@ func _init(tint := Color.WHITE, direction := 1.0) -> void:
 				part.add_collision_exception_with(other)
 	for part in _legs:
 		part.contact_monitor = true
+		part.physics_material_override = PhysicsMaterial.new()
 	var eyes := Node2D.new()
 	eyes.set_script(preload("res://demo/eyes.gd"))
 	var attachment := SoftBodyAttachment2D.new()
@@ -125,7 +126,9 @@ func _physics_process(delta: float) -> void:
 	for i in 2:
 		_turn(_legs[i], 0.5 * absf(walk) * sin(_stride + PI * i), 4.0 if stands else 1.0)
 		# Who walks lifts the feet.
-		_legs[i].friction = 0.9 if absf(walk) < 0.1 else 0.25
+		var grip := 0.9 if absf(walk) < 0.1 else 0.25
+		if not is_equal_approx(_legs[i].physics_material_override.friction, grip):
+			_legs[i].physics_material_override.friction = grip
 	_move_arms()
 	if stands:
 		# All parts alike, or the legs would stay behind.

@@ -11,7 +11,7 @@ var other_values := {
 	"spring_length_scales": _scales(0.9), "pinned_points": PackedInt32Array([0, 3]), "pin_targets": [^".."] as Array[NodePath],
 	"poisson_ratio": 0.25, "vertex_colors": PackedColorArray([Color.RED]), "uv": PackedVector2Array([Vector2.ONE]), "texture": PlaceholderTexture2D.new(),
 	"outline_texture": PlaceholderTexture2D.new(), "soft_body_material": SoftBodyMaterial2D.new(), "material": CanvasItemMaterial.new(),
-	"integrator": SoftBody2D.INTEGRATOR_XPBD, "bounce": 0.3,
+	"integrator": SoftBody2D.INTEGRATOR_XPBD, "physics_material_override": PhysicsMaterial.new(),
 }
 ## Bodies whose script does something while the step moves them along.
 class Moved extends SoftBody2D:

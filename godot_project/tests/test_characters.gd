@@ -184,7 +184,7 @@ func test_a_character_under_a_heavy_jelly_walks_out() -> void:
 
 func test_a_character_is_carried_by_a_moving_jelly() -> void:
 	add_floor(100)
-	var body := add_body(Vector2(0, 70), { "polygon": SoftBody2D.make_box_polygon(Vector2(200, 60), 20), "friction": 0.0 })
+	var body := add_body(Vector2(0, 70), { "polygon": SoftBody2D.make_box_polygon(Vector2(200, 60), 20), "physics_material_override": surface(0.0) })
 	var walker := _add_walker(Vector2(0, 10))
 	await seconds(2)
 	body.apply_central_impulse(Vector2(80, 0) * body.mass - body.mass * body.get_linear_velocity())

@@ -18,8 +18,7 @@ const PROPERTIES := {
 	"center_point": [TYPE_BOOL, ""],
 	"pressure": [TYPE_FLOAT, "suffix:N/m"],
 	"inflation": [TYPE_FLOAT, ""],
-	"friction": [TYPE_FLOAT, ""],
-	"bounce": [TYPE_FLOAT, ""],
+	"physics_material_override": [TYPE_OBJECT, "PhysicsMaterial"],
 	"rolling_resistance": [TYPE_FLOAT, ""],
 	"shape_matching": [TYPE_FLOAT, ""],
 	"shape_damping": [TYPE_FLOAT, ""],
@@ -71,7 +70,7 @@ const PROPERTIES := {
 ## Stored, but not in the inspector.
 const HIDDEN: Array[String] = ["network_values_set"]
 const DEFAULTS := {
-	"mass": 1.0, "stiffness": 100.0, "damping": 0.12, "friction": 0.4, "bounce": 0.0,
+	"mass": 1.0, "stiffness": 100.0, "damping": 0.12, "physics_material_override": null,
 	"rolling_resistance": 0.03, "shape_matching": 0.4, "shape_damping": 0.25, "gravity_scale": 1.0,
 	"center_point": true, "pressure": 0.0, "inflation": 1.0, "integrator": 0,
 	"substeps": 0, "collision_layer": 1, "collision_mask": 1, "color": Color.WHITE, "texture": null,
@@ -137,7 +136,7 @@ func test_every_stored_property_is_covered_by_these_tests() -> void:
 
 func test_numbers_have_ranges_and_layers_have_their_editor() -> void:
 	var found := _own_properties()
-	for name: String in ["mass", "stiffness", "damping", "friction", "bounce", "rolling_resistance",
+	for name: String in ["mass", "stiffness", "damping", "rolling_resistance",
 			"shape_matching", "shape_damping", "gravity_scale", "substeps"]:
 		check_equal(found[name]["hint"], PROPERTY_HINT_RANGE, "hint of " + name)
 	for name: String in ["mass", "stiffness", "damping"]:

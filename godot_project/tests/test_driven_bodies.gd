@@ -85,7 +85,7 @@ func test_a_lift_carries_a_body_up() -> void:
 func test_a_platform_carries_a_body_sideways() -> void:
 	for kind in KINDS:
 		var platform := _add_driven(kind, rectangle(600, 40), Vector2(0, 120))
-		var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "friction": 0.8 })
+		var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "physics_material_override": surface(0.8) })
 		await seconds(1)
 		var offset := soft.get_center_of_mass_position().x - platform.position.x
 		for i in 120:
@@ -146,7 +146,7 @@ func test_what_is_teleported_does_not_hit() -> void:
 func test_a_belt_on_an_animatable_body_carries_and_moves() -> void:
 	var belt := _add_driven("synced", rectangle(1200, 40), Vector2(0, 120)) as AnimatableBody2D
 	belt.constant_linear_velocity = Vector2(80, 0)
-	var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "friction": 0.8 })
+	var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "physics_material_override": surface(0.8) })
 	await seconds(2)
 	check_near(soft.get_linear_velocity().x, 80.0, 4, "velocity on the belt")
 	for i in 120:

@@ -292,14 +292,18 @@ func test_presets_set_a_material_and_are_not_stored() -> void:
 		check_equal(material.preset, preset, "preset of a material made from it")
 		var body := add_weightless_body(Vector2(200, 0), {"stiffness": 10.0})
 		body.preset = preset
-		for name: String in MATERIAL + ["friction", "bounce", "rolling_resistance"]:
+		for name: String in MATERIAL + ["rolling_resistance"]:
 			check_equal(body.get(name), material.get(name), "%s of a body of preset %d" % [name, preset])
+		var grip := body.physics_material_override if body.physics_material_override != null else surface()
+		check_near(grip.friction, material.friction, 1e-6, "friction of a body of preset %d" % preset)
+		check_near(grip.bounce, material.bounce, 1e-6, "bounce of a body of preset %d" % preset)
+		check_equal(body.preset, preset, "preset of the body")
 		check_equal(body.stiffness, 10.0, "the raw stiffness")
 		seen[[material.youngs_modulus, material.poisson_ratio, material.damping_ratio]] = true
 		body.elastic_model = MODES
 		check_equal(body.get_warnings(), PackedStringArray(), "warnings of a body of preset %d" % preset)
 		check_below(body.get_stability_report()["sag"] if body.gravity_scale > 0 else 0.0, 0.2, "sag")
-		body.friction += 0.125
+		body.physics_material_override = surface(0.875)
 		check_equal(body.preset, SoftBodyMaterial2D.PRESET_CUSTOM, "preset after a change")
 		body.preset = SoftBodyMaterial2D.PRESET_CUSTOM
 		check_equal(body.youngs_modulus, material.youngs_modulus, "Young's modulus after choosing Custom")

@@ -57,6 +57,54 @@ func test_an_old_script_or_animation_that_sets_the_hull_sets_the_polygon() -> vo
 	_check_warned_once([String(body.name), "'hull'", "'polygon'"], "an old script")
 
 
+func test_friction_and_bounce_of_an_old_scene_become_a_physics_material_of_its_own() -> void:
+	for values: Array in [[0.75, 0.25], [0.75, 0.0], [0.4, 0.25]]:
+		var lines := "youngs_modulus = 500.0"
+		if values[0] != 0.4:
+			lines += "\nfriction = %s" % values[0]
+		if values[1] != 0.0:
+			lines += "\nbounce = %s" % values[1]
+		var body := _scene_of(lines)
+		var material := body.physics_material_override
+		if not check(material != null, "there is a physics material for " + lines):
+			continue
+		check_near(material.friction, values[0], 1e-6, "friction of " + lines)
+		check_near(material.bounce, values[1], 1e-6, "bounce of " + lines)
+		stage.add_child(body)
+		_check_warned_once(["Jelly", "'friction'", "'bounce'", "'physics_material_override'"], lines)
+		var text := _saved(body)
+		check("[sub_resource type=\"PhysicsMaterial\"" in text and "\nphysics_material_override = " in text,
+				"the scene is saved with the material: " + text)
+		body.free()
+
+
+func test_old_values_change_no_material_that_others_share() -> void:
+	var shared := surface(0.5)
+	var body := add_body(Vector2.ZERO, {"physics_material_override": shared})
+	body.set("friction", 0.75)
+	body.set("friction", 0.25)
+	check_near(shared.friction, 0.5, 1e-6, "friction of the shared material")
+	check_near(body.get("friction"), 0.25, 1e-6, "what an old script reads")
+	_check_warned_once([String(body.name), "'physics_material_override'"], "an old script")
+	for bad: Variant in [-1.0, NAN, "text"]:
+		body.set("friction", bad)
+		check_near(body.physics_material_override.friction, 0.25, 1e-6, "friction after %s" % bad)
+		check("friction" in "".join(take_errors()) or _error_log == null or bad is String, "%s is refused by name" % bad)
+
+
+func test_old_values_beside_a_shared_material_go_on_without_effect() -> void:
+	var path := "user://former_material.tres"
+	var material := SoftBodyMaterial2D.new()
+	material.friction = 0.125
+	ResourceSaver.save(material, path)
+	var body := add_body(Vector2.ZERO, {"soft_body_material": material})
+	DirAccess.remove_absolute(path)
+	body.set("friction", 0.75)
+	check_equal(body.physics_material_override, null, "physics material")
+	check_equal(body.get("friction"), 0.125, "friction in use")
+	_check_warned_once(["'soft_body_material'"], "a value that did not count")
+
+
 func test_an_old_hull_of_a_wrong_type_or_shape_is_refused_as_the_polygon_is() -> void:
 	for damage: String in ["12", "PackedVector2Array(0, 0, 10, 0)"]:
 		var body := _scene_of("hull = " + damage)

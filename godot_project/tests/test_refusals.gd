@@ -7,8 +7,6 @@ const NUMBERS := {
 	"mass": [[0.0, -1.0, NAN, INF], 2.5],
 	"stiffness": [[-1.0, NAN, INF], 120.0],
 	"damping": [[-0.1, NAN, INF], 0.5],
-	"friction": [[-0.1, NAN, INF], 0.7],
-	"bounce": [[-0.1, 1.1, NAN, INF], 0.5],
 	"rolling_resistance": [[-0.1, NAN, INF], 0.2],
 	"shape_matching": [[-0.1, NAN, INF], 0.8],
 	"shape_damping": [[-0.1, NAN, INF], 0.5],
@@ -55,7 +53,7 @@ func test_numbers_out_of_range_are_refused_and_the_old_value_stays() -> void:
 func test_the_message_names_the_value_and_the_bound() -> void:
 	var body := _make(true)
 	check_refused(func() -> void: body.mass = -3, ["Jelly", "mass", "-3", "0"], "mass = -3")
-	check_refused(func() -> void: body.bounce = 1.5, ["Jelly", "bounce", "1.5", "1"], "bounce = 1.5")
+	check_refused(func() -> void: body.least_area = 1.5, ["Jelly", "least_area", "1.5", "1"], "least_area = 1.5")
 	check_refused(func() -> void: body.substeps = 65, ["Jelly", "substeps", "65", "64"], "substeps = 65")
 	check_refused(func() -> void: body.stiffness = NAN, ["Jelly", "stiffness", "nan"], "stiffness = NAN")
 	check_refused(func() -> void: body.polygon = PackedVector2Array([Vector2.ZERO, Vector2.ONE]),
@@ -64,7 +62,7 @@ func test_the_message_names_the_value_and_the_bound() -> void:
 
 func test_bounds_themselves_are_accepted() -> void:
 	var body := _make(true)
-	for value: Array in [["stiffness", 0.0], ["damping", 0.0], ["friction", 0.0], ["bounce", 0.0], ["bounce", 1.0],
+	for value: Array in [["stiffness", 0.0], ["damping", 0.0], ["damping_ratio", 0.0], ["least_area", 0.0], ["least_area", 1.0],
 			["rolling_resistance", 0.0], ["shape_matching", 0.0], ["shape_damping", 0.0], ["gravity_scale", 0.0],
 			["substeps", 0], ["substeps", 64], ["mass", 0.001], ["collision_layer", 0], ["collision_mask", 0]]:
 		body.set(value[0], value[1])
@@ -100,8 +98,8 @@ func test_a_warning_shows_the_refused_value_until_a_good_one_is_set() -> void:
 	body.polygon = PackedVector2Array()
 	take_errors()
 	check("polygon" in _warnings(body), "no warning about an empty polygon")
-	body.friction = 0.5
-	check("polygon" in _warnings(body), "a good friction took the warning about the polygon away")
+	body.rolling_resistance = 0.2
+	check("polygon" in _warnings(body), "a good rolling resistance took the warning about the polygon away")
 	body.polygon = PackedVector2Array(GOOD_POLYGON)
 	check_equal(_warnings(body), clean, "warnings after a good polygon")
 
@@ -110,12 +108,12 @@ func test_several_warnings_stand_side_by_side() -> void:
 	var body := _make(false)
 	var clean := _warnings(body)
 	body.mass = -1
-	body.friction = -1
+	body.inflation = -1
 	take_errors()
-	check("mass" in _warnings(body) and "friction" in _warnings(body), "not both: " + _warnings(body))
+	check("mass" in _warnings(body) and "inflation" in _warnings(body), "not both: " + _warnings(body))
 	body.mass = 2
-	check(not "mass" in _warnings(body) and "friction" in _warnings(body), "not only friction: " + _warnings(body))
-	body.friction = 0.2
+	check(not "mass" in _warnings(body) and "inflation" in _warnings(body), "not only inflation: " + _warnings(body))
+	body.inflation = 1
 	check_equal(_warnings(body), clean, "warnings at the end")
 	body.free()
 

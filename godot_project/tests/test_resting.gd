@@ -155,7 +155,7 @@ func test_a_box_stays_on_a_slope_that_friction_holds() -> void:
 func test_a_slippery_body_slides_down_the_same_slope() -> void:
 	add_solid(rectangle(1000, 60), Transform2D(0.2, Vector2(0, 150)))
 	var body := add_body(Vector2.ZERO,
-			{ "polygon": SoftBody2D.make_box_polygon(Vector2(90, 60), 15), "rotation": 0.2, "friction": 0.0 })
+			{ "polygon": SoftBody2D.make_box_polygon(Vector2(90, 60), 15), "rotation": 0.2, "physics_material_override": surface(0.0) })
 	await seconds(2)
 	check_above(body.get_center_of_mass_position().x, 100, "way along the slope")
 
@@ -227,7 +227,7 @@ func test_squashes_on_impact_and_recovers_its_area() -> void:
 func _rebound(bounce: float, properties: Dictionary, floor_body: StaticBody2D = null) -> float:
 	if floor_body == null:
 		floor_body = add_floor(100)
-	var body := add_weightless_body(Vector2.ZERO, properties.merged({ "bounce": bounce }))
+	var body := add_weightless_body(Vector2.ZERO, properties.merged({ "physics_material_override": surface(0.4, bounce) }))
 	body.apply_central_impulse(Vector2(0, 400))
 	await seconds(2)
 	var speed := -body.get_linear_velocity().y
@@ -264,7 +264,7 @@ func test_the_floors_bounce_is_added() -> void:
 
 func test_a_bouncing_body_comes_to_rest() -> void:
 	add_floor(100)
-	var body := add_body(Vector2.ZERO, { "bounce": 0.7 })
+	var body := add_body(Vector2.ZERO, { "physics_material_override": surface(0.4, 0.7) })
 	await check_rests(body, 20)
 
 

@@ -255,7 +255,7 @@ func test_a_soft_body_pushes_a_crate_along_the_floor() -> void:
 	ice.physics_material_override = PhysicsMaterial.new()
 	ice.physics_material_override.friction = 0
 	var crate := add_rigid(rectangle(60, 60), Vector2(150, 69), 1, { "linear_damp_mode": RigidBody2D.DAMP_MODE_REPLACE, "linear_damp": 0.0, "lock_rotation": true })
-	var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "friction": 0.0 })
+	var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "physics_material_override": surface(0.0) })
 	await seconds(1)
 	soft.apply_central_impulse(Vector2(300, 0))
 	await seconds(1)

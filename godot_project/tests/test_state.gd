@@ -16,7 +16,7 @@ func test_a_scene_put_back_goes_on_in_the_same_bits() -> void:
 	add_floor(100)
 	var bodies: Array[SoftBody2D] = []
 	for i in 3:
-		bodies.append(add_body(Vector2(15 * i, -110 * i), {"stiffness": 150.0, "bounce": 0.25}))
+		bodies.append(add_body(Vector2(15 * i, -110 * i), {"stiffness": 150.0, "physics_material_override": surface(0.4, 0.25)}))
 	bodies[2].angular_velocity = 3.0
 	await ticks(25)
 	bodies[1].apply_central_force(Vector2(900, 0)) # queued: part of the state

@@ -157,7 +157,7 @@ func test_no_edge_between_tiles_slows_a_body_that_slides() -> void:
 		for quadrant: int in [1, 16]:
 			for speed: float in [100.0, 400.0]:
 				_add_tiles(quadrant, 80)
-				var soft := _box(Vector2(100, -32), { "friction": 0.0, "rolling_resistance": 0.0, "stiffness": 300.0 })
+				var soft := _box(Vector2(100, -32), { "physics_material_override": surface(0.0), "rolling_resistance": 0.0, "stiffness": 300.0 })
 				await seconds(0.5)
 				soft.apply_central_impulse(Vector2(speed, 0))
 				await seconds(50 * 32 / speed if speed > 200 else 4.0)
@@ -180,7 +180,7 @@ func test_a_chain_of_segments_is_smooth() -> void:
 			concave.segments = segments
 			add_solid(concave)
 			var polygon := SoftBody2D.make_circle_polygon(50, 16) if round else SoftBody2D.make_box_polygon(Vector2(80, 60), 20)
-			var soft := add_body(Vector2(100, -51 if round else -31), { "polygon": polygon, "friction": 0.0, "rolling_resistance": 0.0 })
+			var soft := add_body(Vector2(100, -51 if round else -31), { "polygon": polygon, "physics_material_override": surface(0.0), "rolling_resistance": 0.0 })
 			await seconds(0.5)
 			soft.apply_central_impulse(Vector2(400, 0))
 			await seconds(4)
@@ -294,7 +294,7 @@ func test_what_goes_away_holds_no_longer() -> void:
 
 func test_what_changes_is_honored() -> void:
 	var solid := add_floor(100)
-	var soft := _box(Vector2(0, 68), { "friction": 0.0, "rolling_resistance": 0.0 })
+	var soft := _box(Vector2(0, 68), { "physics_material_override": surface(0.0), "rolling_resistance": 0.0 })
 	await seconds(1)
 	((solid.get_child(0) as CollisionShape2D).shape as RectangleShape2D).size.y = 60
 	await seconds(2)
@@ -309,7 +309,7 @@ func test_what_changes_is_honored() -> void:
 	await seconds(2)
 	check_near(bounds_of(polygon_of(soft)).end.y, 130.0, 1, "lower side after it was scaled")
 	solid.constant_linear_velocity = Vector2(50, 0)
-	soft.friction = 1
+	soft.physics_material_override = surface(1)
 	await seconds(3)
 	check_near(soft.get_linear_velocity().x, 50.0, 3, "velocity after it became a belt")
 	solid.physics_material_override = PhysicsMaterial.new()
@@ -393,7 +393,7 @@ func test_a_changed_layer_is_honored_at_once() -> void:
 func test_only_near_shapes_are_of_interest_and_they_change_with_the_way() -> void:
 	for i in 40:
 		add_solid(rectangle(300, 40), Transform2D(0, Vector2(i * 300, 120)))
-	var soft := _box(Vector2(100, 68), { "friction": 0.0, "rolling_resistance": 0.0 })
+	var soft := _box(Vector2(100, 68), { "physics_material_override": surface(0.0), "rolling_resistance": 0.0 })
 	await seconds(0.5)
 	soft.apply_central_impulse(Vector2(2000, 0))
 	await seconds(5)

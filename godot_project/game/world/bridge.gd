@@ -19,7 +19,8 @@ func _ready() -> void:
 	center_point = false
 	shape_matching = 0.35
 	shape_damping = 0.6
-	friction = 0.9
+	physics_material_override = PhysicsMaterial.new()
+	physics_material_override.friction = 0.9
 	antialiased = true
 	smooth = true
 	color = Palette.BRIDGE

@@ -175,7 +175,10 @@ func test_raw_values_make_a_network_in_the_inspector_until_they_are_taken_back()
 
 
 func test_a_preset_that_is_chosen_in_the_inspector_is_undone_with_all_its_values() -> void:
-	await open_scene({"youngs_modulus": 333.0, "friction": 0.875})
+	var shared := PhysicsMaterial.new()
+	shared.friction = 0.875
+	await open_scene({"youngs_modulus": 333.0, "physics_material_override": shared})
+	shared = body.physics_material_override
 	await frames(30)
 	var chooser: EditorProperty = null
 	for property: EditorProperty in EditorInterface.get_inspector().find_children("*", "EditorProperty", true, false):
@@ -188,10 +191,13 @@ func test_a_preset_that_is_chosen_in_the_inspector_is_undone_with_all_its_values
 	chooser.emit_changed(&"preset", SoftBodyMaterial2D.PRESET_RUBBER)
 	await frames(2)
 	var rubber := SoftBodyMaterial2D.make_preset(SoftBodyMaterial2D.PRESET_RUBBER)
-	check_equal([body.youngs_modulus, body.friction], [rubber.youngs_modulus, rubber.friction], "values of rubber")
+	check_equal(body.youngs_modulus, rubber.youngs_modulus, "Young's modulus of rubber")
+	check(absf(body.physics_material_override.friction - rubber.friction) < 1e-6, "friction of rubber")
+	check_equal(shared.friction, 0.875, "friction of the material that others may share")
 	check_equal(history().get_version(), version + 1, "steps of undo")
 	await undo()
-	check_equal([body.youngs_modulus, body.poisson_ratio, body.friction], [333.0, 0.45, 0.875], "values after undo")
+	check_equal([body.youngs_modulus, body.poisson_ratio], [333.0, 0.45], "values after undo")
+	check_equal(body.physics_material_override, shared, "physics material after undo")
 
 
 func test_the_stability_panel_tells_and_its_advice_is_applied_in_one_step() -> void:

@@ -172,6 +172,14 @@ func add_solid(shape: Shape2D, transform := Transform2D.IDENTITY, parent: Node =
 
 
 ## A wide rectangle whose top is at `y`.
+## The surface of a body: without values that of one that has no material.
+func surface(friction := 0.4, bounce := 0.0) -> PhysicsMaterial:
+	var material := PhysicsMaterial.new()
+	material.friction = friction
+	material.bounce = bounce
+	return material
+
+
 func add_floor(y: float, parent: Node = null) -> StaticBody2D:
 	return add_solid(rectangle(2000, 100), Transform2D(0, Vector2(0, y + 50)), parent)
 

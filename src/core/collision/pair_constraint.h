@@ -6,6 +6,7 @@
 #include "core/base/vec2.h"
 #include "core/geometry/aabb.h"
 #include "core/model/body_frame.h"
+#include "core/model/body_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ struct alignas(64) SolverBody { // a line of the cache, which a pair that does n
 	Real way = 0; ///< of the fastest hull point in this substep [length]
 	Real width = 0; ///< of its thinner part (SoftBodyShape::width) [length]
 	Real inverse_mass = 0; ///< of the body as a whole; 0 when a point is pinned
-	Real friction = 0;
+	Real friction = 0; ///< negative when rough; see `combine_friction`
 	std::uint32_t body_index = 0; ///< in `WorldData::soft_bodies()`
 	/// Whether its integrator leaves a velocity that is ahead of the way just gone, as it holds the forces of the whole
 	/// substep and the way does not.
@@ -112,7 +113,7 @@ inline Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairCo
 		push = std::min(depth, fresh + OLD_OVERLAP_PUSH * size);
 	}
 	Vec2 shift = normal * push;
-	const Real friction = std::min(body.friction, other.friction);
+	const Real friction = combine_friction(body.friction, other.friction);
 	// The point met the edge somewhere within the substep: what it came too far is what its approach must lose, as
 	// velocities that follow from the moved positions would. Taking all of the approach from every graze instead
 	// keeps a pile trembling for good (200 bodies, 8 substeps: 1e-3 J each after 16 s instead of 1e-5).

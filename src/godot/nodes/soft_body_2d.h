@@ -18,6 +18,7 @@
 #include "godot/surroundings/hull_proxy.h"
 
 #include <godot_cpp/classes/node2d.hpp>
+#include <godot_cpp/classes/physics_material.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/templates/hash_map.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
@@ -113,7 +114,9 @@ public:
 		return own_material_.*VALUE;
 	}
 	void set_preset(SoftBodyMaterial2D::Preset p_preset);
-	SoftBodyMaterial2D::Preset get_preset() const { return SoftBodyMaterial2D::Preset(softbody::preset_of(own_material_)); }
+	SoftBodyMaterial2D::Preset get_preset() const;
+	void set_physics_material_override(const Ref<PhysicsMaterial> &p_material);
+	Ref<PhysicsMaterial> get_physics_material_override() const { return physics_material_override_; }
 	void set_network_values_set(bool p_set);
 	void clear_network_values() { set_network_values_set(false); }
 	bool has_network_values() const { return own_material_.has_network_values; }
@@ -383,6 +386,7 @@ private:
 	// Names of earlier versions, in soft_body_2d_former.cpp. True if the property had that name.
 	bool set_former(const StringName &p_name, const Variant &p_value);
 	bool get_former(const StringName &p_name, Variant &r_value) const;
+	void set_former_surface(const StringName &p_name, const Variant &p_value);
 
 	static void bind_polygon();
 	static void bind_mass();
@@ -393,6 +397,7 @@ private:
 	static void bind_motion();
 	static void bind_points();
 	static void bind_material();
+	static void bind_surface();
 	static void bind_network();
 	static void bind_springs();
 	static void bind_limits();
@@ -430,6 +435,16 @@ private:
 		PackedStringArray problems; ///< parts of the structure that do not fit the others and were left out
 	};
 
+	/// Friction and bounce as contacts use them.
+	struct Surface {
+		double friction = 0; ///< [1], >= 0
+		double bounce = 0; ///< [1], 0..1
+		bool rough = false;
+		bool absorbent = false;
+		/// Whether it has these values and is neither rough nor absorbent.
+		bool is_plain(double p_friction, double p_bounce) const;
+	};
+
 	/// What a contact of the last step was, for scripts.
 	struct ContactRecord {
 		Vector2 point;
@@ -451,6 +466,10 @@ private:
 	void set_own_material_value(const softbody::MaterialField &p_field, double p_value);
 	bool take_over_own_values(const StringName &p_property, const softbody::MaterialValues &p_values);
 	void take_over_material();
+	void take_over_physics_material();
+	/// Of `physics_material_override` where there is one, else of the material.
+	Surface surface() const;
+	static Ref<PhysicsMaterial> make_physics_material(const Surface &p_surface);
 	const softbody::MaterialValues &material_values() const;
 	ModelChoice choose_model() const;
 	double mass_of_area(double p_area) const;
@@ -541,6 +560,9 @@ private:
 	bool center_point_ = true;
 	softbody::MaterialValues own_material_;
 	Ref<SoftBodyMaterial2D> material_;
+	Ref<PhysicsMaterial> physics_material_override_;
+	Ref<PhysicsMaterial> former_surface_; ///< made for values that an old scene set under their former names
+	std::optional<Surface> surface_override_; ///< of `physics_material_override` when its values last were finite
 	ElasticModel elastic_model_ = ELASTIC_MODEL_AUTOMATIC;
 	double least_area_ = 0.5;
 	double least_stretch_ = 0.2;

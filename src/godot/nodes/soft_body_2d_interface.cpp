@@ -42,6 +42,7 @@ PackedVector2Array SoftBody2D::make_capsule_polygon(double p_radius, double p_he
 void SoftBody2D::_bind_methods() {
 	bind_polygon();
 	bind_mass();
+	bind_surface();
 	bind_material();
 	bind_network();
 	bind_limits();

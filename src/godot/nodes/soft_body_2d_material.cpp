@@ -49,14 +49,6 @@ bool SoftBody2D::take_over_own_values(const StringName &p_property, const softbo
 	return true;
 }
 
-void SoftBody2D::set_preset(SoftBodyMaterial2D::Preset p_preset) {
-	if (accept("preset", softbody::check_between("preset", p_preset, 0, softbody::MATERIAL_PRESET_COUNT - 1, ""))) {
-		softbody::MaterialValues changed = own_material_;
-		softbody::apply_preset(softbody::MaterialPreset(p_preset), changed);
-		take_over_own_values("preset", changed);
-	}
-}
-
 void SoftBody2D::set_network_values_set(bool p_set) {
 	softbody::MaterialValues changed = own_material_;
 	softbody::set_network_values_set(changed, p_set);
@@ -166,7 +158,10 @@ void SoftBody2D::bind_material() {
 	ClassDB::bind_method(D_METHOD("set_soft_body_material", "material"), &SoftBody2D::set_soft_body_material);
 	ClassDB::bind_method(D_METHOD("get_soft_body_material"), &SoftBody2D::get_soft_body_material);
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "soft_body_material", PROPERTY_HINT_RESOURCE_TYPE, "SoftBodyMaterial2D"), "set_soft_body_material", "get_soft_body_material");
-	softbody::bind_material_values<SoftBody2D>();
+	softbody::bind_preset<SoftBody2D>();
+	softbody::bind_elastic_values<SoftBody2D>();
+	softbody::material_binding::bind<SoftBody2D, &softbody::MaterialValues::rolling_resistance>();
+	softbody::material_binding::bind<SoftBody2D, &softbody::MaterialValues::inflation>();
 	ClassDB::bind_method(D_METHOD("_take_over_material"), &SoftBody2D::take_over_material);
 }
 

@@ -194,8 +194,11 @@ softbody::Result<softbody::BodySettings> SoftBody2D::make_settings(const Design 
 	settings.least_stretch = softbody::Real(least_stretch_);
 	settings.most_stretch = softbody::Real(most_stretch_);
 	settings.inflation = softbody::Real(material.inflation);
-	settings.friction = softbody::Real(material.friction);
-	settings.restitution = softbody::Real(material.bounce);
+	const Surface surface_values = surface();
+	settings.friction = softbody::Real(surface_values.friction);
+	settings.rough = surface_values.rough;
+	settings.restitution = softbody::Real(surface_values.bounce);
+	settings.absorbent = surface_values.absorbent;
 	settings.rolling_resistance = softbody::Real(material.rolling_resistance);
 	settings.gravity_scale = softbody::Real(gravity_scale_);
 	settings.integrator = softbody::Integrator(integrator_);

@@ -54,7 +54,10 @@ void SoftBodyMaterial2D::set_network_values_set(bool p_set) {
 
 void SoftBodyMaterial2D::_bind_methods() {
 	ADD_GROUP("Material", "");
-	softbody::bind_material_values<SoftBodyMaterial2D>();
+	softbody::bind_preset<SoftBodyMaterial2D>();
+	softbody::bind_elastic_values<SoftBodyMaterial2D>();
+	softbody::bind_surface_values<SoftBodyMaterial2D>();
+	softbody::material_binding::bind<SoftBodyMaterial2D, &softbody::MaterialValues::inflation>();
 	softbody::material_binding::bind<SoftBodyMaterial2D, &softbody::MaterialValues::density>();
 	ADD_GROUP("Network", "");
 	softbody::bind_network_values<SoftBodyMaterial2D>();
