@@ -66,7 +66,7 @@ func _add_body(tint: Color) -> void:
 		if ends.y in [outline.size(), outline.size() + 1] or ends.x in [outline.size(), outline.size() + 1]:
 			body.set_spring_stiffness_scale(i, 6)
 	body.shape_matching = 0.2
-	body.shape_damping = 0.5
+	body.shape_damping_ratio = 0.5
 	body.physics_material_override = PhysicsMaterial.new()
 	body.physics_material_override.friction = 0.3
 	body.texture = preload("res://textures/car.svg")

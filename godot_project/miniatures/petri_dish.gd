@@ -34,7 +34,7 @@ func _init() -> void:
 	_substance.damping = 0.25
 	_substance.pressure = 70
 	_substance.shape_matching = 0.15
-	_substance.shape_damping = 0.6
+	_substance.shape_damping_ratio = 0.6
 	_substance.friction = 0.05
 	_substance.density = 0.9
 

@@ -327,6 +327,8 @@ func test_a_body_that_fails_is_named_and_reset_or_frozen_and_no_other_moves_diff
 			add_floor(100)
 			var failing := add_body(Vector2(-400, 0), { "failure_mode": mode, "name": "Doomed" })
 			var other := add_body(Vector2(100, 0))
+			var told: Array[bool] = []
+			failing.failed.connect(func() -> void: told.append(failing.freeze))
 			await ticks(10)
 			take_errors()
 			if fails:
@@ -334,6 +336,10 @@ func test_a_body_that_fails_is_named_and_reset_or_frozen_and_no_other_moves_diff
 			await ticks(1)
 			var errors := take_errors()
 			ways.append(other.get_point_positions())
+			var expected: Array[bool] = []
+			if fails:
+				expected.append(mode == SoftBody2D.FAILURE_MODE_FREEZE)
+			check_equal(told, expected, "signals, and whether the body was frozen when they came")
 			if fails:
 				check_equal(errors.size(), 1, "number of messages")
 				check("Doomed" in errors[0], "the message names the body: %s" % errors)

@@ -21,7 +21,7 @@ const PROPERTIES := {
 	"physics_material_override": [TYPE_OBJECT, "PhysicsMaterial"],
 	"rolling_resistance": [TYPE_FLOAT, ""],
 	"shape_matching": [TYPE_FLOAT, ""],
-	"shape_damping": [TYPE_FLOAT, ""],
+	"shape_damping_ratio": [TYPE_FLOAT, ""],
 	"gravity_scale": [TYPE_FLOAT, ""],
 	"integrator": [TYPE_INT, "Automatic,Explicit Euler,Semi-Implicit Euler"],
 	"substeps": [TYPE_INT, ""],
@@ -63,6 +63,7 @@ const PROPERTIES := {
 	"freeze": [TYPE_BOOL, ""],
 	"simulate_off_screen": [TYPE_BOOL, ""],
 	"failure_mode": [TYPE_INT, "Reset,Freeze"],
+	"disable_mode": [TYPE_INT, "Remove,Make Static,Keep Active"],
 	"self_collision": [TYPE_INT, "Off,On,Automatic"],
 	"contact_monitor": [TYPE_BOOL, ""],
 	"max_contacts_reported": [TYPE_INT, ""],
@@ -71,7 +72,7 @@ const PROPERTIES := {
 const HIDDEN: Array[String] = ["network_values_set"]
 const DEFAULTS := {
 	"mass": 1.0, "stiffness": 100.0, "damping": 0.12, "physics_material_override": null,
-	"rolling_resistance": 0.03, "shape_matching": 0.4, "shape_damping": 0.25, "gravity_scale": 1.0,
+	"rolling_resistance": 0.03, "shape_matching": 0.4, "shape_damping_ratio": 0.25, "gravity_scale": 1.0,
 	"center_point": true, "pressure": 0.0, "inflation": 1.0, "integrator": 0,
 	"substeps": 0, "collision_layer": 1, "collision_mask": 1, "color": Color.WHITE, "texture": null,
 	"antialiased": false, "smooth": false, "texture_offset": Vector2.ZERO, "texture_scale": Vector2.ONE,
@@ -79,7 +80,7 @@ const DEFAULTS := {
 	"outline_texture_mode": 0,
 	"soft_body_material": null, "linear_velocity": Vector2.ZERO, "angular_velocity": 0.0,
 	"constant_force": Vector2.ZERO, "constant_torque": 0.0, "sleeping": false, "can_sleep": true, "freeze": false, "simulate_off_screen": true,
-	"failure_mode": 0,
+	"failure_mode": 0, "disable_mode": 0,
 	"self_collision": 2, "contact_monitor": false, "max_contacts_reported": 16,
 	"collision_proxy_enabled": true, "collision_proxy_margin": -1.0,
 	"linear_damp_mode": 0, "linear_damp": 0.0, "angular_damp_mode": 0, "angular_damp": 0.0,
@@ -137,7 +138,7 @@ func test_every_stored_property_is_covered_by_these_tests() -> void:
 func test_numbers_have_ranges_and_layers_have_their_editor() -> void:
 	var found := _own_properties()
 	for name: String in ["mass", "stiffness", "damping", "rolling_resistance",
-			"shape_matching", "shape_damping", "gravity_scale", "substeps"]:
+			"shape_matching", "shape_damping_ratio", "gravity_scale", "substeps"]:
 		check_equal(found[name]["hint"], PROPERTY_HINT_RANGE, "hint of " + name)
 	for name: String in ["mass", "stiffness", "damping"]:
 		check("or_greater" in found[name]["hint_string"], "the inspector ends the range of %s" % name)

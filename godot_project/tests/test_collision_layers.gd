@@ -72,3 +72,24 @@ func test_areas_and_disabled_shapes_are_no_surroundings() -> void:
 	var body := add_body()
 	await seconds(2)
 	check_above(body.get_center_of_mass_position().y, 300, "y of the body")
+
+
+func test_layers_and_masks_are_set_by_number_as_those_of_other_bodies() -> void:
+	var body := add_weightless_body()
+	var like := StaticBody2D.new()
+	stage.add_child(like)
+	for change: Array in [[1, false], [3, true], [32, true], [3, false], [17, true]]:
+		for node: Node2D in [body, like]:
+			node.call(&"set_collision_layer_value", change[0], change[1])
+			node.call(&"set_collision_mask_value", change[0], not change[1])
+		check_equal([body.collision_layer, body.collision_mask], [like.collision_layer, like.collision_mask], "bits after %s" % [change])
+		for number in range(1, 33):
+			check(body.get_collision_layer_value(number) == like.get_collision_layer_value(number)
+					and body.get_collision_mask_value(number) == like.get_collision_mask_value(number), "bit %d after %s" % [number, change])
+	var before := [body.collision_layer, body.collision_mask]
+	for number: int in [0, 33, -1]:
+		check_refused(func() -> void: body.set_collision_layer_value(number, true), ["layer", "between 1 and 32"], "layer %d" % number)
+		check_refused(func() -> void: body.set_collision_mask_value(number, true), ["mask", "between 1 and 32"], "mask %d" % number)
+		check_refused(func() -> void: check_equal(body.get_collision_layer_value(number), false, "value of none"),
+				["layer", "between 1 and 32"], "value of layer %d" % number)
+	check_equal([body.collision_layer, body.collision_mask], before, "bits after numbers that there are not")

@@ -287,7 +287,7 @@ func test_deformation_is_blended_too() -> void:
 		return
 	for interpolated: bool in [false, true]:
 		_set_mode(interpolated, 10)
-		var body := _ball({ "stiffness": 4.0, "damping": 0.0, "shape_damping": 0.0 })
+		var body := _ball({ "stiffness": 4.0, "damping": 0.0, "shape_damping_ratio": 0.0 })
 		for i in body.polygon.size():
 			body.apply_point_impulse(i, Vector2(body.polygon[i].x, 0).sign() * 1.0)
 		await ticks(2)

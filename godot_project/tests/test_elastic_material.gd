@@ -4,7 +4,7 @@ extends "res://tests/support/suite.gd"
 
 const NETWORK := SoftBody2D.ELASTIC_MODEL_NETWORK
 const MODES := SoftBody2D.ELASTIC_MODEL_MODES
-const RAW: Array[String] = ["stiffness", "damping", "shape_matching", "shape_damping", "pressure"]
+const RAW: Array[String] = ["stiffness", "damping", "shape_matching", "shape_damping_ratio", "pressure"]
 const MATERIAL: Array[String] = ["youngs_modulus", "poisson_ratio", "damping_ratio"]
 
 
@@ -201,7 +201,7 @@ func test_raw_values_stay_in_force_until_the_model_is_chosen_or_they_are_cleared
 
 func test_old_scenes_load_as_the_networks_that_they_were_and_a_note_says_so_once() -> void:
 	var path := "user://old_scene.tscn"
-	for line: String in ["stiffness = 35.0", "damping = 0.5", "shape_matching = 0.8", "shape_damping = 0.5", "pressure = 60.0"]:
+	for line: String in ["stiffness = 35.0", "damping = 0.5", "shape_matching = 0.8", "shape_damping_ratio = 0.5", "pressure = 60.0"]:
 		var file := FileAccess.open(path, FileAccess.WRITE)
 		file.store_string("[gd_scene format=3]\n\n[node name=\"Old\" type=\"SoftBody2D\"]\n%s\nmass = 2.0\n" % line)
 		file.close()

@@ -105,6 +105,24 @@ func test_old_values_beside_a_shared_material_go_on_without_effect() -> void:
 	_check_warned_once(["'soft_body_material'"], "a value that did not count")
 
 
+func test_the_shape_damping_of_an_old_scene_or_material_is_its_damping_ratio() -> void:
+	var body := _scene_of("stiffness = 200.0\nshape_damping = 0.75")
+	check_equal(body.shape_damping_ratio, 0.75, "shape damping ratio")
+	check_equal(body.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_NETWORK, "model")
+	stage.add_child(body)
+	_check_warned_once(["Jelly", "'shape_damping'", "'shape_damping_ratio'"], "an old scene")
+	var path := "user://former_material.tres"
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	file.store_string("[gd_resource type=\"SoftBodyMaterial2D\" format=3]\n\n[resource]\nstiffness = 200.0\nshape_damping = 0.75\n")
+	file.close()
+	var material := ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE) as SoftBodyMaterial2D
+	check_equal(material.shape_damping_ratio, 0.75, "shape damping ratio of the material")
+	_check_warned_once(["'shape_damping'", "'shape_damping_ratio'"], "an old material")
+	ResourceSaver.save(material, path)
+	check("\nshape_damping_ratio = 0.75" in FileAccess.get_file_as_string(path), "the material is saved with the new name")
+	DirAccess.remove_absolute(path)
+
+
 func test_an_old_hull_of_a_wrong_type_or_shape_is_refused_as_the_polygon_is() -> void:
 	for damage: String in ["12", "PackedVector2Array(0, 0, 10, 0)"]:
 		var body := _scene_of("hull = " + damage)

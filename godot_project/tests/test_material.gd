@@ -4,7 +4,7 @@ extends "res://tests/support/suite.gd"
 
 const FIELDS := {
 	"youngs_modulus": [250.0, 320.0], "poisson_ratio": [0.25, 0.375], "damping_ratio": [0.5, 0.25],
-	"stiffness": [250.0, 320.0], "damping": [0.5, 0.75], "shape_matching": [0.75, 0.5], "shape_damping": [0.5, 0.125],
+	"stiffness": [250.0, 320.0], "damping": [0.5, 0.75], "shape_matching": [0.75, 0.5], "shape_damping_ratio": [0.5, 0.125],
 	"pressure": [20.0, 40.0], "inflation": [1.25, 1.5], "friction": [0.75, 0.125], "bounce": [0.5, 0.25],
 	"rolling_resistance": [0.25, 0.125], "density": [2.0, 4.0],
 }

@@ -163,7 +163,7 @@ func test_every_other_property_may_change_while_running() -> void:
 	var body := add_body()
 	await seconds(1)
 	for change: Array in [["damping", 0.5], ["physics_material_override", surface(0.9, 0.3)], ["rolling_resistance", 0.1],
-			["shape_matching", 1.0], ["shape_damping", 0.5], ["gravity_scale", 1.2], ["substeps", 12],
+			["shape_matching", 1.0], ["shape_damping_ratio", 0.5], ["gravity_scale", 1.2], ["substeps", 12],
 			["collision_layer", 3], ["collision_mask", 5], ["color", Color.RED]]:
 		var points := body.get_point_positions()
 		body.set(change[0], change[1])

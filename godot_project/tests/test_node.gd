@@ -243,6 +243,58 @@ func test_a_disabled_body_stands_still_beside_a_running_one() -> void:
 	check_above(running.get_center_of_mass_position().y, 50, "y of the running body")
 
 
+func test_a_disabled_body_is_removed_made_static_or_goes_on_as_its_disable_mode_says() -> void:
+	var parent := Node2D.new()
+	stage.add_child(parent)
+	for mode: int in [SoftBody2D.DISABLE_MODE_REMOVE, SoftBody2D.DISABLE_MODE_MAKE_STATIC, SoftBody2D.DISABLE_MODE_KEEP_ACTIVE]:
+		for is_disabled_first: bool in [false, true]:
+			var what := "mode %d, disabled %s" % [mode, "before it enters the tree" if is_disabled_first else "in the tree"]
+			parent.process_mode = Node.PROCESS_MODE_DISABLED if is_disabled_first else Node.PROCESS_MODE_INHERIT
+			var body := SoftBody2D.new()
+			body.disable_mode = mode
+			parent.add_child(body)
+			parent.process_mode = Node.PROCESS_MODE_DISABLED
+			var crumb := add_body(Vector2(0, -120), {"polygon": SoftBody2D.make_circle_polygon(20, 10)})
+			await ticks(60)
+			var is_static: bool = mode == SoftBody2D.DISABLE_MODE_MAKE_STATIC
+			if mode == SoftBody2D.DISABLE_MODE_KEEP_ACTIVE:
+				check_above(body.global_position.y, 200, "y of the body, " + what)
+			else:
+				check_near(body.global_position, Vector2.ZERO, 0.01, "place of the body, " + what)
+			check_equal(crumb.global_position.y < 0, is_static, "whether it holds another body, " + what)
+			var query := PhysicsPointQueryParameters2D.new()
+			query.position = Vector2(10, 10)
+			check_equal(not stage.get_world_2d().direct_space_state.intersect_point(query).is_empty(), is_static,
+					"whether the engine finds it where it was, " + what)
+			check_equal(body.freeze, false, "freeze, " + what)
+			tree.paused = true
+			var before := body.global_position
+			await ticks(5)
+			check_equal(body.global_position, before, "place while the tree is paused, " + what)
+			tree.paused = false
+			parent.process_mode = Node.PROCESS_MODE_INHERIT
+			await ticks(60)
+			check_above(body.global_position.y, before.y + 50, "y after it was enabled again, " + what)
+			body.free()
+			crumb.free()
+
+
+func test_a_frozen_body_that_is_disabled_and_enabled_stays_frozen() -> void:
+	var body := add_body(Vector2.ZERO, {"disable_mode": SoftBody2D.DISABLE_MODE_MAKE_STATIC, "freeze": true})
+	body.process_mode = Node.PROCESS_MODE_DISABLED
+	await ticks(2)
+	body.process_mode = Node.PROCESS_MODE_INHERIT
+	await ticks(30)
+	check_near(body.global_position, Vector2.ZERO, 0.01, "place of the frozen body")
+	body.process_mode = Node.PROCESS_MODE_DISABLED
+	body.freeze = false
+	await ticks(30)
+	check_near(body.global_position, Vector2.ZERO, 0.01, "place while it is held static")
+	body.disable_mode = SoftBody2D.DISABLE_MODE_KEEP_ACTIVE
+	await ticks(30)
+	check_above(body.global_position.y, 50, "y after its disable mode has changed")
+
+
 func test_a_hidden_body_still_moves() -> void:
 	var body := add_body()
 	body.hide()

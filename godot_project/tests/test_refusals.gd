@@ -9,7 +9,7 @@ const NUMBERS := {
 	"damping": [[-0.1, NAN, INF], 0.5],
 	"rolling_resistance": [[-0.1, NAN, INF], 0.2],
 	"shape_matching": [[-0.1, NAN, INF], 0.8],
-	"shape_damping": [[-0.1, NAN, INF], 0.5],
+	"shape_damping_ratio": [[-0.1, NAN, INF], 0.5],
 	"gravity_scale": [[NAN, INF, -INF], -2.0],
 	"substeps": [[-1, 65], 8],
 }
@@ -63,7 +63,7 @@ func test_the_message_names_the_value_and_the_bound() -> void:
 func test_bounds_themselves_are_accepted() -> void:
 	var body := _make(true)
 	for value: Array in [["stiffness", 0.0], ["damping", 0.0], ["damping_ratio", 0.0], ["least_area", 0.0], ["least_area", 1.0],
-			["rolling_resistance", 0.0], ["shape_matching", 0.0], ["shape_damping", 0.0], ["gravity_scale", 0.0],
+			["rolling_resistance", 0.0], ["shape_matching", 0.0], ["shape_damping_ratio", 0.0], ["gravity_scale", 0.0],
 			["substeps", 0], ["substeps", 64], ["mass", 0.001], ["collision_layer", 0], ["collision_mask", 0]]:
 		body.set(value[0], value[1])
 		check_equal(body.get(value[0]), value[1], value[0])

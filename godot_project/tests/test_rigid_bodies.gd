@@ -82,7 +82,7 @@ func test_an_inelastic_hit_ends_with_the_common_velocity() -> void:
 			collision.position = wall[0]
 			collision.shape = rectangle(wall[1].x, wall[1].y)
 			box.add_child(collision)
-		var soft := add_weightless_body(Vector2.ZERO, { "stiffness": 200.0, "damping": 3.0, "shape_damping": 3.0 })
+		var soft := add_weightless_body(Vector2.ZERO, { "stiffness": 200.0, "damping": 3.0, "shape_damping_ratio": 3.0 })
 		await ticks(2)
 		soft.apply_central_impulse(Vector2(300, 20))
 		await seconds(12)

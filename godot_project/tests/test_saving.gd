@@ -8,7 +8,7 @@ const PROPERTIES := {
 		Vector2(-30, 40), Vector2(-58, 10)],
 	"mass": 2.5, "youngs_modulus": 480.0, "poisson_ratio": 0.25, "damping_ratio": 0.5,
 	"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK, "least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0, "stiffness": 640.0, "damping": 0.5, 
-	"rolling_resistance": 0.0625, "shape_matching": 0.75, "shape_damping": 0.5, "gravity_scale": 1.25,
+	"rolling_resistance": 0.0625, "shape_matching": 0.75, "shape_damping_ratio": 0.5, "gravity_scale": 1.25,
 	"substeps": 9, "collision_layer": 5, "collision_mask": 3, "color": Color(0.25, 0.5, 0.75, 1.0),
 	"antialiased": true, "smooth": true, "texture_offset": Vector2(2, -3), "texture_scale": Vector2(0.5, 2),
 	"texture_rotation": 0.5, "outline_width": 4.0, "outline_color": Color(0.5, 0, 0.25, 1.0), "outline_texture_mode": 1,
@@ -24,7 +24,7 @@ const PROPERTIES := {
 	"vertex_colors": [Color.RED, Color.GREEN, Color.BLUE, Color.WHITE, Color.BLACK, Color.RED, Color.GREEN],
 	"uv": [Vector2(0, 0), Vector2(8, 0), Vector2(16, 0), Vector2(16, 8), Vector2(16, 16), Vector2(8, 16), Vector2(0, 16)],
 	"pinned_points": [3], "pin_targets": [^".."],
-	"can_sleep": false, "simulate_off_screen": false, "failure_mode": 1, "self_collision": 1, "contact_monitor": true, "max_contacts_reported": 4,
+	"can_sleep": false, "simulate_off_screen": false, "failure_mode": 1, "disable_mode": 1, "self_collision": 1, "contact_monitor": true, "max_contacts_reported": 4,
 }
 # Resources, and what would keep the body from moving.
 const OTHERS: Array[String] = ["texture", "outline_texture", "soft_body_material", "physics_material_override", "sleeping", "freeze"]

@@ -79,7 +79,7 @@ func test_factors_follow_the_material_and_belong_to_their_spring() -> void:
 
 func test_a_spring_that_wants_to_be_shorter_pulls_its_ends_together() -> void:
 	# A muscle changes the shape that the body wants; the limits go by the one that it was designed with.
-	var body := _square({"shape_matching": 0.0, "shape_damping": 0.0, "damping": 3.0, "least_area": 0.0})
+	var body := _square({"shape_matching": 0.0, "shape_damping_ratio": 0.0, "damping": 3.0, "least_area": 0.0})
 	body.set_spring_length_scale(0, 0.5)
 	await seconds(2)
 	check_near(body.get_spring_length(0), 40.0, 1, "length of the top spring")

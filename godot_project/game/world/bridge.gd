@@ -18,7 +18,7 @@ func _ready() -> void:
 	damping = 0.5
 	center_point = false
 	shape_matching = 0.35
-	shape_damping = 0.6
+	shape_damping_ratio = 0.6
 	physics_material_override = PhysicsMaterial.new()
 	physics_material_override.friction = 0.9
 	antialiased = true

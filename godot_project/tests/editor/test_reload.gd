@@ -21,14 +21,14 @@ var body_values := {
 	"pinned_points": PackedInt32Array([3, 8]), "pin_targets": [^"..", ^"../Joint"] as Array[NodePath],
 	"youngs_modulus": 480.0, "poisson_ratio": 0.25, "damping_ratio": 0.5, "elastic_model": SoftBody2D.ELASTIC_MODEL_SPRINGS,
 	"least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0,
-	"network_values_set": true, "mass": 2.5, "stiffness": 640.0, "damping": 0.5, "shape_matching": 0.75, "shape_damping": 0.5, "pressure": 12.0,
+	"network_values_set": true, "mass": 2.5, "stiffness": 640.0, "damping": 0.5, "shape_matching": 0.75, "shape_damping_ratio": 0.5, "pressure": 12.0,
 	"inflation": 1.125, "physics_material_override": PhysicsMaterial.new(), "rolling_resistance": 0.0625, "gravity_scale": 1.25,
 	"linear_damp_mode": 1, "linear_damp": 0.25, "angular_damp_mode": 1, "angular_damp": 0.5,
 	"linear_velocity": Vector2(30, 20), "angular_velocity": 0.5, "constant_force": Vector2(4, 0), "constant_torque": 8.0,
 	"integrator": SoftBody2D.INTEGRATOR_MIDPOINT, "substeps": 9, "collision_layer": 5, "collision_mask": 3,
 	"self_collision": 1, "collision_proxy_enabled": false, "collision_proxy_margin": 2.0, "contact_monitor": true,
 	"max_contacts_reported": 4, "sleeping": true, "can_sleep": false, "freeze": true, "simulate_off_screen": false,
-	"failure_mode": 1, "color": Color(0.25, 0.5, 0.75), "antialiased": true, "smooth": true,
+	"failure_mode": 1, "disable_mode": 1, "color": Color(0.25, 0.5, 0.75), "antialiased": true, "smooth": true,
 	"vertex_colors": PackedColorArray([Color.RED, Color.GREEN, Color.BLUE, Color.WHITE, Color.BLACK, Color.RED, Color.GREEN]),
 	"uv": PackedVector2Array([Vector2(0, 0), Vector2(8, 0), Vector2(16, 0), Vector2(16, 8), Vector2(16, 16), Vector2(8, 16),
 		Vector2(0, 16)]),
@@ -44,7 +44,7 @@ var joint_values := {
 var attachment_values := { "follow_rotation": false, "position": Vector2(10, 12), "rotation": 0.5 }
 var material_values := {
 	"youngs_modulus": 240.0, "poisson_ratio": 0.125, "damping_ratio": 0.75,
-	"network_values_set": true, "stiffness": 320.0, "damping": 0.75, "shape_matching": 0.5, "shape_damping": 0.375, "pressure": 3.0, "inflation": 1.25,
+	"network_values_set": true, "stiffness": 320.0, "damping": 0.75, "shape_matching": 0.5, "shape_damping_ratio": 0.375, "pressure": 3.0, "inflation": 1.25,
 	"friction": 0.5, "bounce": 0.25, "rolling_resistance": 0.125, "density": 2.0,
 }
 

@@ -90,7 +90,7 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	apply_exceptions();
 	known_transform_ = transform;
 	start_first_motion();
-	body()->set_frozen(freeze_);
+	apply_freeze();
 	interpolation_.end();
 	update_topology();
 }
@@ -105,6 +105,7 @@ void SoftBody2D::enter_space() {
 		body_id_ = space_->world().add_soft_body(std::move(*stored_body_));
 		stored_body_.reset();
 		apply_exceptions();
+		apply_freeze();
 		take_over_transform();
 	} else {
 		rebuild_body(false);
@@ -144,6 +145,7 @@ void SoftBody2D::_notification(int p_what) {
 		case NOTIFICATION_ENTER_TREE: {
 			unfit_.tell(*this);
 			tell_network_once();
+			note_enabled();
 			enter_space();
 		} break;
 		case NOTIFICATION_EXIT_TREE: {
@@ -151,7 +153,7 @@ void SoftBody2D::_notification(int p_what) {
 		} break;
 		case NOTIFICATION_DISABLED:
 		case NOTIFICATION_ENABLED: {
-			update_proxy_presence();
+			note_enabled();
 		} break;
 		case NOTIFICATION_WORLD_2D_CHANGED: {
 			if (space_ != nullptr) {
@@ -235,7 +237,7 @@ void SoftBody2D::prepare_step() {
 	take_over_transform();
 	follow_pin_targets();
 	if (softbody::SoftBodyData *found = body()) {
-		found->set_active(can_process() && (simulate_off_screen_ || !is_off_screen()));
+		found->set_active(takes_part() && (simulate_off_screen_ || !is_off_screen()));
 		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
 			apply_constant_forces();
 		}

@@ -83,6 +83,13 @@ public:
 		DAMP_MODE_REPLACE,
 	};
 
+	/// As CollisionObject2D.DisableMode.
+	enum DisableMode {
+		DISABLE_MODE_REMOVE,
+		DISABLE_MODE_MAKE_STATIC,
+		DISABLE_MODE_KEEP_ACTIVE,
+	};
+
 	/// What becomes of a body whose motion is no longer finite.
 	enum FailureMode {
 		FAILURE_MODE_RESET,
@@ -141,6 +148,10 @@ public:
 	uint32_t get_collision_layer() const { return collision_layer_; }
 	void set_collision_mask(uint32_t p_mask);
 	uint32_t get_collision_mask() const { return collision_mask_; }
+	void set_collision_layer_value(int p_layer_number, bool p_value);
+	bool get_collision_layer_value(int p_layer_number) const;
+	void set_collision_mask_value(int p_layer_number, bool p_value);
+	bool get_collision_mask_value(int p_layer_number) const;
 	void set_self_collision(SelfCollision p_self_collision);
 	SelfCollision get_self_collision() const { return self_collision_; }
 	/// Whether it is in use.
@@ -255,7 +266,9 @@ public:
 	void set_failure_mode(FailureMode p_mode);
 	FailureMode get_failure_mode() const { return failure_mode_; }
 	/// The core has put the body back, and frozen it if that is its mode: says so, and follows.
-	void note_failure();
+	void note_failure(softbody::BodySignals &r_signals);
+	void set_disable_mode(DisableMode p_mode);
+	DisableMode get_disable_mode() const { return disable_mode_; }
 	void set_simulate_off_screen(bool p_enabled) { simulate_off_screen_ = p_enabled; }
 	bool is_simulating_off_screen() const { return simulate_off_screen_; }
 	void set_freeze_enabled(bool p_freeze);
@@ -388,6 +401,7 @@ private:
 	bool get_former(const StringName &p_name, Variant &r_value) const;
 	void set_former_surface(const StringName &p_name, const Variant &p_value);
 
+	static void bind_properties();
 	static void bind_polygon();
 	static void bind_mass();
 	static void bind_structure();
@@ -520,6 +534,11 @@ private:
 	void apply_settings();
 	void take_over_transform();
 	void update_proxy_presence();
+	void note_enabled();
+	/// Whether its process mode lets it be stepped, and if not, its disable mode.
+	bool takes_part() const;
+	bool is_held_static() const { return !enabled_ && disable_mode_ == DISABLE_MODE_MAKE_STATIC; }
+	void apply_freeze();
 	void apply_exceptions();
 	softbody::Real proxy_inset() const;
 	Transform2D transform_at(const softbody::BodyFrame &p_frame) const;
@@ -575,6 +594,8 @@ private:
 	double constant_torque_ = 0;
 	bool can_sleep_ = true;
 	FailureMode failure_mode_ = FAILURE_MODE_RESET;
+	DisableMode disable_mode_ = DISABLE_MODE_REMOVE;
+	bool enabled_ = true; ///< whether its process mode, or the one that it inherits, is another than disabled
 	bool simulate_off_screen_ = true;
 	bool freeze_ = false;
 	Integrator integrator_ = INTEGRATOR_AUTOMATIC;
@@ -639,4 +660,5 @@ VARIANT_ENUM_CAST(SoftBody2D::ElasticModel);
 VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);
 VARIANT_ENUM_CAST(SoftBody2D::DampMode);
 VARIANT_ENUM_CAST(SoftBody2D::FailureMode);
+VARIANT_ENUM_CAST(SoftBody2D::DisableMode);
 VARIANT_ENUM_CAST(SoftBody2D::SelfCollision);

@@ -223,23 +223,6 @@ void SoftBody2D::bind_drawing() {
 	ClassDB::bind_method(D_METHOD("_enter_screen"), &SoftBody2D::enter_screen);
 	ClassDB::bind_method(D_METHOD("_leave_screen"), &SoftBody2D::leave_screen);
 
-	ADD_GROUP("Drawing", "");
-	ADD_PROPERTY(PropertyInfo(Variant::COLOR, "color"), "set_color", "get_color");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_COLOR_ARRAY, "vertex_colors"), "set_vertex_colors", "get_vertex_colors");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "antialiased"), "set_antialiased", "is_antialiased");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "smooth"), "set_smooth", "is_smooth");
-	ADD_SUBGROUP("Texture", "");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_texture", "get_texture");
-	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "texture_offset", PROPERTY_HINT_NONE, "suffix:px"), "set_texture_offset", "get_texture_offset");
-	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "texture_scale", PROPERTY_HINT_LINK), "set_texture_scale", "get_texture_scale");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "texture_rotation", PROPERTY_HINT_RANGE, "-360,360,0.1,or_less,or_greater,radians_as_degrees"), "set_texture_rotation", "get_texture_rotation");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "uv", PROPERTY_HINT_NONE, "suffix:px"), "set_uv", "get_uv");
-	ADD_SUBGROUP("Outline", "outline_");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "outline_width", PROPERTY_HINT_RANGE, "0,64,0.1,or_greater,suffix:px"), "set_outline_width", "get_outline_width");
-	ADD_PROPERTY(PropertyInfo(Variant::COLOR, "outline_color"), "set_outline_color", "get_outline_color");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "outline_texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_outline_texture", "get_outline_texture");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "outline_texture_mode", PROPERTY_HINT_ENUM, "Tile,Stretch"), "set_outline_texture_mode", "get_outline_texture_mode");
-
 	BIND_ENUM_CONSTANT(OUTLINE_TEXTURE_TILE);
 	BIND_ENUM_CONSTANT(OUTLINE_TEXTURE_STRETCH);
 }

@@ -16,6 +16,11 @@ bool is_bounce(const StringName &p_name) {
 	return p_name == BOUNCE;
 }
 
+bool is_shape_damping(const StringName &p_name) {
+	static const StringName SHAPE_DAMPING = "shape_damping";
+	return p_name == SHAPE_DAMPING;
+}
+
 bool is_hull(const StringName &p_name) {
 	static const StringName HULL = "hull";
 	return p_name == HULL;
@@ -28,6 +33,13 @@ bool SoftBody2D::set_former(const StringName &p_name, const Variant &p_value) {
 		if (!unfit_.set(*this, get_class_static(), "polygon", p_value)) {
 			set_polygon(p_value);
 			unfit_.note_former(*this, p_name, "'hull' is called 'polygon' now. Its value was taken over: save the scene to store it as 'polygon', and change scripts and animations that name 'hull'.");
+		}
+		return true;
+	}
+	if (is_shape_damping(p_name)) {
+		if (!unfit_.set(*this, get_class_static(), "shape_damping_ratio", p_value)) {
+			set_material_value<&softbody::MaterialValues::shape_damping_ratio>(p_value);
+			unfit_.note_former(*this, p_name, "'shape_damping' is called 'shape_damping_ratio' now. Its value was taken over: save the scene to store it as 'shape_damping_ratio', and change scripts and animations that name 'shape_damping'.");
 		}
 		return true;
 	}
@@ -71,6 +83,8 @@ void SoftBody2D::set_former_surface(const StringName &p_name, const Variant &p_v
 bool SoftBody2D::get_former(const StringName &p_name, Variant &r_value) const {
 	if (is_hull(p_name)) {
 		r_value = polygon_;
+	} else if (is_shape_damping(p_name)) {
+		r_value = own_material_.shape_damping_ratio;
 	} else if (is_friction(p_name)) {
 		r_value = surface().friction;
 	} else if (is_bounce(p_name)) {

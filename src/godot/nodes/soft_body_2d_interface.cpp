@@ -38,7 +38,7 @@ PackedVector2Array SoftBody2D::make_capsule_polygon(double p_radius, double p_he
 	return polygon_or_error(softbody::capsule_hull(softbody::Real(p_radius), softbody::Real(p_height), softbody::Real(p_spacing)));
 }
 
-// In the order of the inspector. Each of these stands in the file of what it binds.
+// Methods, signals and constants are bound in the file of what they do; properties in one list, the inspector's.
 void SoftBody2D::_bind_methods() {
 	bind_polygon();
 	bind_mass();
@@ -59,6 +59,7 @@ void SoftBody2D::_bind_methods() {
 	bind_solver();
 	bind_report();
 	bind_drawing();
+	bind_properties();
 }
 
 } // namespace godot

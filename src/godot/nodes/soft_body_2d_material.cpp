@@ -154,14 +154,8 @@ void SoftBody2D::_validate_property(PropertyInfo &p_property) const {
 }
 
 void SoftBody2D::bind_material() {
-	ADD_GROUP("Material", "");
 	ClassDB::bind_method(D_METHOD("set_soft_body_material", "material"), &SoftBody2D::set_soft_body_material);
 	ClassDB::bind_method(D_METHOD("get_soft_body_material"), &SoftBody2D::get_soft_body_material);
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "soft_body_material", PROPERTY_HINT_RESOURCE_TYPE, "SoftBodyMaterial2D"), "set_soft_body_material", "get_soft_body_material");
-	softbody::bind_preset<SoftBody2D>();
-	softbody::bind_elastic_values<SoftBody2D>();
-	softbody::material_binding::bind<SoftBody2D, &softbody::MaterialValues::rolling_resistance>();
-	softbody::material_binding::bind<SoftBody2D, &softbody::MaterialValues::inflation>();
 	ClassDB::bind_method(D_METHOD("_take_over_material"), &SoftBody2D::take_over_material);
 }
 
@@ -170,9 +164,6 @@ void SoftBody2D::bind_network() {
 	ClassDB::bind_method(D_METHOD("get_elastic_model"), &SoftBody2D::get_elastic_model);
 	ClassDB::bind_method(D_METHOD("get_elastic_model_in_use"), &SoftBody2D::get_elastic_model_in_use);
 
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "elastic_model", PROPERTY_HINT_ENUM, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes,Triangles"), "set_elastic_model", "get_elastic_model");
-	ADD_GROUP("Network", "");
-	softbody::bind_network_values<SoftBody2D>();
 	bind_springs();
 
 	BIND_ENUM_CONSTANT(ELASTIC_MODEL_AUTOMATIC);

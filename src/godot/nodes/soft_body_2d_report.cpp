@@ -192,7 +192,7 @@ void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringA
 	// A network of its own is no fault. It is one that a material was given and has no effect.
 	const softbody::MaterialValues defaults;
 	if (decided_by_network_values(p_design) && !(softbody::to_material(material) == softbody::to_material(defaults))) {
-		r_warnings.push_back("youngs_modulus, poisson_ratio and damping_ratio have no effect, as raw values of the spring network are set as well (stiffness, damping, shape_matching, shape_damping or pressure): these are kept and used. To use the material, set elastic_model to Modes; to keep the network without this warning, set it to Network.");
+		r_warnings.push_back("youngs_modulus, poisson_ratio and damping_ratio have no effect, as raw values of the spring network are set as well (stiffness, damping, shape_matching, shape_damping_ratio or pressure): these are kept and used. To use the material, set elastic_model to Modes; to keep the network without this warning, set it to Network.");
 	}
 	const auto settings = make_settings(p_design);
 	if (!settings) {
@@ -227,7 +227,7 @@ void SoftBody2D::tell_network_once() const {
 #ifdef DEBUG_ENABLED
 	static std::atomic<bool> told = false;
 	if (choose_model().reason == REASON_NETWORK_VALUES && !told.exchange(true)) {
-		print_line("Note: " + describe() + ", perhaps among others, has raw values of a spring network (stiffness, damping, shape_matching, shape_damping or pressure), set by a scene or a script. They are kept and used instead of youngs_modulus, poisson_ratio and damping_ratio. Set elastic_model to Network to say that this is meant, or to Modes to use the material.");
+		print_line("Note: " + describe() + ", perhaps among others, has raw values of a spring network (stiffness, damping, shape_matching, shape_damping_ratio or pressure), set by a scene or a script. They are kept and used instead of youngs_modulus, poisson_ratio and damping_ratio. Set elastic_model to Network to say that this is meant, or to Modes to use the material.");
 	}
 #endif
 }

@@ -31,7 +31,10 @@ Error SoftBody2D::set_state(const PackedByteArray &p_state) {
 	ERR_FAIL_COND_V_MSG(status, ERR_INVALID_DATA, describe() + ": state refused: " + softbody::to_godot(*status) + ". The body goes on as it was.");
 	follow_body();
 	found->set_rotation_memory(state.value().rotation_memory); // which the node's following measured anew
-	freeze_ = found->is_frozen();
+	if (!is_held_static()) {
+		freeze_ = found->is_frozen();
+	}
+	apply_freeze();
 	sleeping_ = found->is_asleep();
 	take_over_pins();
 	return OK;

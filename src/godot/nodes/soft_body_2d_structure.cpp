@@ -352,8 +352,6 @@ void SoftBody2D::bind_polygon() {
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_circle_polygon", "radius", "point_count"), &SoftBody2D::make_circle_polygon);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_box_polygon", "size", "spacing"), &SoftBody2D::make_box_polygon);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_capsule_polygon", "radius", "height", "spacing"), &SoftBody2D::make_capsule_polygon);
-
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "polygon", PROPERTY_HINT_NONE, "suffix:px"), "set_polygon", "get_polygon");
 }
 
 void SoftBody2D::bind_structure() {
@@ -361,13 +359,8 @@ void SoftBody2D::bind_structure() {
 	ClassDB::bind_method(D_METHOD("has_center_point"), &SoftBody2D::has_center_point);
 	ClassDB::bind_method(D_METHOD("set_inner_points", "points"), &SoftBody2D::set_inner_points);
 	ClassDB::bind_method(D_METHOD("get_inner_points"), &SoftBody2D::get_inner_points);
-
-	ADD_GROUP("Structure", "");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "center_point"), "set_center_point", "has_center_point");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "inner_points", PROPERTY_HINT_NONE, "suffix:px"), "set_inner_points", "get_inner_points");
 }
 
-// The springs' own values, after the raw values that they share: the group is bind_network's.
 void SoftBody2D::bind_springs() {
 	ClassDB::bind_method(D_METHOD("set_springs", "springs"), &SoftBody2D::set_springs);
 	ClassDB::bind_method(D_METHOD("get_springs"), &SoftBody2D::get_springs);
@@ -388,11 +381,6 @@ void SoftBody2D::bind_springs() {
 	ClassDB::bind_method(D_METHOD("set_spring_stiffness_scale", "index", "scale"), &SoftBody2D::set_spring_stiffness_scale);
 	ClassDB::bind_method(D_METHOD("set_spring_damping_scale", "index", "scale"), &SoftBody2D::set_spring_damping_scale);
 	ClassDB::bind_method(D_METHOD("set_spring_length_scale", "index", "scale"), &SoftBody2D::set_spring_length_scale);
-
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_INT32_ARRAY, "springs"), "set_springs", "get_springs");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "spring_stiffness_scales"), "set_spring_stiffness_scales", "get_spring_stiffness_scales");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "spring_damping_scales"), "set_spring_damping_scales", "get_spring_damping_scales");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "spring_length_scales"), "set_spring_length_scales", "get_spring_length_scales");
 }
 
 } // namespace godot

@@ -117,8 +117,6 @@ void SoftBody2D::bind_surface() {
 	ClassDB::bind_method(D_METHOD("set_physics_material_override", "physics_material_override"), &SoftBody2D::set_physics_material_override);
 	ClassDB::bind_method(D_METHOD("get_physics_material_override"), &SoftBody2D::get_physics_material_override);
 	ClassDB::bind_method(D_METHOD("_take_over_physics_material"), &SoftBody2D::take_over_physics_material);
-
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "physics_material_override", PROPERTY_HINT_RESOURCE_TYPE, "PhysicsMaterial"), "set_physics_material_override", "get_physics_material_override");
 }
 
 } // namespace godot

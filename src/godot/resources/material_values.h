@@ -20,7 +20,7 @@ struct MaterialValues {
 	double stiffness = 100; ///< [N/m]
 	double damping = 0.12; ///< [N·s/m]
 	double shape_matching = 0.4; ///< share of the stiffness [1]
-	double shape_damping = 0.25; ///< damping ratio [1]
+	double shape_damping_ratio = 0.25; ///< damping ratio [1]
 	double pressure = 0; ///< [N/m]
 	double inflation = 1; ///< [1]
 	double friction = 0.4; ///< [1]
@@ -140,7 +140,7 @@ void bind_network_values() {
 	material_binding::bind<Class, &Values::stiffness>();
 	material_binding::bind<Class, &Values::damping>();
 	material_binding::bind<Class, &Values::shape_matching>();
-	material_binding::bind<Class, &Values::shape_damping>();
+	material_binding::bind<Class, &Values::shape_damping_ratio>();
 	material_binding::bind<Class, &Values::pressure>();
 	godot::ClassDB::bind_method(godot::D_METHOD("clear_network_values"), &Class::clear_network_values);
 	godot::ClassDB::bind_method(godot::D_METHOD("has_network_values"), &Class::has_network_values);

@@ -64,7 +64,7 @@ func _look() -> void:
 				body.global_transform.y, body.elastic_model, body.least_area, body.least_stretch, body.most_stretch])
 		var source: Object = body if body.soft_body_material == null else body.soft_body_material
 		for property: StringName in [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"stiffness", &"damping",
-				&"shape_matching", &"shape_damping", &"pressure", &"inflation"]:
+				&"shape_matching", &"shape_damping_ratio", &"pressure", &"inflation"]:
 			values.append(source.get(property))
 	values.append(Engine.physics_ticks_per_second)
 	var known := hash(values)
