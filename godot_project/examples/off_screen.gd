@@ -36,4 +36,4 @@ func _physics_process(delta: float) -> void:
 	_age += delta
 	_camera.position.x = 640 + (COUNT * SPACING - 1280) * (0.5 - 0.5 * cos(TAU * _age / PERIOD))
 	_status.text = "%d of %d bodies simulated, %d µs a step" % [
-		SoftBodyServer2D.get_awake_body_count(), COUNT, roundi(SoftBodyServer2D.get_last_step_usec())]
+		SoftBodySimulation2D.get_awake_body_count(), COUNT, roundi(SoftBodySimulation2D.get_last_step_usec())]

@@ -25,7 +25,7 @@ func _physics_process(delta: float) -> void:
 	if _age >= INTERVAL:
 		_age -= INTERVAL
 		_make_one()
-	(%Status as Label).text = "%d made, %d in the scene" % [_made, SoftBodyServer2D.get_body_count()]
+	(%Status as Label).text = "%d made, %d in the scene" % [_made, SoftBodySimulation2D.get_body_count()]
 
 
 func _make_one() -> void:

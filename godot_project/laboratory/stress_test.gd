@@ -85,7 +85,7 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func _physics_process(_delta: float) -> void:
-	var last := SoftBodyServer2D.get_last_step_usec()
+	var last := SoftBodySimulation2D.get_last_step_usec()
 	_smooth = last if _smooth == 0 else lerpf(_smooth, last, SMOOTHING)
 	_curve.add(PackedFloat32Array([_smooth / 1000, budget / 1000]))
 	if _smooth > budget:
@@ -154,7 +154,7 @@ func _watch() -> void:
 
 func _tell() -> void:
 	_status.text = "%d bodies · %.1f of %.1f ms a step · %d contacts" % [
-		count, _smooth / 1000, budget / 1000, SoftBodyServer2D.get_contact_count()]
+		count, _smooth / 1000, budget / 1000, SoftBodySimulation2D.get_contact_count()]
 	if found > 0:
 		_status.text += "\nA frame's worth: %d bodies." % found if found < most_bodies \
 				else "\nThe basin is full before the frame: %d." % found

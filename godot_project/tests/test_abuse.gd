@@ -194,7 +194,7 @@ func test_a_joint_may_leave_when_it_breaks_and_take_its_bodies_along() -> void:
 		stage.remove_child(ends[1]))
 	await ticks(60)
 	check(not is_instance_valid(joint), "the joint has left")
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies left")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies left")
 	ends[1].free()
 
 
@@ -207,11 +207,11 @@ func test_ten_thousand_bodies_come_and_go_in_one_frame() -> void:
 			body.position = Vector2(150 * (i % 100), 150 * floorf(i / 100.0))
 			holder.add_child(body)
 		stage.add_child(holder)
-		check_equal(SoftBodyServer2D.get_body_count(), MANY, "bodies")
+		check_equal(SoftBodySimulation2D.get_body_count(), MANY, "bodies")
 		if round > 0:
 			await ticks(1)
 		holder.free()
-		check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies left")
+		check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies left")
 		await ticks(2)
 		memory.append(OS.get_static_memory_usage())
 	# What the first rounds made is used again: lists that have grown once, pools of the engine.
@@ -234,7 +234,7 @@ func test_scenes_change_while_bodies_move() -> void:
 		else:
 			scene.queue_free()
 	await ticks(2)
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies left")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies left")
 
 
 ## A scene of that many bodies over a floor.
@@ -253,7 +253,7 @@ static func _pack_scene(count: int) -> PackedScene:
 	return packed
 
 
-# While the server's threads step the bodies of one scene, two threads of a game build others; the scene is changed from
+# While the simulation's threads step the bodies of one scene, two threads of a game build others; the scene is changed from
 # `_physics_process`, from a signal of a body, and from a thread by way of a deferred call.
 func test_scenes_change_while_threads_run() -> void:
 	const SETTING := "physics/soft_body_2d/solver/threads"
@@ -292,7 +292,7 @@ func test_scenes_change_while_threads_run() -> void:
 				thread.start(func() -> void: change.call_deferred())
 				thread.wait_to_finish()
 		await ticks(20)
-		check_equal(SoftBodyServer2D.get_body_count(), 40 + stage.find_children("*", "SoftBody2D", true, false).size(),
+		check_equal(SoftBodySimulation2D.get_body_count(), 40 + stage.find_children("*", "SoftBody2D", true, false).size(),
 				"bodies after change %d" % round)
 	check(go_on[0], "what a thread built was whole")
 	go_on[0] = false
@@ -301,7 +301,7 @@ func test_scenes_change_while_threads_run() -> void:
 	check(mini(built[0], built[1]) > 0, "threads built scenes meanwhile: %s" % [built])
 	check_equal(changes[0], 12, "changes of scene")
 	if OS.get_processor_count() > 1:
-		check_above(SoftBodyServer2D.get_thread_count(), 1, "threads of the server")
+		check_above(SoftBodySimulation2D.get_thread_count(), 1, "threads of the simulation")
 	tree.unload_current_scene()
 	DirAccess.remove_absolute(path)
 	ProjectSettings.set_setting(SETTING, 0)

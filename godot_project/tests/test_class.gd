@@ -161,9 +161,9 @@ func test_every_method_exists() -> void:
 	for name in METHODS:
 		check(ClassDB.class_has_method(&"SoftBody2D", name, true), "SoftBody2D.%s() is missing" % name)
 	for name in SERVER_METHODS:
-		check(ClassDB.class_has_method(&"SoftBodyServer2D", name, true), "SoftBodyServer2D.%s() is missing" % name)
+		check(ClassDB.class_has_method(&"SoftBodySimulation2D", name, true), "SoftBodySimulation2D.%s() is missing" % name)
 
 
 func test_the_server_is_a_singleton() -> void:
-	check(Engine.has_singleton(&"SoftBodyServer2D"), "there is no singleton SoftBodyServer2D")
-	check_equal(Engine.get_singleton(&"SoftBodyServer2D").get_class(), "SoftBodyServer2D", "class of the singleton")
+	check(Engine.has_singleton(&"SoftBodySimulation2D"), "there is no singleton SoftBodySimulation2D")
+	check_equal(Engine.get_singleton(&"SoftBodySimulation2D").get_class(), "SoftBodySimulation2D", "class of the singleton")

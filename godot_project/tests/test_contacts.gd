@@ -199,7 +199,7 @@ func test_a_listener_may_free_whom_it_is_told_of() -> void:
 		await ticks(20)
 		check_equal(entered[0], 1, "how often it was told before %s went" % what)
 		if what == "all others":
-			check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies of the server")
+			check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies of the simulation")
 		else:
 			check_near(bystander.global_position.x, 300.0, 5, "the bystander while %s goes" % what)
 		for child in stage.get_children():
@@ -222,7 +222,7 @@ func test_a_listener_may_change_anything() -> void:
 	check_equal(made.size(), 1, "bodies made by the listener")
 	check_equal(body.polygon.size(), 12, "polygon points")
 	check(all_finite(body.get_point_positions()), "a point is not finite")
-	check_equal(SoftBodyServer2D.get_body_count(), 2, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 2, "bodies of the simulation")
 
 
 func test_a_body_that_leaves_the_tree_and_comes_back_is_told_of_no_touch_twice() -> void:

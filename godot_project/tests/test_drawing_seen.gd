@@ -6,7 +6,7 @@ extends "res://tests/support/picture_suite.gd"
 
 func _updates_in_a_frame() -> int:
 	await RenderingServer.frame_post_draw
-	return SoftBodyServer2D.get_last_drawn_count()
+	return SoftBodySimulation2D.get_last_drawn_count()
 
 
 func _wobble(body: SoftBody2D, speed := 200.0) -> void:

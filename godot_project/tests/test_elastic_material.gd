@@ -97,7 +97,7 @@ func test_moving_a_slider_builds_nothing_and_costs_little() -> void:
 	var material := SoftBodyMaterial2D.new()
 	var shared := add_weightless_body(Vector2(600, 0), {"soft_body_material": material})
 	await ticks(2)
-	var built := SoftBodyServer2D.get_built_shape_count()
+	var built := SoftBodySimulation2D.get_built_shape_count()
 	var places := jelly.get_point_positions() + network.get_point_positions() + shared.get_point_positions()
 	var begin := Time.get_ticks_usec()
 	for i in 1000:
@@ -109,14 +109,14 @@ func test_moving_a_slider_builds_nothing_and_costs_little() -> void:
 		network.shape_matching = 0.2 + 0.001 * i
 		material.youngs_modulus = 50.0 + i
 	var msec := (Time.get_ticks_usec() - begin) / 1000.0
-	check_equal(SoftBodyServer2D.get_built_shape_count(), built, "shapes that were built")
+	check_equal(SoftBodySimulation2D.get_built_shape_count(), built, "shapes that were built")
 	check_below(msec, 500, "milliseconds for 7000 moves")
 	check_equal(jelly.get_point_positions() + network.get_point_positions() + shared.get_point_positions(), places, "points")
 	check_near(network.get_spring_stiffness(5), 1049.0, 1e-3, "stiffness of a spring after that")
 	check_near(network.get_spring_damping(5), 1.099, 1e-4, "damping of a spring after that")
 	check_near(jelly.get_stability_report()["youngs_modulus"], 1099.0, 1e-6, "Young's modulus after that")
 	jelly.center_point = false
-	check_above(SoftBodyServer2D.get_built_shape_count(), built, "shapes built, after another structure")
+	check_above(SoftBodySimulation2D.get_built_shape_count(), built, "shapes built, after another structure")
 
 
 func test_a_slider_is_felt_by_the_body_that_moves() -> void:
@@ -460,9 +460,9 @@ func test_triangles_can_be_chosen_before_and_while_the_body_moves() -> void:
 		each.set_state(state)
 		check_equal(each.get_state(), state, "state put back")
 	body.youngs_modulus = 600.0
-	var built := SoftBodyServer2D.get_built_shape_count()
+	var built := SoftBodySimulation2D.get_built_shape_count()
 	body.youngs_modulus = 500.0
-	check_equal(SoftBodyServer2D.get_built_shape_count(), built, "shapes built for another stiffness")
+	check_equal(SoftBodySimulation2D.get_built_shape_count(), built, "shapes built for another stiffness")
 	body.elastic_model = MODES
 	check_equal(body.get_point_count(), 17, "points of elastic modes again")
 	await ticks(5)

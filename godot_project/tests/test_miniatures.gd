@@ -87,7 +87,7 @@ func test_a_dish_can_be_started_anew() -> void:
 	tree.root.push_input(key)
 	await ticks(3)
 	check_equal((dish.call(&"get_cells") as Array).size(), count, "number of cells")
-	check_equal(SoftBodyServer2D.get_body_count(), count, "bodies in the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), count, "bodies in the simulation")
 
 
 func test_a_wrestler_stands_by_itself() -> void:

@@ -156,7 +156,7 @@ func test_reparenting_keeps_the_motion() -> void:
 	var velocity := body.get_linear_velocity()
 	body.reparent(other)
 	check_points_near(body.get_point_positions(), points, 0.01, "points before and after")
-	check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies of the simulation")
 	await ticks(1)
 	check_near(body.get_linear_velocity(), velocity + Vector2(0, GRAVITY / 60), 0.5, "velocity a tick later")
 	check_near(body.global_position, body.get_center_of_mass_position(), 0.1, "node and body")
@@ -166,7 +166,7 @@ func test_leaving_and_entering_the_tree_keeps_the_body() -> void:
 	var body := add_body()
 	await ticks(20)
 	stage.remove_child(body)
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies of the simulation")
 	await ticks(5)
 	body.position = Vector2(100, 50)
 	stage.add_child(body)
@@ -183,11 +183,11 @@ func test_a_body_freed_while_falling_leaves_nothing() -> void:
 	await ticks(10)
 	body.queue_free()
 	await ticks(10)
-	check_equal(SoftBodyServer2D.get_body_count(), 2, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 2, "bodies of the simulation")
 	for other in others:
 		check_near(other.get_linear_velocity().y, GRAVITY * 20 / 60, 0.2, "velocity of the others")
 		other.free()
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies of the server at the end")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies of the simulation at the end")
 
 
 func test_a_hundred_bodies_come_and_go() -> void:
@@ -203,7 +203,7 @@ func test_a_hundred_bodies_come_and_go() -> void:
 		for i in range(1, 25, 2):
 			check_near(bodies[i].get_center_of_mass_position().x, -1500.0 + 125 * i, 1, "x of a survivor")
 			bodies[i].free()
-		check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies of the server")
+		check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies of the simulation")
 
 
 func test_a_duplicate_is_a_body_of_its_own() -> void:
@@ -215,7 +215,7 @@ func test_a_duplicate_is_a_body_of_its_own() -> void:
 	stage.add_child(copy)
 	check_equal(copy.stiffness, 700.0, "stiffness of the copy")
 	check_equal(copy.polygon, body.polygon, "polygon of the copy")
-	check_equal(SoftBodyServer2D.get_body_count(), 2, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 2, "bodies of the simulation")
 	body.free()
 	await check_rests(copy, 6)
 	check_near(copy.get_center_of_mass_position().x, 300.0, 3, "x of the copy")

@@ -132,7 +132,7 @@ func test_worlds_of_their_own_do_not_touch() -> void:
 	await seconds(3)
 	check_near(bounds_of(polygon_of(here)).end.y, 300.0, 1, "lowest point after it changed worlds")
 	viewports[0].free()
-	check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies after a world has gone")
+	check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies after a world has gone")
 	await ticks(5)
 
 
@@ -147,7 +147,7 @@ func test_a_world_may_be_given_to_a_viewport_with_bodies_in_it() -> void:
 	viewport.world_2d = World2D.new()
 	await ticks(10)
 	check_near(body.linear_velocity, velocity + Vector2(0, GRAVITY / 6), GRAVITY / 30, "velocity after the change")
-	check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies of the simulation")
 
 
 func test_bodies_freed_in_any_callback_leave_the_others_alone() -> void:
@@ -178,5 +178,5 @@ func test_bodies_freed_in_any_callback_leave_the_others_alone() -> void:
 				if is_instance_valid(body):
 					body.queue_free()
 		await ticks(12)
-		check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies after %s freed three" % moment)
+		check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies after %s freed three" % moment)
 	check(all_finite(keeper.get_point_positions()), "a point of the body that stayed is not finite")

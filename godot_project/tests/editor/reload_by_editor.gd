@@ -69,7 +69,7 @@ func _check() -> void:
 	var plugin := suite.plugin
 	if not suite.check(plugin != null and plugin.canvas != null and suite.body in plugin.canvas.bodies, "the addon still edits the body"):
 		return
-	suite.check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies of the server, as a script finds it by its name")
+	suite.check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies of the simulation, as a script finds it by its name")
 	# A drag, as the suites do it, but without waiting.
 	var from := suite.polygon_on_screen(0)
 	suite.press(from)

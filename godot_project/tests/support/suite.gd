@@ -48,8 +48,8 @@ func tear_down() -> void:
 		await tree.process_frame
 	for error in take_errors():
 		_note_failure("unexpected " + error)
-	if SoftBodyServer2D.get_body_count() != 0:
-		_note_failure("%d soft bodies stayed in the server" % SoftBodyServer2D.get_body_count())
+	if SoftBodySimulation2D.get_body_count() != 0:
+		_note_failure("%d soft bodies stayed in the simulation" % SoftBodySimulation2D.get_body_count())
 	var orphans := Performance.get_monitor(Performance.OBJECT_ORPHAN_NODE_COUNT) - _orphans_before
 	if orphans > 0:
 		_note_failure("%d nodes stayed outside the tree" % orphans)

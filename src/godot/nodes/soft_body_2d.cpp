@@ -5,7 +5,7 @@
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 #include "godot/convert.h"
-#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/soft_body_simulation_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
@@ -99,8 +99,8 @@ void SoftBody2D::enter_space() {
 	if (Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	space_ = SoftBodyServer2D::get_singleton()->add_body(this);
-	view_ = SoftBodyServer2D::get_singleton()->drawing().add(get_viewport());
+	space_ = SoftBodySimulation2D::get_singleton()->add_body(this);
+	view_ = SoftBodySimulation2D::get_singleton()->drawing().add(get_viewport());
 	if (stored_body_) {
 		body_id_ = space_->world().add_soft_body(std::move(*stored_body_));
 		stored_body_.reset();
@@ -131,13 +131,13 @@ void SoftBody2D::leave_space() {
 	space_ = nullptr;
 	body_id_ = {};
 	interpolation_.end();
-	SoftBodyServer2D::get_singleton()->drawing().remove(view_);
+	SoftBodySimulation2D::get_singleton()->drawing().remove(view_);
 	view_ = nullptr;
 	unseen_frames_ = 0; // whoever comes in is shown to a frame first
 	debug_drawing_.reset();
 	contacts_.clear(); // whom it touched it remembers: it may come back
-	// Last: the server drops a space that has no nodes left.
-	SoftBodyServer2D::get_singleton()->remove_body(this);
+	// Last: the simulation drops a space that has no nodes left.
+	SoftBodySimulation2D::get_singleton()->remove_body(this);
 }
 
 void SoftBody2D::_notification(int p_what) {

@@ -350,7 +350,7 @@ public:
 	/// What the project gives every world, areas left aside [px/s²].
 	static softbody::Vec2 project_gravity();
 
-	// For the server.
+	// For the simulation.
 	softbody::BodyId get_body_id() const { return body_id_; }
 	/// Its place in the space's list of nodes.
 	size_t get_space_index() const { return space_index_; }

@@ -3,7 +3,7 @@
 #include "godot/nodes/soft_body_2d.h"
 
 #include "godot/convert.h"
-#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/soft_body_simulation_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>

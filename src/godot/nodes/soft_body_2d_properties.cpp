@@ -5,7 +5,7 @@
 #include "core/base/constants.h"
 #include "core/model/material.h"
 #include "godot/convert.h"
-#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/soft_body_simulation_2d.h"
 #include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -236,7 +236,7 @@ softbody::Result<softbody::BodySettings> SoftBody2D::make_settings(const Design 
 	settings.rolling_resistance = softbody::Real(material.rolling_resistance);
 	settings.gravity_scale = softbody::Real(gravity_scale_);
 	settings.integrator = softbody::Integrator(integrator_);
-	settings.substeps = substeps_ != 0 ? substeps_ : SoftBodyServer2D::get_singleton()->settings().substeps;
+	settings.substeps = substeps_ != 0 ? substeps_ : SoftBodySimulation2D::get_singleton()->settings().substeps;
 	settings.collision_layer = collision_layer_;
 	settings.collision_mask = collision_mask_;
 	settings.can_sleep = can_sleep_;

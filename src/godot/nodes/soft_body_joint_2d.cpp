@@ -5,7 +5,7 @@
 #include "core/geometry/segment.h"
 #include "godot/convert.h"
 #include "godot/nodes/soft_body_2d.h"
-#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/soft_body_simulation_2d.h"
 
 #include <godot_cpp/classes/collision_object2d.hpp>
 #include <godot_cpp/classes/engine.hpp>
@@ -250,7 +250,7 @@ void SoftBodyJoint2D::_notification(int p_what) {
 
 void SoftBodyJoint2D::enter_space() {
 	if (!Engine::get_singleton()->is_editor_hint()) {
-		space_ = SoftBodyServer2D::get_singleton()->add_joint(this);
+		space_ = SoftBodySimulation2D::get_singleton()->add_joint(this);
 	}
 }
 
@@ -260,7 +260,7 @@ void SoftBodyJoint2D::leave_space() {
 		space_->world().remove_joint(id_);
 		space_ = nullptr;
 		id_ = {};
-		SoftBodyServer2D::get_singleton()->remove_joint(this);
+		SoftBodySimulation2D::get_singleton()->remove_joint(this);
 	}
 }
 
