@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How the time of a step grows with the number of bodies, what it goes into, and what a second thread saves.
 #include "bench.h"
-#include "phase_clock.h"
 #include "soft_pile.h"
+#include "task_clock.h"
 
 #include "core/collision/broad_phase.h"
 #include "core/collision/environment_contact_solver.h"
@@ -26,18 +26,16 @@ constexpr int RATE = 60;
 constexpr int SETTLE_STEPS = 5 * RATE;
 constexpr int TIMED_STEPS = RATE;
 
-// The broad phase of the coming step once more, to see what its serial part takes.
+// The broad phase of the coming step once more, to see its pairs and how often it seeks them anew.
 class BroadPhaseTwin {
 public:
-	double update(const SoftPile &pile, const softbody::WorldData &world) {
+	void update(const SoftPile &pile, const softbody::WorldData &world) {
 		bodies_.clear();
 		for (const softbody::SoftBodyData &body : world.soft_bodies()) {
 			bodies_.push_back({ softbody::sweep_box(body.hull(), body.velocities(), Real(pile.scene().time_step)),
 					body.settings().collision_layer, body.settings().collision_mask });
 		}
-		const Stopwatch watch;
 		broad_phase_.update(bodies_, 1);
-		return watch.elapsed().cpu;
 	}
 	std::uint64_t rebuilds() const { return broad_phase_.rebuild_count(); }
 	std::size_t pairs() const { return broad_phase_.pairs().size(); }
@@ -56,7 +54,7 @@ std::unique_ptr<SoftPile> settled_pile(std::size_t bodies, const softbody::Paral
 }
 
 json measure_size(std::size_t bodies, ThreadPool &pool) {
-	PhaseClock clock;
+	TaskClock clock;
 	const softbody::ParallelFor on_two = pool.parallel_for();
 	const softbody::ParallelFor timed = clock.parallel_for();
 	bool is_timed = false;
@@ -67,45 +65,41 @@ json measure_size(std::size_t bodies, ThreadPool &pool) {
 	BroadPhaseTwin twin;
 	twin.update(*pile, pile->world());
 	std::vector<Duration> times;
-	std::array<std::vector<double>, PhaseClock::PHASES> spent;
-	std::vector<double> update;
+	softbody::StepProfile spent; // of all steps
 	std::vector<double> saved;
 	const std::uint64_t rebuilds = twin.rebuilds();
 	double contacts = 0;
 	// As many body-steps for a small pile as for a large one, so that its figures are worth as much.
 	const int steps = std::max<int>(TIMED_STEPS, int(100000 / bodies));
 	for (int i = 0; i < steps; ++i) {
-		update.push_back(twin.update(*pile, pile->world()));
+		twin.update(*pile, pile->world());
 		times.push_back(pile->step());
 		contacts += double(pile->report().contacts + pile->report().pair_contacts) / double(steps);
-		const PhaseClock::Times phases = clock.take();
-		for (std::size_t phase = 0; phase < phases.spent.size(); ++phase) {
-			spent[phase].push_back(phases.spent[phase]);
-		}
-		saved.push_back(phases.saved_by_two);
+		spent.bodies += pile->report().profile.bodies;
+		spent.broad_phase += pile->report().profile.broad_phase;
+		spent.pair_contacts += pile->report().profile.pair_contacts;
+		saved.push_back(clock.take_saved_by_two());
 	}
 	const StepTimes step = times_of(times);
 	// Means: phases add up, and the broad phase has most to do in a few steps.
 	const double ns = 1e9 / double(bodies);
-	const double forces = statistics_of(spent[PhaseClock::FORCES]).mean * ns;
-	const double boxes = statistics_of(spent[PhaseClock::BROAD_PHASE]).mean * ns;
-	const double contact = statistics_of(spent[PhaseClock::CONTACTS]).mean * ns;
-	const double pairs = statistics_of(update).mean * ns;
+	const double forces = spent.bodies / steps * ns;
+	const double boxes = spent.broad_phase / steps * ns;
+	const double contact = spent.pair_contacts / steps * ns;
 	const double mean = step.cpu.mean * ns;
 	json row = { { "bodies", bodies }, { "median_ms", 1e3 * step.cpu.median }, { "least_ms", 1e3 * step.cpu.least },
 		{ "wall_median_ms", 1e3 * step.wall.median }, { "ns_per_body_step", step.cpu.median * ns }, { "mean_ns", mean },
 		{ "contacts_per_body", contacts / double(bodies) }, { "pairs_per_body", double(twin.pairs()) / double(bodies) },
 		{ "steps_per_rebuild", twin.rebuilds() == rebuilds ? json(nullptr) : json(double(steps) / double(twin.rebuilds() - rebuilds)) },
 		{ "contact_substeps", pile->contact_substeps() } };
-	// A small world is stepped in one go, and its parallel-for never asked.
-	const bool seen = forces > 0 && contact > 0;
-	row["forces_ns"] = seen ? json(forces) : json(nullptr);
-	row["broad_phase_ns"] = boxes + pairs;
-	row["contacts_ns"] = seen ? json(contact) : json(nullptr);
-	// By processor time, so as if nobody else used the machine; without the cost of asking a second thread.
-	const double with_two = mean - statistics_of(saved).mean * ns;
-	row["scheduled_speedup"] = seen ? json(mean / with_two) : json(nullptr);
-	row["rest_ns"] = seen ? json(mean - forces - boxes - pairs - contact) : json(nullptr);
+	row["forces_ns"] = forces;
+	row["broad_phase_ns"] = boxes;
+	row["contacts_ns"] = contact;
+	row["rest_ns"] = mean - forces - boxes - contact;
+	// By processor time, so independent of other programs; without the cost of waking a second thread. A small world is
+	// stepped in one go, and its parallel-for never asked.
+	const double saved_ns = statistics_of(saved).mean * ns;
+	row["scheduled_speedup"] = saved_ns > 0 ? json(mean / (mean - saved_ns)) : json(nullptr);
 	std::fprintf(stderr, "  %s\n", row.dump().c_str());
 	return row;
 }

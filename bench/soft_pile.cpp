@@ -3,7 +3,7 @@
 #include "soft_pile.h"
 
 #include "bodies.h"
-#include "phase_clock.h"
+#include "task_clock.h"
 
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/integrators/integrator_step.h"
@@ -52,7 +52,7 @@ SoftPileSettings default_settings(double stiffness) {
 SoftPileSettings explicit_euler_settings(double stiffness, double h) {
 	SoftPileSettings settings = default_settings(stiffness);
 	settings.integrator = softbody::Integrator::EXPLICIT_EULER;
-	settings.substeps = settings.contact_substeps; // one force substep in each, and as many for who touches nobody
+	settings.substeps = settings.contact_substeps; // one force substep in each, and as many for bodies without contacts
 	settings.damping = 2 * h * stiffness;
 	settings.shape_damping = 2 * h * settings.shape_stiffness;
 	return settings;
@@ -101,7 +101,7 @@ StepTimes times_of(std::span<const Duration> steps) {
 }
 
 SoftPile::SoftPile(PileScene scene, const SoftPileSettings &settings, softbody::ParallelFor parallel_for) :
-		scene_(std::move(scene)), simulator_(world_, std::move(parallel_for)) {
+		scene_(std::move(scene)), simulator_(world_, std::move(parallel_for), thread_seconds) {
 	world_.set_gravity({ 0, -Real(scene_.gravity) });
 	if (const softbody::Status refused = world_.set_contact_substeps(settings.contact_substeps)) {
 		throw std::runtime_error(refused->message());

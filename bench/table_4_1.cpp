@@ -2,7 +2,7 @@
 // The thesis's table 4.1: how many of its test bodies a step of 1/60 s can hold before it takes longer than that.
 #include "bench.h"
 #include "bodies.h"
-#include "phase_clock.h"
+#include "task_clock.h"
 #include "soft_pile.h"
 
 #include "core/geometry/polygon.h"
@@ -123,7 +123,7 @@ struct Measured {
 
 Measured measure(std::size_t bodies, const SoftPileSettings &settings, std::size_t threads, ThreadPool &pool, bool quick) {
 	const bool collide = settings.bodies_collide;
-	PhaseClock clock;
+	TaskClock clock;
 	const softbody::ParallelFor on_pool = pool.parallel_for();
 	const softbody::ParallelFor timed = clock.parallel_for();
 	bool is_timed = false;
@@ -143,7 +143,7 @@ Measured measure(std::size_t bodies, const SoftPileSettings &settings, std::size
 		std::vector<double> scheduled;
 		for (int i = 0; i < TIMED_STEPS / 5; ++i) {
 			const double took = pile.step().cpu;
-			scheduled.push_back(took - clock.take().saved_by_two);
+			scheduled.push_back(took - clock.take_saved_by_two());
 		}
 		measured.scheduled = statistics_of(std::move(scheduled)).median;
 	}

@@ -9,7 +9,7 @@ MOST_OVER_MODELLING = 2.0  # mean ratio of chosen to cheapest safe substeps
 
 
 def rounded(value, digits=6):
-    """Numbers as a result file needs them; what is no number stays."""
+    """Numbers as a result file needs them; other values stay."""
     if isinstance(value, float) and math.isfinite(value):
         return float(f"{value:.{digits}g}")
     if isinstance(value, dict):

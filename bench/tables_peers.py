@@ -8,7 +8,7 @@ FACTOR = 8  # times fewer nanoseconds than the fastest of the others
 
 
 def holds(row):
-    """Whether the pile is one: nobody folded, gone, or inside another."""
+    """Whether the pile is one: no body folded, gone, or inside another."""
     return row["folded"] == row["overlapping"] == row["escaped"] == 0
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Judges the runs of `work_precision.cpp` by the reference: errors, orders, and who reaches an error soonest."""
+"""Judges the runs of `work_precision.cpp` by the reference: errors, orders, and which method reaches an error soonest."""
 
 import math
 import multiprocessing
@@ -69,7 +69,7 @@ def solve_case(case_and_times):
 def solve_all(result):
     """The reference of every body, in as many processes as there are processors."""
     times = [(i + 1) / result["samples"] * result["simulated_seconds"] for i in range(result["samples"])]
-    # The slowest first: whoever is done takes the next.
+    # The slowest first: an idle process takes the next.
     order = sorted(range(len(result["cases"])), key=lambda i: -result["cases"][i]["frequency_bound"])
     with multiprocessing.Pool(os.cpu_count()) as pool:
         solved = pool.map(solve_case, [(result["cases"][i], times) for i in order], chunksize=1)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A body in a funnel of two segments: it squeezes through where its weight can press it, and rests where it cannot.
-// `docs/architecture.md` tells of the one that it does not rest in: of segments without radius, frictionless, and half as
+// `docs/decisions/environment-contacts.md` tells of the one that it does not rest in: of segments without radius, frictionless, and half as
 // wide as the body.
 #include "core/base/constants.h"
 #include "core/collision/environment_contact_solver.h"

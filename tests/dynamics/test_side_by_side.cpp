@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Bodies stepped side by side, on any number of threads, move as each would alone: to the last bit.
 #include "core/base/constants.h"
-#include "core/dynamics/batch_builder.h"
 #include "core/dynamics/simulator.h"
 #include "scenes/deformations.h"
 #include "scenes/thesis_body.h"
+#include "support/batches.h"
 #include "support/random.h"
 #include "support/threads.h"
 
@@ -41,14 +41,6 @@ void prepare(WorldData &world) {
 	ground.surface.angular_velocity = Real(0.1);
 	ground.surface.linear_velocity = { Real(0.5), 0 };
 	world.add_border(ground);
-}
-
-std::size_t bodies_in_batches(const BatchBuilder &batch_builder) {
-	std::size_t count = 0;
-	for (const Batch &batch : batch_builder.batches()) {
-		count += batch.count;
-	}
-	return count;
 }
 
 // The sums of what so many steps count; nobody may be reset in them.
@@ -138,10 +130,8 @@ TEST_CASE("balloons of which some are stretched, and so take more substeps, end 
 		Simulator simulator(together);
 		const SubstepPlan calm = simulator.plan(bodies[(stretched + 1) % 8], dt);
 		REQUIRE(simulator.plan(bodies[std::size_t(stretched)], dt).substeps > calm.substeps);
-		BatchBuilder batch_builder;
-		batch_builder.update(together);
-		REQUIRE(batch_builder.batches().size() == 2);
-		REQUIRE(move_alike(batch_builder.batches()[0], batch_builder.batches()[1]));
+		const std::vector<std::uint32_t> sizes = batch_sizes(together); // the stretched body takes another number of substeps
+		REQUIRE(sizes.size() > 1);
 		const StepReport sums = run_steps(together, 1); // in which it is stretched still
 		std::uint64_t substeps = 0;
 		for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -299,34 +289,75 @@ TEST_CASE("a batch is full, of one shape and equal settings, and pinned or inact
 	}
 	world.find(ids[4])->set_pinned(0, true);
 	world.find(ids[5])->set_active(false);
-	BatchBuilder batch_builder;
-	batch_builder.update(world);
+	ActiveBodies bodies(world);
+	REQUIRE(bodies.update(Real(1) / 60));
 	int full = 0;
 	int single = 0;
-	for (const Batch &batch : batch_builder.batches()) {
-		if (batch.count == PACK_WIDTH) {
-			++full;
-			for (const std::uint32_t place : batch.bodies) {
-				CHECK(world.soft_bodies()[place].settings() == world.soft_bodies()[batch.bodies[0]].settings());
-				CHECK_FALSE(world.soft_bodies()[place].has_pins());
-				CHECK(world.soft_bodies()[place].is_active());
-			}
-		} else {
-			++single;
+	for (const Batch &batch : batches_of(bodies)) {
+		(batch.count == PACK_WIDTH ? full : single)++;
+		for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+			const SoftBodyData &body = world.soft_bodies()[batch.body_indices[lane]];
+			CHECK(body.settings() == *batch.settings);
+			CHECK(&body.shape() == batch.shape);
+			CHECK(body.positions().data() == batch.states[lane]);
+			CHECK(body.velocities().data() == batch.velocities(lane));
+			CHECK((batch.count == 1 || !body.has_pins()));
+			CHECK(body.is_active());
 		}
 	}
 	CHECK(full == 2); // the four that were changed, and four of the five others
 	CHECK(single == 2); // the fifth, and the pinned one
-	CHECK(bodies_in_batches(batch_builder) == 10);
 
-	const std::uint64_t version = batch_builder.version();
-	batch_builder.update(world);
-	CHECK(batch_builder.version() == version);
+	const std::uint64_t version = bodies.version();
+	CHECK_FALSE(bodies.update(Real(1) / 60));
+	CHECK(bodies.version() == version);
 	world.find(ids[4])->set_pinned(0, false);
-	batch_builder.update(world);
-	CHECK(batch_builder.version() == version + 1);
-	CHECK(batch_builder.batches().size() == 4);
+	CHECK(bodies.update(Real(1) / 60));
+	CHECK(bodies.version() == version + 1);
+	CHECK(batches_of(bodies).size() == 4);
 	world.remove_soft_body(ids[0]);
-	batch_builder.update(world);
-	CHECK(bodies_in_batches(batch_builder) == 9);
+	CHECK(bodies.update(Real(1) / 60));
+	CHECK(bodies.awake().size() == 9);
+}
+
+TEST_CASE("only awake bodies are in batches, whichever rest") {
+	Random random(8);
+	for (int trial = 0; trial < 200; ++trial) {
+		WorldData world;
+		for (const SoftBodyData &body : loners(20, {}, random)) {
+			const BodyId id = world.add_soft_body(body);
+			if (random.integer(0, 1) == 1) {
+				BodySettings other = body.settings();
+				other.friction = Real(0.9);
+				world.find(id)->set_settings(other);
+			}
+		}
+		ActiveBodies bodies(world);
+		bodies.update(Real(1) / 60);
+		std::vector<char> rests(20);
+		for (int change = 0; change < 30; ++change) {
+			const std::uint32_t i = std::uint32_t(random.integer(0, 19));
+			rests[i] = char(random.integer(0, 1));
+			bodies.set_resting(i, rests[i] != 0);
+		}
+		std::vector<std::uint32_t> seen;
+		for (const Batch &batch : batches_of(bodies)) {
+			for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+				const std::uint32_t i = batch.active_indices[lane];
+				seen.push_back(i);
+				CHECK(world.soft_bodies()[batch.body_indices[lane]].settings() == *batch.settings);
+				CHECK(bodies.data(i).positions().data() == batch.states[lane]);
+			}
+		}
+		std::ranges::sort(seen);
+		std::vector<std::uint32_t> awake;
+		for (std::uint32_t i = 0; i < 20; ++i) {
+			CHECK(bodies.is_resting(i) == (rests[i] != 0));
+			if (rests[i] == 0) {
+				awake.push_back(i);
+			}
+		}
+		CHECK(seen == awake);
+		CHECK(bodies.resting_count() == 20 - awake.size());
+	}
 }

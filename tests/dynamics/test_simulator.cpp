@@ -6,6 +6,7 @@
 #include "scenes/deformations.h"
 #include "scenes/jelly.h"
 #include "scenes/loose_points.h"
+#include "scenes/mixed.h"
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
 
@@ -375,4 +376,21 @@ TEST_CASE("what a body remembers is a rotation even after a step to an absurd, f
 		const Rotation memory = body.rotation_memory();
 		CHECK(std::abs(double(length(Vec2{ memory.c, memory.s })) - 1) <= 8 * EPSILON);
 	}
+}
+
+TEST_CASE("a step divides its time over its phases by the clock that it is given, and tells none without") {
+	// A clock that grows by one each time it is asked: the phases then count how often, and their sum is the last minus the first.
+	WorldData world = mixed_world();
+	double now = 0;
+	Simulator simulator(world, {}, [&] { return now++; });
+	const StepReport report = simulator.simulate(Real(1) / 60);
+	CHECK(report.profile.total() == now - 1);
+	CHECK(report.profile.begin == 1);
+	CHECK(report.profile.broad_phase == 1);
+	CHECK(report.profile.pair_contacts >= 4); // once a contact substep
+	CHECK(report.profile.couplings == report.profile.pair_contacts);
+	CHECK(report.profile.bodies > report.profile.pair_contacts);
+	CHECK(report.profile.end == 1);
+	Simulator blind(world);
+	CHECK(blind.simulate(Real(1) / 60).profile.total() == 0);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two batches at once, where the processor can.
 #include "core/dynamics/rigid_damping.h"
-#include "core/dynamics/batch_builder.h"
+#include "core/dynamics/active_bodies.h"
 #include "core/dynamics/simulator.h"
 #include "core/dynamics/wide_stepper.h"
 #include "scenes/thesis_body.h"
@@ -53,25 +53,25 @@ std::vector<Vec2> state_of(WorldData &world) {
 /// `touching`: whose extents it is to measure, or none.
 std::optional<std::uint64_t> advance(WideStepper &stepper, WorldData &world, Integrator integrator,
 		std::span<SolverBody> touching = {}) {
-	BatchBuilder batch_builder;
-	batch_builder.update(world);
-	REQUIRE(batch_builder.batches().size() == 2);
-	WideTimeSlice stretch;
-	stretch.batches = { &batch_builder.batches()[0], &batch_builder.batches()[1] };
-	stretch.borders = world.borders();
-	stretch.integrator = integrator;
-	stretch.gravity = { 0, Real(-9.81) };
-	stretch.h = H;
-	stretch.substeps = 3;
-	stretch.reach = 50;
+	ActiveBodies bodies(world);
+	bodies.update(H);
+	const Batch batch = bodies.batch_at(bodies.awake());
+	REQUIRE(batch.count == WIDE_WIDTH);
+	WideTimeSlice slice;
+	slice.batch = &batch;
+	slice.borders = world.borders();
+	slice.integrator = integrator;
+	slice.gravity = { 0, Real(-9.81) };
+	slice.h = H;
+	slice.substeps = 3;
+	slice.reach = 50;
 	for (std::size_t lane = 0; lane < touching.size(); ++lane) {
-		const Batch &batch = batch_builder.batches()[lane / PACK_WIDTH];
-		SoftBodyData &body = world.soft_bodies()[batch.bodies[lane % PACK_WIDTH]];
+		SoftBodyData &body = world.soft_bodies()[batch.body_indices[lane]];
 		touching[lane].positions = body.mutable_positions();
-		stretch.solver_bodies[lane] = &touching[lane];
+		slice.solver_bodies[lane] = &touching[lane];
 	}
-	StatePrefetch ahead;
-	return stepper.advance(stretch, ahead);
+	StatePrefetch prefetch;
+	return stepper.advance(slice, prefetch);
 }
 
 } // namespace

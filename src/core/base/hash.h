@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A number that stands for values.
+// A hash over the bits of values.
 #pragma once
 
 #include "core/base/vec2.h"

@@ -25,7 +25,7 @@ namespace detail {
 template <std::size_t WIDTH>
 struct PackTypes {
 	typedef Real Reals __attribute__((vector_size(WIDTH * sizeof(Real))));
-	// As wide as a `Real`, as comparisons answer.
+	// As wide as a `Real`, like the results of comparisons.
 	typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bit;
 	typedef Bit Bits __attribute__((vector_size(WIDTH * sizeof(Real))));
 };
@@ -40,7 +40,7 @@ using PackReals = typename PackTypes<PACK_WIDTH>::Reals;
 
 } // namespace detail
 
-/// The answer of a comparison for every lane of a pack.
+/// The result of a comparison for every lane of a pack.
 template <std::size_t WIDTH>
 struct BasicPackMask {
 	typename detail::PackTypes<WIDTH>::Bits lanes;
@@ -66,9 +66,8 @@ struct BasicPackMask {
 };
 using PackMask = BasicPackMask<PACK_WIDTH>;
 
-/// WIDTH scalars, each of which goes through the same operations as a single `Real` would, with the
-/// same roundings: code written for any scalar type T gives the same bits for `Real` as for a lane of this.
-/// A `Real` converts to a pack of equal lanes.
+/// WIDTH scalars side by side. Code written for any scalar type T gives the same bits for `Real` as for a lane. A
+/// `Real` converts to a pack of equal lanes.
 template <std::size_t WIDTH>
 class BasicPack {
 public:
@@ -127,7 +126,7 @@ public:
 private:
 	explicit BasicPack(Reals lanes) : lanes_(lanes) {}
 #ifdef SOFTBODY_VECTOR_EXTENSION
-	void set_all(Real value) { lanes_ = value - Reals{}; } // minus, as -0 + 0 would lose the sign
+	void set_all(Real value) { lanes_ = value - Reals{}; } // subtraction, as -0 + 0 would lose the sign
 #else
 	void set_all(Real value) { lanes_.fill(value); }
 	template <class F>
@@ -151,11 +150,11 @@ private:
 };
 using RealPack = BasicPack<PACK_WIDTH>;
 
-/// What comparing two T gives: `bool`, or an answer for every lane.
+/// Result of comparing two T: `bool`, or a mask for packs.
 template <class T>
 using MaskOf = decltype(T() < T());
 
-/// Whether the answer is yes in any lane.
+/// Whether any lane is true.
 template <std::size_t WIDTH>
 bool any(BasicPackMask<WIDTH> mask) {
 #ifdef SOFTBODY_VECTOR_EXTENSION
@@ -170,7 +169,7 @@ bool any(BasicPackMask<WIDTH> mask) {
 	return found;
 }
 
-/// Bit l is the answer of lane l.
+/// Bit l is the result of lane l.
 inline std::uint32_t bits(PackMask mask) {
 #if defined(SOFTBODY_VECTOR_EXTENSION) && defined(__SSE__) && !defined(SOFTBODY_DOUBLE)
 	return std::uint32_t(__builtin_ia32_movmskps(std::bit_cast<detail::PackReals>(mask.lanes)));
@@ -183,7 +182,7 @@ inline std::uint32_t bits(PackMask mask) {
 #endif
 }
 
-/// The smallest of the lanes; of lanes that are no number, none or one.
+/// The smallest of the lanes; lanes that are NaN may or may not be passed over.
 inline Real least_lane(RealPack a) {
 	return std::min(std::min(a[0], a[1]), std::min(a[2], a[3]));
 }
@@ -191,7 +190,7 @@ inline Real greatest_lane(RealPack a) {
 	return std::max(std::max(a[0], a[1]), std::max(a[2], a[3]));
 }
 
-// The same for a single scalar, so that code for any T compiles for `Real`.
+// Counterparts for a single scalar, so that code for any T compiles for `Real`.
 inline Real select(bool mask, Real yes, Real no) {
 	return mask ? yes : no;
 }
@@ -205,7 +204,7 @@ inline Real sqrt(Real a) {
 	return std::sqrt(a);
 }
 
-/// The smaller value; `b` where one is no number.
+/// The smaller value; `b` where one is NaN.
 template <class T>
 T lesser(T a, T b) {
 	return select(a < b, a, b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Divides calls among threads that somebody else owns.
+// Divides calls among threads of the caller.
 #include "core/base/task_scheduler.h"
 
 #include <thread>
@@ -12,8 +12,7 @@ namespace softbody {
 
 namespace {
 
-// Some fifty microseconds: longer than the gaps between the calls of one step, shorter than what others on the machine
-// would miss.
+// Some fifty microseconds: longer than the gaps between the calls of one step, too short to slow other programs.
 constexpr int SPINS = 1500;
 
 // Tells the processor that this thread waits.
@@ -81,7 +80,7 @@ void TaskScheduler::help() {
 		}
 		const std::uint64_t call = call_;
 		if (call % 2 == 0) {
-			continue; // over before it was noticed
+			continue; // the call ended before this helper noticed it
 		}
 		served = call;
 		++present_;

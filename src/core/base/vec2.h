@@ -15,7 +15,6 @@
 namespace softbody {
 
 /// Two-dimensional vector of the scalar type T: `Real`, or `RealPack` for several vectors side by side.
-/// Aggregate without invariants.
 template <class T>
 struct BasicVec2 {
 	T x = T(0);
@@ -46,7 +45,7 @@ struct BasicVec2 {
 	friend constexpr T dot(BasicVec2 a, BasicVec2 b) { return a.x * b.x + a.y * b.y; }
 	/// z component of the three-dimensional cross product: twice the signed area of the triangle 0, a, b.
 	friend constexpr T cross(BasicVec2 a, BasicVec2 b) { return a.x * b.y - a.y * b.x; }
-	/// `a` turned by +90 degrees (from x towards y); the velocity field of a unit spin is this of the arm.
+	/// `a` turned by +90 degrees (from x towards y). Velocities of a unit spin are this of the arm.
 	friend constexpr BasicVec2 perpendicular(BasicVec2 a) { return { -a.y, a.x }; }
 	friend constexpr T length_squared(BasicVec2 a) { return dot(a, a); }
 	friend T length(BasicVec2 a) { return sqrt(length_squared(a)); }
@@ -56,7 +55,7 @@ struct BasicVec2 {
 	}
 };
 
-/// A position [length], velocity [length/s] or force [mass·length/s²]. Arrays of it are contiguous pairs.
+/// A position [length], velocity [length/s] or force [mass·length/s²]. Arrays of Vec2 are contiguous pairs.
 using Vec2 = BasicVec2<Real>;
 
 inline bool is_finite(Vec2 a) {
@@ -79,7 +78,7 @@ struct BasicRotation {
 };
 using Rotation = BasicRotation<Real>;
 
-/// Lane `lane` of several vectors side by side, and the reverse: a vector put into one lane.
+/// Lane `lane` of several vectors side by side. `set_lane` is the reverse.
 inline Vec2 lane_of(const BasicVec2<RealPack> &pack, std::size_t lane) {
 	return { pack.x[lane], pack.y[lane] };
 }
@@ -90,7 +89,7 @@ inline void set_lane(BasicVec2<RealPack> &pack, std::size_t lane, Vec2 value) {
 #if defined(SOFTBODY_VECTOR_EXTENSION) && !defined(SOFTBODY_DOUBLE) && __has_builtin(__builtin_shufflevector)
 #define SOFTBODY_SHUFFLES
 namespace detail {
-// Two vectors of floats in a register: whole vectors are moved, where single numbers would take twice the loads.
+// Two vectors of floats fill a register: moving whole vectors halves the loads.
 typedef std::uint64_t VectorPair __attribute__((vector_size(16)));
 static_assert(PACK_WIDTH == 4 && sizeof(Vec2) == 8);
 inline std::uint64_t bits_of(const Vec2 &vector) {
@@ -99,7 +98,7 @@ inline std::uint64_t bits_of(const Vec2 &vector) {
 } // namespace detail
 #endif
 
-/// Vector i of every lane: lane l is `lanes[l][i]`. The reverse is `scatter`.
+/// Vector i of every lane: lane l is `lanes[l][i]`. `scatter` is the reverse.
 template <class V> // `Vec2` or `const Vec2`
 BasicVec2<RealPack> gather(const std::array<V *, PACK_WIDTH> &lanes, std::size_t i) {
 	BasicVec2<RealPack> pack;
@@ -137,13 +136,13 @@ inline BasicVec2<RealPack> consecutive(const Vec2 *first) {
 	return gather<const Vec2>({ first, first + 1, first + 2, first + 3 }, 0);
 }
 
-/// How many packs hold so many vectors.
+/// Number of packs that hold `count` vectors.
 inline std::size_t packs_for(std::size_t count) {
 	return (count + PACK_WIDTH - 1) / PACK_WIDTH;
 }
 
-/// Pack i of `all`, for questions that may count a vector twice: the last pack holds the last PACK_WIDTH vectors, also
-/// those of the pack before it, and the last vector several times where there are fewer.
+/// Pack i of `all`, for tests that may count a vector twice. The last pack holds the last PACK_WIDTH vectors, including
+/// some of the pack before it, and repeats the last vector where there are fewer than PACK_WIDTH.
 inline BasicVec2<RealPack> pack_of(std::span<const Vec2> all, std::size_t i) {
 	if (all.size() >= PACK_WIDTH) {
 		return consecutive(&all[std::min(i * PACK_WIDTH, all.size() - PACK_WIDTH)]);
@@ -152,7 +151,7 @@ inline BasicVec2<RealPack> pack_of(std::span<const Vec2> all, std::size_t i) {
 	return gather<const Vec2>({ at(0), at(1), at(2), at(3) }, 0);
 }
 
-/// The same vector in every lane.
+/// A vector in every lane.
 template <class T>
 BasicVec2<T> in_all_lanes(Vec2 value) {
 	return { T(value.x), T(value.y) };

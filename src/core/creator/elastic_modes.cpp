@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::size_t LATTICE_CELLS = 200;
 
-// Poisson's ratio at which modes are sought. Their stiffnesses at others follow from the same shapes: of a quotient like
-// this, an error of the shape counts by its square only.
+// Poisson's ratio at which modes are sought. Their stiffnesses at other ratios follow from these shapes: an error of
+// the shape enters such a quotient by its square only.
 constexpr std::size_t REFERENCE_RATIO = 2;
 
-// The start of the search: polynomials up to this degree, which smooth modes differ little from.
+// Degree of the polynomials that start the search; smooth modes differ little from them.
 constexpr int START_DEGREE = 4;
 constexpr int ITERATIONS = 4;
 constexpr int LATER_ITERATIONS = 2;
@@ -33,12 +33,12 @@ constexpr double LEAST_HULL_SHARE = 0.12;
 constexpr double MOST_HULL_SHARE = 0.95;
 constexpr int MASS_ITERATIONS = 3;
 
-// Of the mean of the hull points' masses: lighter ones would be flicked about by contacts.
+// Least mass of a hull point, over their mean: contacts would flick lighter points about.
 constexpr double LEAST_MASS = 0.3;
 
 constexpr double SMOOTHED_CELLS = 1.5;
 
-// Into which an edge is divided at most where loads are spread along it.
+// Most pieces into which an edge is divided where loads are spread along it.
 constexpr double MOST_PIECES = 16;
 
 using Vector = std::vector<double>; // two entries a point
@@ -126,7 +126,7 @@ void diagonalize(std::vector<Vector> &matrix, std::vector<Vector> &vectors, Vect
 	vectors = std::move(sorted);
 }
 
-// Gram and Schmidt, twice, which is enough. What depends on those before it is left out.
+// Gram and Schmidt, twice, which is enough. A vector that depends on those before it is left out.
 std::vector<Vector> orthonormal_by(std::vector<Vector> vectors, const Vector &weights) {
 	std::vector<Vector> result;
 	for (Vector &vector : vectors) {
@@ -145,8 +145,8 @@ std::vector<Vector> orthonormal_by(std::vector<Vector> vectors, const Vector &we
 	return result;
 }
 
-// The combinations (columns) of an orthonormal block that are its best eigenvectors of an operator, which made the images, and
-// their eigenvalues, descending.
+// The combinations (columns) of an orthonormal block that are its best eigenvectors of an operator, and their
+// eigenvalues, descending. `images` is the operator applied to the block.
 std::vector<Vector> ritz_combinations(const std::vector<Vector> &block, const std::vector<Vector> &images, const Vector &weights,
 		Vector &values) {
 	std::vector<Vector> matrix(block.size(), Vector(block.size()));
@@ -165,12 +165,12 @@ class Reduction {
 public:
 	Reduction(std::span<const Vec2> points, std::size_t hull_count);
 
-	/// Shares of the mass that the hull has, and with it all that depends on masses.
+	/// Share of the mass on the hull. Updates everything that depends on masses.
 	void set_hull_share(double share);
 	void find_modes();
-	/// Of the solid itself, times its mass, over its shear modulus. Starts from the modes.
+	/// Lowest frequency of the solid itself, squared, times its mass over its shear modulus. Starts from the modes.
 	double lowest_frequency_squared();
-	/// Of the points in their modes, likewise.
+	/// Lowest frequency of the points in their modes, squared, times mass over shear modulus.
 	double reduced_frequency_squared() const { return 1 / compliances_[0]; }
 	bool has_inner_points() const { return 2 * hull_count_ < masses_.size(); }
 	ElasticReduction result();
@@ -200,7 +200,7 @@ private:
 	std::vector<Vec2> points_;
 	std::size_t hull_count_;
 	LatticeSolid solid_;
-	/// Of each hull point: the nodes along its two edges, by the weights with which they share its load.
+	/// For each hull point: the nodes along its two edges, by the weights with which they share its load.
 	std::vector<std::vector<std::pair<std::uint32_t, double>>> edges_;
 	std::vector<Region> regions_; ///< of each inner point
 	Vector hull_shares_; ///< of each hull point, summing to 1
@@ -208,7 +208,7 @@ private:
 	Vec2 center_;
 	std::vector<Vector> rigid_; ///< orthonormal by mass
 	Vector area_gradient_; ///< at rest [length]
-	Vector dilation_; ///< what a pressure inside does
+	Vector dilation_; ///< displacement under a pressure inside
 	std::vector<Vector> modes_; ///< orthonormal by mass
 	Vector compliances_; ///< descending
 };
@@ -253,7 +253,7 @@ Reduction::Reduction(std::span<const Vec2> points, std::size_t hull_count) :
 	solid_.factor(MODE_POISSON_RATIOS[REFERENCE_RATIO]);
 }
 
-// Where hull points are closer together than the lattice's nodes, each gets its part of what all within a cell's length have.
+// Hull points closer together than the lattice's nodes share the sum within a cell's length equally.
 void Reduction::smooth_shares() {
 	const auto edge = [&](std::size_t i) { return double(length(points_[(i + 1) % hull_count_] - points_[i])); };
 	const auto tributary = [&](std::size_t i) { return (edge((i + hull_count_ - 1) % hull_count_) + edge(i)) / 2; };
@@ -318,10 +318,10 @@ void Reduction::remove_rigid(Vector &displacement) const {
 	}
 }
 
-// A load on a hull point is a load on its two edges, as what it rests on touches edges, not points: the displacement of the
-// outline is the piecewise linear one that fits the solid's best, seen through a basis that is dual to the hat functions
-// (Wohlmuth 2000): over an edge with s from 0 at the point to 1 at its neighbor the weight is 2 - 3 s. Every uniform strain
-// and rotation comes through exactly.
+// A load on a hull point is a load on its two edges, as a contact with the ground touches edges, not points. The
+// displacement of the outline is the piecewise linear one that fits the solid's best, through a basis that is dual to
+// the hat functions (Wohlmuth 2000): over an edge with s from 0 at the point to 1 at its neighbor the weight is 2 - 3
+// s. Every uniform strain and rotation is reproduced exactly.
 void Reduction::assign_edges() {
 	const double offset = std::sqrt(1.0 / 12);
 	edges_.assign(hull_count_, {});
@@ -345,8 +345,8 @@ void Reduction::assign_edges() {
 	}
 }
 
-// An inner point stands for the part of the solid that is nearer to it than to the others: it moves as the mean rigid motion
-// of that part, and its load is spread over it. A load on a single place would let it swing inside the body.
+// An inner point stands for the part of the solid nearest to it: it moves as the mean rigid motion of that part, and
+// its load is spread over it. A load on a single place would let it swing inside the body.
 void Reduction::assign_regions() {
 	const std::span<const Vec2> inner = std::span(points_).subspan(hull_count_);
 	const std::span<const double> node_masses = solid_.node_masses();
@@ -358,7 +358,7 @@ void Reduction::assign_regions() {
 	}
 	for (std::size_t k = 0; k < inner.size(); ++k) {
 		Region &region = regions_[k];
-		if (region.nodes.empty()) { // points that lie together
+		if (region.nodes.empty()) { // coincident points
 			const LatticeSolid::Embedding nearest = solid_.embed(inner[k]);
 			region.nodes.assign(nearest.nodes.begin(), nearest.nodes.end());
 		}
@@ -402,7 +402,7 @@ Vector Reduction::to_nodes(const Vector &loads) const {
 	return nodes;
 }
 
-// The displacements of the points when the nodes move: the transpose of the above.
+// The displacements of the points when the nodes move: the transpose of `to_nodes`.
 Vector Reduction::from_nodes(const Vector &nodes) const {
 	Vector result(2 * points_.size(), 0);
 	for (std::size_t i = 0; i < hull_count_; ++i) {
@@ -462,8 +462,9 @@ void Reduction::solve_dilation() {
 	}
 }
 
-// What forces in proportion to mass and displacement do to the solid while its area is held. With this the solid is split
-// exactly: a uniform pressure causes a uniform dilation, which costs no energy together with anything that keeps the area.
+// Displacement of the solid under forces in proportion to mass and displacement, while its area is held. This splits
+// the solid exactly: a uniform pressure causes a uniform dilation, which costs no energy together with anything that
+// keeps the area.
 std::vector<Vector> Reduction::apply_compliance(std::vector<Vector> displacements) const {
 	for (Vector &loads : displacements) {
 		for (std::size_t k = 0; k < loads.size(); ++k) {
@@ -504,12 +505,12 @@ void Reduction::find_modes() {
 			}
 		}
 	} else {
-		block = modes_; // those for other masses
+		block = modes_; // modes for other masses
 	}
 	for (Vector &vector : block) {
 		remove_rigid(vector);
 	}
-	// The first time from afar; later the masses have changed a little.
+	// The first search starts from afar; later the masses have changed a little.
 	const int iterations = modes_.empty() ? ITERATIONS : LATER_ITERATIONS;
 	for (int iteration = 0; iteration < iterations; ++iteration) {
 		block = orthonormal(std::move(block));
@@ -529,8 +530,8 @@ void Reduction::find_modes() {
 	modes_ = std::move(block);
 }
 
-// Inverse iteration of several displacements of the lattice at once, from the first modes on: which of them is the lowest may
-// be another for the solid than for its points.
+// Inverse iteration of several displacements of the lattice at once, from the first modes on: the lowest mode of the
+// solid may be another than that of its points.
 double Reduction::lowest_frequency_squared() {
 	const std::span<const double> node_masses = solid_.node_masses();
 	Vector weights;
@@ -580,7 +581,7 @@ double Reduction::lowest_frequency_squared() {
 		}
 		block = orthonormal_by(std::move(images), weights);
 		if (block.size() < count) {
-			break; // as far as rounding lets it
+			break; // as close as rounding allows
 		}
 	}
 	return frequency_squared;
@@ -592,7 +593,7 @@ ElasticReduction Reduction::result() {
 		reduction.mass_shares.push_back(Real(masses_[2 * i]));
 	}
 	auto modes = std::make_shared<ElasticModes>();
-	// Neither rigid nor dilation; and what is stiffer than rounding can tell is left to the rest.
+	// Modes are neither rigid nor dilation. Modes stiffer than rounding can resolve count as deformation in no mode.
 	const std::size_t most = std::min(MAX_ELASTIC_MODES, 2 * hull_count_ - 4);
 	std::size_t count = 0;
 	while (count < std::min(most, modes_.size()) && compliances_[count] > 1e-6 * compliances_[0]) {
@@ -631,7 +632,7 @@ ElasticReduction Reduction::result() {
 		}
 		position_norm += masses_[2 * i] * double(length_squared(points_[i] - center_));
 	}
-	// The norm of the oblique projection that takes dilation away, squared.
+	// The norm of the oblique projection that removes dilation, squared.
 	modes->projection_bound = Real(std::max(1.0, gradient_norm * position_norm));
 	reduction.modes = std::move(modes);
 	return reduction;
@@ -649,7 +650,7 @@ ElasticReduction reduce_solid(std::span<const Vec2> points, std::size_t hull_cou
 		if (!reduction.has_inner_points() || iteration + 1 == MASS_ITERATIONS) {
 			break;
 		}
-		// Less mass on the hull swings faster, in proportion as far as modes keep their shapes.
+		// Less mass on the hull swings faster, proportionally as long as modes keep their shapes.
 		if (iteration == 0) {
 			wanted = reduction.lowest_frequency_squared();
 		}

@@ -11,17 +11,16 @@
 
 namespace softbody {
 
-/// A reduced elastic solid: what its points weigh, and how it deforms.
+/// A reduced elastic solid: masses of its points, and its modes.
 struct ElasticReduction {
-	std::vector<Real> mass_shares; ///< one a point, summing to 1; by the length of outline that a hull point stands for
+	std::vector<Real> mass_shares; ///< one a point, summing to 1; a hull point by the length of outline that it stands for
 	std::shared_ptr<const ElasticModes> modes; ///< for exactly these masses; positions relative to the center of mass
 };
 
-/// Reduces the solid inside an outline to the softest modes of its points (static condensation, Guyan 1965, truncated).
-/// The solid is a `LatticeSolid`. A load on the points deforms them as it deforms the solid; the mass is divided between the
-/// hull and the inner points so that the lowest frequency is the solid's. Without inner points all mass is on the hull, and
-/// frequencies are up to a third too low. `points` are the hull, of positive area, then the inner points. Allocates; some
-/// milliseconds for up to a few hundred points.
+/// Reduces the solid inside an outline (`LatticeSolid`) to the softest modes of its points (static condensation, Guyan
+/// 1965, truncated). The mass is divided between hull and inner points so that the lowest frequency is the solid's;
+/// without inner points frequencies are up to a third too low. `points` are the hull, of positive area, then the inner
+/// points. Allocates; takes some milliseconds for up to a few hundred points.
 ElasticReduction reduce_solid(std::span<const Vec2> points, std::size_t hull_count);
 
 } // namespace softbody

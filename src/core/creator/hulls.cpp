@@ -18,15 +18,14 @@ Status check_count(double count) {
 	return check_between("point_count", count, MIN_HULL_POINTS, MAX_HULL_POINTS, "");
 }
 
-// Appends the points of the straight piece from a up to, but without, b.
+// Appends the points of the straight piece from a to b, without b.
 void append_line(std::vector<Vec2> &hull, Vec2 a, Vec2 b, int pieces) {
 	for (int i = 0; i < pieces; ++i) {
 		hull.push_back(a + (b - a) * (Real(i) / Real(pieces)));
 	}
 }
 
-// Point on the unit circle. Where a coordinate is 0 the library returns about 1e-16 (pi is rounded);
-// a hull that people read in an inspector should say 0.
+// Point on the unit circle. A coordinate of 1e-16 (pi is rounded) becomes 0, as people read hulls in an inspector.
 Vec2 on_circle(double angle) {
 	const double x = std::cos(angle);
 	const double y = std::sin(angle);

@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::uint32_t NONE = UINT32_MAX;
 
-// Keeps the stiffness matrix regular. More would add a skin to outlines that run along the lattice.
+// Least fill of a cell, which keeps the stiffness matrix regular. Larger: outlines along the lattice get a skin.
 constexpr double LEAST_FILL = 0.01;
 
-// Share from which on a cell may hold points, and by how many cells a point is taken farther off for what lacks.
+// Fill from which on a cell may hold points, and the extra distance in cells of a point for what a cell lacks of it.
 constexpr double WELL_FILLED = 0.4;
 constexpr double EMPTINESS = 2.5;
 
@@ -29,7 +29,7 @@ constexpr std::size_t MOST_LATTICE = 40000;
 // Sine of the angle by which a corner has to turn inwards to get a node of the lattice.
 constexpr double INWARD_CORNER = 0.5;
 
-// Of the ground's spring, over a cell's own stiffness.
+// Stiffness of the spring to the ground, over a cell's own.
 constexpr double GROUND = 1e-5;
 
 struct Point {
@@ -37,8 +37,7 @@ struct Point {
 	double y;
 };
 
-// Sutherland and Hodgman's clipping by one axis-parallel line. A concave polygon leaves edges along the line that cancel
-// in its area.
+// Clips by one axis-parallel line (Sutherland and Hodgman). Edges along the line cancel in the area.
 void clip(const std::vector<Point> &from, double Point::*axis, double bound, double sign, std::vector<Point> &to) {
 	to.clear();
 	for (std::size_t i = 0; i < from.size(); ++i) {
@@ -115,7 +114,7 @@ std::optional<std::size_t> sharpest_inward_corner(std::span<const Vec2> hull) {
 		const Vec2 in = hull[i] - hull[i == 0 ? hull.size() - 1 : i - 1];
 		const Vec2 out = hull[i + 1 == hull.size() ? 0 : i + 1] - hull[i];
 		const double size = double(length(in)) * double(length(out));
-		// Beyond a right angle its sine falls again, and its cosine does not.
+		// Beyond a right angle the sine falls again, but the cosine does not.
 		const double sine = size > 0 ? double(cross(in, out)) / size : 0.0;
 		const double turn = sine < 0 && dot(in, out) < 0 ? sine - 2 * (1 + sine) : sine;
 		if (turn < least) {
@@ -153,7 +152,7 @@ LatticeSolid::LatticeSolid(std::span<const Vec2> hull, std::size_t cells) {
 	const double margin_across = (double(rows_) * cell_ - across) / 2;
 	double left = transposed_ ? low.x - margin_across : low.x - margin_along;
 	double top = transposed_ ? low.y - margin_along : low.y - margin_across;
-	// A cell over a corner that points inwards would bridge it. The sharpest such corner gets a node.
+	// A cell over a corner that points inwards would bridge it; the sharpest such corner gets a node.
 	if (const std::optional<std::size_t> corner = sharpest_inward_corner(hull)) {
 		left = hull[*corner].x - std::ceil((double(hull[*corner].x) - low.x) / cell_ - 1e-6) * cell_;
 		top = hull[*corner].y - std::ceil((double(hull[*corner].y) - low.y) / cell_ - 1e-6) * cell_;
@@ -170,7 +169,8 @@ std::size_t LatticeSolid::cells_between(double from, double to) const {
 }
 
 void LatticeSolid::measure_fill(std::span<const Vec2> hull) {
-	// In units of a cell, columns along x. Turned over rather than mirrored where transposed: only the sign of areas changes.
+	// In units of a cell, columns along x. A transposed outline is turned over rather than mirrored: only the sign of
+	// areas changes.
 	std::vector<Point> outline;
 	for (const Vec2 p : hull) {
 		const double x = (double(p.x) - corner_.x) / cell_;
@@ -235,13 +235,13 @@ LatticeSolid::Embedding LatticeSolid::embed(Vec2 point) const {
 	if (transposed_) {
 		std::swap(x, y);
 	}
-	// The nearest cell that belongs to the solid: among those around the point, or, far outside, among all.
+	// The nearest cell of the solid: among the cells around the point, or, far outside, among all.
 	std::size_t best = fill_.size();
 	double least = 0;
 	const auto look_at = [&](std::size_t cell) {
 		const double dx = std::abs(x - (double(cell / rows_) + 0.5));
 		const double dy = std::abs(y - (double(cell % rows_) + 0.5));
-		// A point in a corner of the outline that a nearly empty cell holds goes with the fuller one beside it.
+		// A point in a corner of the outline that a nearly empty cell holds is assigned to the fuller cell beside it.
 		const double distance = std::max(dx, dy) + std::max(0.0, WELL_FILLED - fill_[cell]) * EMPTINESS - 1e-3 * fill_[cell];
 		if (fill_[cell] > 0 && (best == fill_.size() || distance < least)) {
 			least = distance;
@@ -270,7 +270,7 @@ LatticeSolid::Embedding LatticeSolid::embed(Vec2 point) const {
 		{ (1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v } };
 }
 
-// Cholesky's factor of a banded matrix.
+// Cholesky factor of a banded matrix.
 void LatticeSolid::factor(double poisson_ratio) {
 	const std::size_t count = freedom_count();
 	const std::size_t width = band_ + 1;
@@ -287,7 +287,7 @@ void LatticeSolid::factor(double poisson_ratio) {
 			const std::array<std::uint32_t, 4> corners = { node_at(i, j), node_at(i + 1, j), node_at(i + 1, j + 1), node_at(i, j + 1) };
 			for (std::size_t a = 0; a < 8; ++a) {
 				for (std::size_t b = 0; b < 8; ++b) {
-					// A transposed lattice has its axes swapped; an isotropic solid does not notice.
+					// A transposed lattice has its axes swapped; an isotropic solid is unaffected.
 					const std::size_t row = 2 * corners[a / 2] + (transposed_ ? 1 - a % 2 : a % 2);
 					const std::size_t column = 2 * corners[b / 2] + (transposed_ ? 1 - b % 2 : b % 2);
 					if (column <= row) {
@@ -301,7 +301,7 @@ void LatticeSolid::factor(double poisson_ratio) {
 	for (std::size_t k = 0; k < count; ++k) {
 		entry(k, k) += ground * masses_[k / 2];
 	}
-	// Column by column, what follows at once: compilers can do several entries of a row together.
+	// Column by column: compilers can vectorize several entries of a row.
 	std::vector<double> column(width);
 	for (std::size_t k = 0; k < count; ++k) {
 		const double pivot = std::sqrt(std::max(entry(k, k), 1e-12));

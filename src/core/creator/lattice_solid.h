@@ -12,13 +12,13 @@
 
 namespace softbody {
 
-/// Plane-strain solid of unit shear modulus and unit mass that fills an outline. Bilinear square cells; a cell that the
-/// outline cuts counts by the share of it that is inside (finite cell method, Parvizian, Düster and Rank 2007). Shear is
-/// integrated at four points, volume change at one, so that nearly incompressible material does not lock.
-/// Displacements have two entries a node. For use when bodies are created: it allocates.
+/// Plane-strain solid of unit shear modulus and unit mass that fills an outline with bilinear square cells. A cell that
+/// the outline cuts counts by its share inside (finite cell method, Parvizian, Düster and Rank 2007). Shear is
+/// integrated at four points, volume change at one, so that nearly incompressible material does not lock. Displacements
+/// have two entries a node. Allocates: for the creation of bodies only.
 class LatticeSolid {
 public:
-	/// A point's place in the lattice: its displacement is the weighted mean of four nodes'.
+	/// A point's place in the lattice: its displacement is the weighted mean of four nodes' displacements.
 	struct Embedding {
 		std::array<std::uint32_t, 4> nodes{};
 		std::array<double, 4> weights{};
@@ -33,14 +33,14 @@ public:
 	Vec2 node_position(std::size_t node) const {
 		return corner_ + Vec2{ Real(cell_ * places_[node][0]), Real(cell_ * places_[node][1]) };
 	}
-	/// Of a point inside, or next to, the outline.
+	/// The place of a point inside the outline or beside it.
 	Embedding embed(Vec2 point) const;
 
-	/// Factors the stiffness matrix for a Poisson's ratio, 0 <= ν < 0.5. Rigid motion is held by a faint spring to the ground.
-	/// O(nodes · bandwidth²).
+	/// Factors the stiffness matrix for a Poisson's ratio, 0 <= ν < 0.5, with a faint spring to the ground. O(nodes ·
+	/// bandwidth²).
 	void factor(double poisson_ratio);
-	/// Replaces loads by the displacements that they cause. Precondition: `factor` was called.
-	/// Several at once: entry k of load c at [k * loads_count + c].
+	/// Replaces loads by the displacements that they cause. Precondition: `factor` was called. Several loads at once:
+	/// entry k of load c at [k * loads_count + c].
 	void solve(std::span<double> loads, std::size_t loads_count = 1) const;
 
 private:

@@ -83,7 +83,7 @@ Vec2 mean_of(std::span<const Vec2> points) {
 	return { Real(x / double(points.size())), Real(y / double(points.size())) };
 }
 
-// The springs' ends are given, or chosen from the points as given; the shape's order may be another.
+// The springs' ends are given, or chosen from the points as given; the shape's order may differ.
 Status check_spring_ends(std::span<const SpringEnds> springs, std::span<const Vec2> points) {
 	for (std::size_t i = 0; i < springs.size(); ++i) {
 		const auto [a, b] = springs[i];
@@ -169,8 +169,8 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	if (!options.elastic && !options.elastic_triangles) {
 		return SoftBodyShape::create(std::move(description));
 	}
-	// Sizes and masses out of range are refused before a solid is made of them. Its points lie around the origin, where they
-	// have most digits.
+	// Sizes and masses out of range are refused before a solid is made of them. Its points lie around the origin, where
+	// coordinates have most digits.
 	const auto plain = SoftBodyShape::create(description);
 	if (!plain) {
 		return plain.error();

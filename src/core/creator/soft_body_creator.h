@@ -13,8 +13,8 @@
 
 namespace softbody {
 
-/// What `SoftBodyCreator` puts inside an outline. Points are counted in the order in which they are given: the outline, the
-/// inner points, the center point; springs in the order of `springs`, or of `automatic_springs` if that is empty.
+/// What `SoftBodyCreator` puts inside an outline. Points are counted as given: outline, inner points, center point;
+/// springs in the order of `springs`, or of `automatic_springs` if that is empty.
 struct StructureOptions {
 	Real mass = 1; ///< of the whole body [mass], > 0; every point gets an equal share
 	Real stiffness = 100; ///< k of every spring [force/length], >= 0
@@ -22,22 +22,21 @@ struct StructureOptions {
 	bool center_point = true; ///< add a point at the hull's mean; the automatic springs join it to every hull point
 	std::vector<Vec2> inner_points = {}; ///< further points, meant to lie inside the outline [length]
 	std::vector<SpringEnds> springs = {}; ///< all springs of the body; empty: the automatic ones
-	// Factors on the values above and on the length as designed, one a spring; empty: all 1. A body that is painted so
-	// follows what all its springs share, and its outline.
+	// Factors on the values above and on the length as designed, one a spring; empty: all 1. A body painted with
+	// factors still follows the common values and its outline.
 	std::vector<Real> spring_stiffness_scales = {}; ///< [1], >= 0
 	std::vector<Real> spring_damping_scales = {}; ///< [1], >= 0
 	std::vector<Real> spring_length_scales = {}; ///< [1], > 0
-	/// Whether the body can deform as an elastic solid (BodySettings::shear_modulus). Its mass is then divided as
-	/// `reduce_solid` says, instead of into equal shares.
+	/// Whether the body can deform as an elastic solid (BodySettings::shear_modulus). `reduce_solid` then divides its
+	/// mass, instead of equal shares.
 	bool elastic = false;
-	/// Whether the body is filled with elastic triangles (BodySettings::shear_modulus), whose corners are all of its points.
-	/// Every point then gets a third of its triangles' mass instead of an equal share. There is no center point, and `elastic`
-	/// must be false.
+	/// Whether the body is filled with elastic triangles (BodySettings::shear_modulus), whose corners are all of its
+	/// points. Every point then gets a third of its triangles' mass instead of an equal share. There is no center
+	/// point, and `elastic` must be false.
 	bool elastic_triangles = false;
-	/// How many points are placed evenly inside a body of triangles, beside `inner_points`, which they follow [1],
-	/// 0..MAX_HULL_POINTS. See `even_inner_points`; where it finds no place for exactly so many, they are a few more or fewer.
-	/// About 1.5 for each hull point give a body most of its accuracy, 4 take four times as long. Without any, the triangles are
-	/// slivers, and the body is far too stiff.
+	/// Number of points placed evenly inside a body of triangles, after `inner_points` [1], 0..MAX_HULL_POINTS. See
+	/// `even_inner_points`, which may place a few more or fewer. About 1.5 for each hull point give most of the
+	/// accuracy; 4 take four times as long. Without any, the triangles are slivers, and the body is far too stiff.
 	int triangle_points = 24;
 
 	friend bool operator==(const StructureOptions &, const StructureOptions &) = default;
@@ -51,11 +50,12 @@ public:
 	static Result<std::shared_ptr<const SoftBodyShape>> create_circle(Real radius, int point_count,
 			const StructureOptions &options);
 
-	/// Any simple polygon, convex or not; the center point sits at the mean of its points. A hull of negative winding is
-	/// reversed about its first point: point i becomes (n - i) mod n, and springs follow; their order stays.
-	/// Refuses a bad hull (see `check_hull`), mass <= 0, negative or non-finite values, a center that coincides with a
-	/// hull point unless springs are given, more than MAX_HULL_POINTS inner points, inner points that cannot be corners of triangles where there are triangles, springs that name a point twice or one
-	/// that is not there, repeat another or have no length, and as many scales as there are no springs.
+	/// Any simple polygon, convex or not; the center point sits at the mean of its points. A hull of negative winding
+	/// is reversed about its first point: point i becomes (n - i) mod n, springs follow, and their order stays. Refuses
+	/// a bad hull (see `check_hull`), mass <= 0, negative or non-finite values, a center that coincides with a hull
+	/// point unless springs are given, more than MAX_HULL_POINTS inner points, inner points that cannot be corners of
+	/// triangles where there are triangles, springs that name a point twice or a missing point, repeat another or have
+	/// no length, and a number of scales other than that of the springs.
 	static Result<std::shared_ptr<const SoftBodyShape>> create_polygon(std::span<const Vec2> hull,
 			const StructureOptions &options);
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which points of a body are joined by springs if nobody says so.
+// Chooses the points of a body that are joined by springs, if the user gives none.
 #include "core/creator/structure.h"
 
 #include "core/base/constants.h"
@@ -15,7 +15,7 @@ namespace softbody {
 
 namespace {
 
-// How many of the nearest points are asked first whether they lie between two others. As a rule one of them does.
+// Number of nearest points that are tested first for lying between two others; usually one of them does.
 constexpr std::size_t ASKED_FIRST = 16;
 
 Aabb box_around(Vec2 a, Vec2 b) {
@@ -25,7 +25,7 @@ Aabb box_around(Vec2 a, Vec2 b) {
 	return box;
 }
 
-// Whether the way from one point to another meets an edge of the outline that ends at neither.
+// Whether the way between two points meets an edge of the outline that ends at neither.
 bool crosses_outline(std::span<const Vec2> points, std::size_t hull_count, std::uint32_t from, std::uint32_t to) {
 	const Aabb way = box_around(points[from], points[to]);
 	for (std::size_t i = 0; i < hull_count; ++i) {
@@ -38,7 +38,7 @@ bool crosses_outline(std::span<const Vec2> points, std::size_t hull_count, std::
 	return false;
 }
 
-// Whether a third point lies inside the circle over the way between two.
+// Whether a third point lies inside the circle over the way between two points.
 bool is_shadowed(std::span<const Vec2> points, Vec2 from, Vec2 to, std::span<const std::uint32_t> others) {
 	const Real tolerance = CIRCLE_TOLERANCE * length_squared(to - from);
 	return std::ranges::any_of(others, [&](std::uint32_t third) {

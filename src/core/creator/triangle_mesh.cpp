@@ -17,20 +17,20 @@ namespace softbody {
 
 namespace {
 
-// Least distance of a lattice point from the outline over the spacing. A smaller distance leaves flat triangles at the
-// outline, which swing fastest: at a half a disk of 16 and 64 points takes a tenth more substeps.
+// Least distance of a lattice point from the outline over the spacing. Smaller: flat triangles take more substeps.
 constexpr double CLEARANCE = 0.7;
 
 const double ROW_HEIGHT = std::sqrt(0.75); // of the lattice, over its spacing
 
-// The same while points are moved to even out the triangles, over the spacing without clearance, and how often they are.
+// Least distance from the outline while points are moved to even out the triangles, over the spacing without clearance,
+// and the number of moves.
 constexpr double RELAXED_CLEARANCE = 0.5;
 constexpr int RELAXATIONS = 8;
 
 constexpr int SPACINGS = 28; // tried for each place of the lattice: to 1e-8 of the first guess
 
-// Places of the lattice, as parts of its spacing and of its rows' distance. The first has a point in the middle; the others
-// serve for numbers of points that a symmetric outline does not have with it.
+// Places of the lattice, as parts of its spacing and of its rows' distance. The first has a point in the middle; the
+// others serve for numbers of points that a symmetric outline does not reach with it.
 constexpr std::array<std::array<double, 2>, 6> PLACES = { { { 0, 0 }, { 0.5, 0 }, { 0.25, 0.5 }, { 0, 0.4 }, { 0.3, 0.2 }, { 0.15, 0.35 } } };
 
 // Smallest area of a triangle over the square of its longest edge [1]. Float coordinates carry seven digits.
@@ -77,7 +77,8 @@ public:
 	}
 
 private:
-	// Where a horizontal line meets the outline, ascending: it is inside between the first and the second, and so on.
+	// Places where a horizontal line meets the outline, ascending; it is inside from the first to the second, and so
+	// on.
 	std::vector<double> crossings_at(double y) const {
 		std::vector<double> crossings;
 		for (std::size_t i = 0; i < hull_.size(); ++i) {
@@ -97,8 +98,8 @@ private:
 	Aabb box_;
 };
 
-// As many points as the lattice comes closest to `count` with in one place. Fewer points come with a larger spacing, but for
-// single points that come and go.
+// The lattice points in one place whose number comes closest to `count`. A larger spacing gives fewer points, except
+// for single points that come and go.
 std::vector<Vec2> nearest_count(const Lattice &lattice, double spacing, std::array<double, 2> place, std::size_t count) {
 	constexpr int HALVINGS = 20;
 	std::vector<Vec2> best = lattice.points(spacing, place);
@@ -120,15 +121,15 @@ std::vector<Vec2> nearest_count(const Lattice &lattice, double spacing, std::arr
 	return best;
 }
 
-// Moves the points from `first` on to where the triangles around them balance: each to the mean of their centers, weighted by
-// area. Those at the outline, where the lattice does not fit, get triangles that are less flat.
+// Moves the points from `first` on to balance the triangles around them: each to the mean of their centers, weighted by
+// area. Triangles at the outline, where the lattice does not fit, become less flat.
 void relax(std::vector<Vec2> &points, std::size_t hull_count, std::size_t first, const Lattice &lattice, double clearance) {
 	for (int pass = 0; pass < RELAXATIONS; ++pass) {
 		std::vector<Vec2> sums(points.size());
 		std::vector<Real> areas(points.size());
 		for (const Triangle &t : triangulate(points, hull_count)) {
 			const Real area = Real(signed_double_area(points[t[0]], points[t[1]], points[t[2]]));
-			// Relative to the corner, or far from the origin digits are lost.
+			// Relative to the corner, to keep digits far from the origin.
 			for (const std::uint32_t corner : t) {
 				const Vec2 p = points[corner];
 				sums[corner] += ((points[t[0]] - p) + (points[t[1]] - p) + (points[t[2]] - p)) * (area / 3);
@@ -165,7 +166,7 @@ bool is_flat(std::span<const Vec2> points, const Triangle &t) {
 	return !(signed_double_area(points[t[0]], points[t[1]], points[t[2]]) > 2 * LEAST_AREA * longest);
 }
 
-// Of the solid itself, whose modes are found with a point in the middle, which carries the mass inside.
+// Of the solid itself. Its modes are found with a point in the middle that carries the inner mass.
 std::array<Real, 3> lowest_stiffness(std::span<const Vec2> hull) {
 	std::vector<Vec2> points(hull.begin(), hull.end());
 	points.push_back(area_centroid(hull));

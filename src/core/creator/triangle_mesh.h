@@ -12,23 +12,22 @@
 
 namespace softbody {
 
-/// Points of a hexagonal lattice inside an outline of either winding, moved a little so that triangles between them are even at
-/// the outline as well. They keep about 0.7 of the lattice's spacing from the outline and from `own_points`. The spacing and the
-/// lattice's place are sought so that there are `count` points, or as nearly as many as can be found. Deterministic.
-/// Precondition: `check_hull` accepts the outline. O(count · outline) for each of some tens of spacings, and a few
-/// triangulations.
+/// Points of a hexagonal lattice inside an outline of either winding, moved a little so that triangles are even at the
+/// outline too. They keep about 0.7 of the lattice's spacing from the outline and from `own_points`. Spacing and place
+/// of the lattice are chosen so that there are `count` points, or nearly as many. Deterministic. Precondition:
+/// `check_hull` accepts the outline. O(count · outline) for each of some tens of spacings, and a few triangulations.
 std::vector<Vec2> even_inner_points(std::span<const Vec2> hull, std::span<const Vec2> own_points, std::size_t count);
 
-/// A body made of triangles: what its points weigh, and how it deforms.
+/// A body made of triangles: masses of its points, and its triangles.
 struct TriangleMesh {
 	std::vector<Real> mass_shares; ///< one a point, summing to 1: a third of each of its triangles' areas
 	std::shared_ptr<const ElasticTriangles> triangles;
 };
 
 /// Fills the outline `points[0, hull_count)`, of positive winding, with triangles whose corners are all of the points
-/// (constrained Delaunay triangulation, see `triangulate`). Refuses inner points that lie outside or on another point
-/// ("inner_points[i]", i counted from `hull_count`), and an outline in which rounding leaves no triangle of positive area
-/// somewhere ("hull"). Allocates; takes some milliseconds for a few hundred points.
+/// (constrained Delaunay triangulation, see `triangulate`). Refuses inner points outside or on another point
+/// ("inner_points[i]", i counted from `hull_count`), and an outline where rounding leaves no triangle of positive area
+/// ("hull"). Allocates; takes some milliseconds for a few hundred points.
 Result<TriangleMesh> make_triangle_mesh(std::span<const Vec2> points, std::size_t hull_count);
 
 } // namespace softbody

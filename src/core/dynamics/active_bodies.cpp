@@ -1,54 +1,127 @@
 // SPDX-License-Identifier: MIT
-// The active bodies of a world as a step goes through them: one after the other in active indices, and side by side in batches.
+// The active bodies of a world: what a step reads of each, which are awake, and which are alike.
 #include "core/dynamics/active_bodies.h"
 
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace softbody {
 
+namespace {
+
+// Lanes share inverse masses, XPBD bodies differ in how long their passes take, and a body remembers its own bounces,
+// passages through one-way colliders and contacts with itself.
+bool can_share_a_batch(const SoftBodyData &body) {
+	return body.is_free() && body.ignored_tags().empty() && body.settings().integrator != Integrator::XPBD &&
+			body.settings().restitution == 0 && !body.settings().self_collision;
+}
+
+} // namespace
+
+/// Numbers kinds in the order in which their first bodies come.
+class ActiveBodies::KindFinder {
+public:
+	explicit KindFinder(std::vector<Kind> &kinds) : kinds_(kinds) {}
+
+	std::uint32_t find(const SoftBodyData &body) {
+		const bool single = !can_share_a_batch(body);
+		const std::uint32_t next = std::uint32_t(kinds_.size());
+		if (!single) {
+			const auto [entry, is_new] = of_shape_.try_emplace(&body.shape(), next);
+			std::uint32_t last = entry->second;
+			for (std::uint32_t i = last; !is_new && i != NONE; i = next_of_shape_[i]) {
+				if (*kinds_[i].settings == body.settings()) {
+					return i;
+				}
+				last = i;
+			}
+			if (!is_new) {
+				next_of_shape_[last] = next;
+			}
+		}
+		kinds_.push_back({ &body.shape(), &body.settings(), single });
+		next_of_shape_.push_back(NONE);
+		return next;
+	}
+
+private:
+	static constexpr std::uint32_t NONE = UINT32_MAX;
+
+	std::vector<Kind> &kinds_;
+	std::vector<std::uint32_t> next_of_shape_; ///< another kind of the same shape
+	std::unordered_map<const SoftBodyShape *, std::uint32_t> of_shape_;
+};
+
 bool ActiveBodies::update(Real dt) {
-	batch_builder_.update(world_);
-	const bool has_contacts = world_.has_environment();
-	if (arranged_batch_builder_ == batch_builder_.version() && arranged_dt_ == dt && arranged_with_contacts_ == has_contacts) {
+	const bool is_rearranged = version_ == 0 || arrangement_ != world_.change_counts().arrangement;
+	const bool with_contacts = world_.has_environment();
+	if (!is_rearranged && dt_ == dt && with_contacts_ == with_contacts) {
 		return false;
 	}
-	arranged_batch_builder_ = batch_builder_.version();
-	arranged_dt_ = dt;
-	arranged_with_contacts_ = has_contacts;
+	version_ += std::uint64_t(is_rearranged);
+	arrangement_ = world_.change_counts().arrangement;
+	dt_ = dt;
+	with_contacts_ = with_contacts;
 	solver_bodies_.clear();
 	body_indices_.clear();
+	inactive_bodies_.clear();
+	kind_of_.clear();
+	plan_of_.clear();
+	states_.clear();
+	has_touch_.clear();
 	first_hull_point_.clear();
+	kinds_.clear();
+	plans_.clear();
+	pressed_.clear();
 	frozen_count_ = 0;
-	active_index_of_.assign(world_.soft_bodies().size(), 0);
+	KindFinder finder(kinds_);
 	std::size_t hull_points = 0;
 	for (std::uint32_t body_index = 0; body_index < world_.soft_bodies().size(); ++body_index) {
-		if (world_.soft_bodies()[body_index].is_active()) {
-			first_hull_point_.push_back(hull_points);
-			hull_points += world_.soft_bodies()[body_index].shape().hull_count();
-			add_body(body_index);
+		if (!world_.soft_bodies()[body_index].is_active()) {
+			inactive_bodies_.push_back(body_index);
+			continue;
 		}
+		first_hull_point_.push_back(hull_points);
+		hull_points += world_.soft_bodies()[body_index].shape().hull_count();
+		add_body(body_index, finder, dt);
 	}
 	before_.resize(hull_points);
 	sweep_start_.resize(hull_points);
-	batch_of_.resize(solver_bodies_.size());
-	batches_.clear();
-	pressed_batches_.clear();
-	for (const Batch &batch : batch_builder_.batches()) {
-		add_batch(batch, dt);
+	for (const std::uint32_t active_index : pressed_) {
+		plan_of_[active_index] = std::uint32_t(plans_.size());
+		plans_.push_back(plans_[kind_of_[active_index]]);
 	}
-	meet_themselves_ = std::ranges::any_of(batch_builder_.batches(), [](const Batch &c) { return c.settings->self_collision; });
-	has_monitored_ = std::ranges::any_of(solver_bodies_, &SolverBody::is_monitored);
+	for (std::uint32_t i = 0; i < count(); ++i) {
+		const std::size_t hull_count = kinds_[kind_of_[i]].shape->hull_count();
+		solver_bodies_[i].velocity_leads = integrator_traits(plan(i).integrator).velocity_leads;
+		solver_bodies_[i].before = std::span(before_).subspan(first_hull_point_[i], hull_count);
+	}
+	has_self_collision_ = std::ranges::any_of(kinds_, [](const Kind &kind) { return kind.settings->self_collision; });
+	has_monitored_ = std::ranges::any_of(kinds_, [](const Kind &kind) { return kind.settings->contact_monitor; });
+	resting_.assign(count(), 0);
+	resting_count_ = 0;
+	awake_is_current_ = false;
 	return true;
 }
 
-void ActiveBodies::add_body(std::uint32_t body_index) {
+void ActiveBodies::add_body(std::uint32_t body_index, KindFinder &finder, Real dt) {
 	SoftBodyData &body = world_.soft_bodies()[body_index];
 	const BodySettings &settings = body.settings();
+	const std::uint32_t kind = finder.find(body);
+	if (kind == plans_.size()) {
+		plans_.push_back(plan_substeps(body, dt, with_contacts_));
+	}
+	if (settings.pressure_stiffness > 0) {
+		pressed_.push_back(count());
+	}
 	frozen_count_ += body.is_frozen();
-	active_index_of_[body_index] = std::uint32_t(solver_bodies_.size());
 	body_indices_.push_back(body_index);
+	kind_of_.push_back(kind);
+	plan_of_.push_back(kind);
+	states_.push_back(body.mutable_positions().data());
+	has_touch_.push_back(char(body.touch_memory().touching));
 	SolverBody &solver_body = solver_bodies_.emplace_back();
 	solver_body.positions = body.mutable_positions();
 	solver_body.velocities = body.mutable_velocities();
@@ -62,66 +135,84 @@ void ActiveBodies::add_body(std::uint32_t body_index) {
 	solver_body.is_monitored = settings.contact_monitor;
 }
 
-void ActiveBodies::add_batch(const Batch &batch, Real dt) {
-	const std::uint32_t index = std::uint32_t(batches_.size());
-	const bool is_like_last = index > 0 && move_alike(batch_builder_.batches()[index - 1], batch);
-	const std::uint32_t kind = index == 0 ? 0 : batches_.back().kind + std::uint32_t(!is_like_last);
-	BatchState &state = batches_.emplace_back();
-	state.kind = kind;
-	state.plan = plan_substeps(world_.soft_bodies()[batch.bodies[0]], dt, arranged_with_contacts_);
-	if (batch.settings->pressure_stiffness > 0) {
-		pressed_batches_.push_back(index);
-	}
-	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
-		const std::uint32_t active_index = active_index_of_[batch.bodies[lane]];
-		state.active_indices[lane] = active_index;
-		state.awake |= 1u << lane;
-		batch_of_[active_index] = index;
-		solver_bodies_[active_index].velocity_leads = integrator_traits(state.plan.integrator).velocity_leads;
-		solver_bodies_[active_index].before = std::span(before_).subspan(first_hull_point_[active_index], batch.shape->hull_count());
-	}
-}
-
 void ActiveBodies::plan_pressure(Real dt) {
-	own_plans_.clear();
-	for (const std::uint32_t i : pressed_batches_) {
-		const Batch &batch = batch_builder_.batches()[i];
-		BatchState &state = batches_[i];
-		if (state.awake == 0) {
-			continue;
-		}
-		std::array<SubstepPlan, PACK_WIDTH> plans;
-		bool are_equal = true;
-		for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
-			plans[lane] = plan_substeps(world_.soft_bodies()[batch.bodies[lane]], dt, arranged_with_contacts_);
-			are_equal &= plans[lane].substeps == plans[0].substeps && plans[lane].integrator == plans[0].integrator;
-		}
-		state.plan = plans[0];
-		state.own_plans = are_equal ? BatchState::NO_OWN_PLANS : std::uint32_t(own_plans_.size());
-		if (!are_equal) {
-			own_plans_.push_back(plans);
+	for (const std::uint32_t active_index : pressed_) {
+		if (!is_resting(active_index)) {
+			plans_[plan_of_[active_index]] = plan_substeps(data(active_index), dt, with_contacts_);
 		}
 	}
 }
 
-void ActiveBodies::note_awake(std::uint32_t active_index, bool awake) {
-	const Batch &batch = batch_builder_.batches()[batch_of_[active_index]];
-	BatchState &state = batches_[batch_of_[active_index]];
-	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
-		if (state.active_indices[lane] == active_index) {
-			state.awake = awake ? state.awake | 1u << lane : state.awake & ~(1u << lane);
+std::span<const std::uint32_t> ActiveBodies::awake() {
+	if (!awake_is_current_) {
+		awake_is_current_ = true;
+		starts_.assign(kinds_.size() + 1, 0);
+		for (std::uint32_t i = 0; i < count(); ++i) {
+			starts_[kind_of_[i] + 1] += std::uint32_t(!is_resting(i));
+		}
+		for (std::size_t kind = 1; kind < starts_.size(); ++kind) {
+			starts_[kind] += starts_[kind - 1];
+		}
+		awake_.resize(count() - resting_count_);
+		for (std::uint32_t i = 0; i < count(); ++i) {
+			if (!is_resting(i)) {
+				awake_[starts_[kind_of_[i]]++] = i;
+			}
 		}
 	}
-	if (awake) {
+	return awake_;
+}
+
+void ActiveBodies::set_resting(std::uint32_t active_index, bool resting) {
+	resting_count_ += std::size_t(resting) - std::size_t(resting_[active_index]);
+	resting_[active_index] = resting;
+	awake_is_current_ = false;
+	if (!resting) {
 		return;
 	}
 	SoftBodyData &body = data(active_index);
 	body.touch_memory() = {};
+	has_touch_[active_index] = 0;
 	body.pair_memories().clear();
 	std::ranges::fill(body.mutable_velocities(), Vec2{});
 	std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
 	solver_bodies_[active_index].begin_substep();
 	solver_bodies_[active_index].measure_extent();
+}
+
+bool ActiveBodies::is_alike(std::uint32_t a, std::uint32_t b) const {
+	if (plan_of_[a] == plan_of_[b]) {
+		return true; // of one kind
+	}
+	const SubstepPlan &plan_a = plan(a);
+	const SubstepPlan &plan_b = plan(b);
+	return kind_of_[a] == kind_of_[b] && plan_a.substeps == plan_b.substeps && plan_a.integrator == plan_b.integrator;
+}
+
+Batch ActiveBodies::batch_at(std::span<const std::uint32_t> list) const {
+	const Kind &kind = kinds_[kind_of_[list[0]]];
+	const std::size_t most = kind.single ? 1 : std::min(list.size(), WIDE_WIDTH);
+	std::size_t alike = 1;
+	while (alike < most && is_alike(list[0], list[alike])) {
+		++alike;
+	}
+	Batch batch;
+	batch.shape = kind.shape;
+	batch.settings = kind.settings;
+	batch.plan = &plan(list[0]);
+	batch.count = std::uint32_t(alike < PACK_WIDTH ? 1 : alike / PACK_WIDTH * PACK_WIDTH);
+	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+		batch.active_indices[lane] = list[lane];
+		batch.body_indices[lane] = body_indices_[list[lane]];
+		batch.states[lane] = states_[list[lane]];
+	}
+	return batch;
+}
+
+void ActiveBodies::prefetch(std::span<const std::uint32_t> list, std::size_t bodies, StatePrefetch &prefetch) const {
+	for (std::size_t i = 0; i < std::min(list.size(), bodies); ++i) {
+		prefetch.add(states_[list[i]], kinds_[kind_of_[list[0]]].shape->point_count());
+	}
 }
 
 } // namespace softbody

@@ -10,20 +10,20 @@
 
 namespace softbody {
 
-/// Below this share of its target an area is pushed no harder [1]: at nothing the push would grow without bound, and a body
-/// turned inside out would come back with so much energy that it shot away.
+/// Share of its target below which an area is pushed no harder [1]. Without it the push would grow without bound, and a
+/// body turned inside out would return with so much energy that it shot away.
 inline constexpr Real LEAST_HARDENED_AREA = Real(0.25);
 
-/// Least share of the rest area that the area term aims at [1]; a smaller inflation counts as this.
+/// Least share of the rest area as a target of the area term [1]; a smaller inflation counts as this.
 inline constexpr Real LEAST_AIMED_AREA = Real(0.05);
 
-/// Ends a substep of `h` [s] by the constraint C = s A0 (J - 1/J) / 2, J = A / (s A0), with compliance A0/K and damping β. For
-/// small strains C is A - s A0; like a neo-Hookean solid it hardens as the area goes to nothing (XPBD, Macklin, Müller and
-/// Chentanez 2016, eq. 18 and 26, from a zero multiplier):
+/// Ends a substep of `h` [s] by the constraint C = s A0 (J - 1/J) / 2, J = A / (s A0), with compliance A0/K and damping
+/// β. For small strains C is A - s A0; like a neo-Hookean solid it hardens as the area goes to 0 (XPBD, Macklin, Müller
+/// and Chentanez 2016, eq. 18 and 26, from a zero multiplier):
 ///   λ = -(C + β dA/dt) K h²/A0 / (1 + (1 + β/h) K h²/A0 sum w |∂A/∂x|²).
-/// Positions move by w λ ∂A/∂x, velocities by the same over h. The gradient along which they move is that of the points at the
-/// start of the substep, x - v h: then angular momentum stays, as it does for forces there (the gradient of the end took a
-/// tenth of a body's spin in a second). Where the hull has changed wildly within the substep, it is the gradient of the end. It is stable for every K. O(hull points).
+/// Positions move by w λ ∂A/∂x, velocities by that over h. The gradient of the motion is that of the points at the
+/// start of the substep, x - v h, which keeps angular momentum, as forces there do. Where the hull has changed wildly
+/// within the substep, it is the gradient of the end. Stable for every K. O(hull points).
 template <class T>
 void hold_area(const BodyLanes<T> &body, Real h) {
 	const SoftBodyShape &shape = body.model.shape;
@@ -33,7 +33,7 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 	const auto next_of = [&](std::size_t i) { return i + 1 == count ? 0 : i + 1; };
 	const auto last_of = [&](std::size_t i) { return i == 0 ? count - 1 : i - 1; };
 	T inverse_mass = T(0);
-	T start_inverse_mass = T(0); // of the same gradient with the one at the start
+	T start_inverse_mass = T(0); // of this gradient with the one at the start
 	T start_size = T(0);
 	T rate = T(0);
 	for (std::size_t i = 0; i < count; ++i) {
@@ -54,13 +54,13 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 	const T fill = hull_area<T>(hull) / target;
 	const T least(LEAST_HARDENED_AREA);
 	const T held = select(fill > least, fill, least);
-	// C = target (J - 1/J) / 2, and its slope by the area; both as at the least share below that.
+	// C = target (J - 1/J) / 2, and its slope by the area; both held at the least share below it.
 	const T slope = (T(1) + T(1) / (held * held)) * T(Real(0.5));
 	const T excess = (held - T(1) / held) * T(Real(0.5)) * target;
 	const T elastic = slope * T(settings.area_stiffness / shape.rest_area() * h * h);
 	const T viscous = slope * slope * T(settings.area_stiffness / shape.rest_area() * settings.elastic_damping_time * h);
 	const T impulse = -(elastic * excess + viscous * rate * T(h)) / (T(1) + (elastic * slope + viscous) * inverse_mass);
-	// The ways between neighbors are those before any point is moved.
+	// Edges between neighbors are those before any point is moved.
 	const auto place = [&](std::size_t i) { return body.positions[i] - body.velocities[i] * back; };
 	const T per_h(1 / h);
 	const BasicVec2<T> first = place(0);

@@ -10,14 +10,14 @@
 
 namespace softbody {
 
-/// Stiffness of what is in no mode over that of the stiffest mode [1]. The modes left out grow ever stiffer. Larger: more
-/// substeps. Smaller: a single point is pressed in more easily than the solid would let it.
+/// Stiffness of deformation in no mode over that of the stiffest mode [1]. Omitted modes grow ever stiffer. Larger:
+/// more substeps. Smaller: a single point is pressed in more easily than in the solid.
 inline constexpr Real REST_STIFFNESS = 2;
 
-/// Least share of the rest inertia that the turning of a body's frame is reckoned with [1]: a body turned inside out has no frame.
+/// Least share of the rest inertia in the turning of a body's frame [1]: a body turned inside out has no frame.
 inline constexpr Real LEAST_REACH = Real(0.25);
 
-/// Stiffness of each mode of a material, and of what is in no mode [force/length].
+/// Stiffness of each mode of a material, and of deformation in no mode [force/length].
 struct ModeStiffness {
 	std::array<Real, MAX_ELASTIC_MODES> modes{};
 	Real rest = 0;
@@ -35,12 +35,11 @@ inline ModeStiffness mode_stiffness(const ElasticModes &modes, const BodySetting
 	return result;
 }
 
-/// Adds the forces of the elastic modes (modal analysis in the frame that turns with the body; Terzopoulos and Witkin 1988,
-/// Pentland and Williams 1989). With y the displacement from the rest shape in that frame, less its dilation, s the mass
-/// shares, φ the modes and z = sum s φ·y their amplitudes, the energy is (k_rest sum s |y|² + sum (k_j - k_rest) z_j²) / 2.
-/// Damping counts β times the rate of y as displacement. Forces sum to zero, and so do their torques, but for rounding, unless
-/// the body is turned inside out.
-/// Precondition: the shape has modes. O(points · modes).
+/// Adds the forces of the elastic modes (modal analysis in the frame that turns with the body; Terzopoulos and Witkin
+/// 1988, Pentland and Williams 1989). With y the displacement from the rest shape in that frame, less its dilation, s
+/// the mass shares, φ the modes and z = sum s φ·y their amplitudes, the energy is (k_rest sum s |y|² + sum (k_j -
+/// k_rest) z_j²) / 2. Damping counts β times the rate of y as displacement. Forces and their torques sum to zero, up to
+/// rounding, unless the body is turned inside out. Precondition: the shape has modes. O(points · modes).
 template <class T>
 void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,
 		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {
@@ -79,7 +78,7 @@ void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> pos
 	}
 	BasicVec2<T> sum;
 	T torque = T(0);
-	T reach = T(0); // sum m x · R q, about the inertia
+	T reach = T(0); // sum m x · R q, over the inertia
 	for (std::size_t i = 0; i < positions.size(); ++i) {
 		const BasicVec2<T> rest = in_all_lanes<T>(shape.rest_positions()[i]);
 		const BasicVec2<T> y = displacement(i) - rest * dilation;
@@ -98,11 +97,11 @@ void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> pos
 		forces[i] -= force;
 		sum += force;
 	}
-	// The frame turns with the points: the slope of the energy by its angle is the torque found so far, and the slope of its
-	// angle by a point is m R q / reach, turned by a right angle. With both the forces turn nothing.
+	// The frame turns with the points: the slope of the energy by its angle is the torque found so far, and the slope
+	// of its angle by a point is m R q / reach, turned by a right angle. With both, the forces have no torque.
 	const T least(LEAST_REACH * shape.rest_inertia());
 	const T turn = torque / select(reach > least, reach, least);
-	// What rounding leaves of the sum would turn with the body and drive it.
+	// The rounding of the sum would turn with the body and drive it.
 	for (std::size_t i = 0; i < positions.size(); ++i) {
 		const BasicVec2<T> across = perpendicular(frame.rotation.apply(in_all_lanes<T>(shape.rest_positions()[i])));
 		forces[i] += sum * T(shape.masses()[i] * per_mass) - across * (turn * T(shape.masses()[i]));

@@ -33,7 +33,7 @@ double mode_energy(const SoftBodyData &body, const BodyFrame &frame) {
 		along += share * dot(q, y);
 		squares += share * length_squared(y);
 	}
-	// Of what is left without the dilation.
+	// Energy of the displacement without its dilation.
 	squares += dilation * (dilation * shape.rest_inertia() / shape.total_mass() - 2 * along);
 	double twice = stiffness.rest * squares;
 	for (std::size_t j = 0; j < modes.count; ++j) {

@@ -14,8 +14,8 @@ struct Energy {
 	double pressure = 0; ///< k_p (A - s A0)² / (2 A0)
 	double shape = 0; ///< sum of m k_s/mean(m) |x - goal|² / 2
 	double modes = 0; ///< of the elastic modes, see `add_mode_forces`
-	double area = 0; ///< K (A - s A0)² / (2 A0), that of small changes: `hold_area` hardens
-	double triangles = 0; ///< of the elastic triangles see triangle_lanes.h
+	double area = 0; ///< K (A - s A0)² / (2 A0), for small changes: `hold_area` hardens
+	double triangles = 0; ///< of the elastic triangles, see triangle_lanes.h
 	double gravity = 0; ///< -sum of m g·x; 0 at the world's origin
 	double total() const { return kinetic + springs + pressure + shape + modes + area + gravity + triangles; }
 };

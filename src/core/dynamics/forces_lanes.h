@@ -43,8 +43,8 @@ void add_shape_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> po
 		const BasicVec2<T> drift = frame.velocity + perpendicular(arm) * frame.angular_velocity - velocities[i];
 		return strain * stiffness + drift * damping;
 	};
-	// The mean pull is zero but for the rounding of the center and of the rest positions. That rest turns with
-	// the body and drives it like a motor (5 mm in 10 s at k = 1e4 in float), so it is taken away.
+	// The mean pull is zero except for the rounding of the center and of the rest positions. That remainder turns with
+	// the body and drives it like a motor, so it is subtracted.
 	BasicVec2<T> mean;
 	for (std::size_t i = 0; i < positions.size(); ++i) {
 		mean += pull_on(i) * shape.masses()[i];

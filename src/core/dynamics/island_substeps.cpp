@@ -11,10 +11,10 @@ void IslandSubsteps::set_common(int count) {
 	counts_.assign(1, count);
 }
 
-void IslandSubsteps::begin(std::uint32_t active_indices) {
-	islands_.reset(active_indices);
-	of_active_.assign(active_indices, 0);
-	needs_.assign(active_indices, 0);
+void IslandSubsteps::begin(std::uint32_t count) {
+	islands_.reset(count);
+	of_active_.assign(count, 0);
+	needs_.assign(count, 0);
 	needing_.clear();
 	counts_.clear();
 }

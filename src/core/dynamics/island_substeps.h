@@ -19,16 +19,14 @@ public:
 	/// Everybody takes `count` (1..65535): nothing need be known of islands. O(1).
 	void set_common(int count);
 
-	/// Begins with `active_indices` bodies, each of them alone and in no island that takes substeps together. O(active indices).
-	void begin(std::uint32_t active_indices);
+	/// Begins with `count` bodies, each of them alone and in no island that takes substeps together. O(count).
+	void begin(std::uint32_t count);
 	/// Puts two bodies into one island.
 	void join(std::uint32_t a, std::uint32_t b) { islands_.join(a, b); }
 	/// A body of a island needs at least `count` (1..65535) substeps. Once all have been joined.
 	void need(std::uint32_t active_index, int count);
-	/// Gives every body that has a need what its island needs. O(active indices).
+	/// Gives every body that has a need what its island needs. O(count).
 	void finish();
-	/// Lets a body that is in no island take `count` substeps, one of `counts()`, beside those who do.
-	void add(std::uint32_t active_index, int count) { of_active_[active_index] = std::uint16_t(count); }
 
 	/// The different numbers of substeps, ascending.
 	std::span<const int> counts() const { return counts_; }

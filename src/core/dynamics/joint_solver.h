@@ -26,7 +26,7 @@ namespace softbody {
 /// right for soft bodies too, as a joint that was made with a gap closes without a jump.
 ///
 /// Joints are gone through one after the other, there and back, as several may hold on to one point or rigid body.
-/// Bodies go by their active index in a list of active bodies, as in `Sleepers`.
+/// Bodies go by their active index (`ActiveBodies`).
 class JointSolver {
 public:
 	/// Finds what each joint joins in the coming step of `dt` [s]. `is_rearranged`: the list of bodies is another. O(1)

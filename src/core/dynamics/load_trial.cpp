@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a body stands under its own weight, found by letting a copy of it settle in a world of its own.
+// Finds how a body carries its own weight: a copy of it settles in a world of its own.
 #include "core/dynamics/load_trial.h"
 
 #include "core/geometry/polygon.h"
@@ -18,7 +18,7 @@ constexpr std::uint32_t EVERY_LAYER = UINT32_MAX;
 constexpr Real LARGEST_FACTOR = 4096;
 constexpr Real FACTOR_PRECISION = Real(1.1);
 
-// All that resists a change of shape times `factor`, with the damping ratios that it has.
+// A copy with all resistance to a change of shape times `factor`, and its damping ratios.
 Result<SoftBodyData> made_stiffer(const SoftBodyData &body, Real factor) {
 	SoftBodyData stiffer = body;
 	BodySettings settings = body.settings();
@@ -58,7 +58,7 @@ Result<LoadTrial> LoadTrial::create(SoftBodyData body, Vec2 gravity, Real length
 	settings.can_sleep = true;
 	settings.contact_monitor = false;
 	settings.collision_mask = EVERY_LAYER;
-	// Whether its elasticity holds the weight is what is asked; at its limits it would stand in any case.
+	// The trial judges elasticity; with its limits a body would stand in any case.
 	settings.least_area = 0;
 	settings.least_stretch = 0;
 	settings.most_stretch = std::numeric_limits<Real>::infinity();
@@ -123,7 +123,7 @@ LoadOutcome LoadTrial::outcome() const {
 	outcome.area_loss = 1 - signed_area(body().hull()) / shape.rest_area();
 	outcome.rests = body().is_asleep();
 	if (length(down_) > 0) {
-		// A body that has rolled or toppled is compared with the height that it has lying so.
+		// A body that has rolled or toppled is compared with its rest height in that orientation.
 		const Real height = height_along(frame.rotation.apply_inverse(down_), shape.rest_hull());
 		outcome.sag = hangs_ ? dot(frame.center - first_center_, down_) / height
 							 : 1 - height_along(down_, body().hull()) / height;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves pinned points to where they are to be at the end of a step.
+// Moves pinned points to their targets at the end of a step.
 #pragma once
 
 #include "core/model/world_data.h"
@@ -9,16 +9,15 @@
 
 namespace softbody {
 
-/// Pins on their way (SoftBodyData::set_pin_target). While a step lasts such a pin has the velocity that takes it to its
-/// target in a straight line. It has no inverse mass, so that every integrator moves it by just that, in whatever substeps
-/// the step is divided, and springs and contacts feel a point that moves. After the step it is put where that has led but
-/// for rounding, and rests.
+/// Moves pins to their targets (SoftBodyData::set_pin_target). During a step such a pin has the velocity that takes it
+/// to its target in a straight line. It has no inverse mass, so every integrator moves it by just that, in any
+/// substeps, and springs and contacts feel a moving point. After the step it is put exactly at its target, and rests.
 class PinMotion {
 public:
-	/// Sets the pins of active bodies that have targets in motion, for a step of `dt` [s]. `is_rearranged`: bodies came,
-	/// went or changed since the last step. O(1) while no target is set, else O(bodies).
+	/// Sets the pins of active bodies that have targets in motion, for a step of `dt` [s]. `is_rearranged`: bodies
+	/// came, went or changed since the last step. O(1) while no target is set, else O(bodies).
 	void begin_step(WorldData &world, Real dt, bool is_rearranged);
-	/// Puts them where they were to go.
+	/// Puts moved pins at their targets.
 	void end_step(WorldData &world);
 
 private:

@@ -11,9 +11,8 @@
 
 namespace softbody {
 
-/// Signed area of the hull [length²], and its derivative with respect to each hull point [length]:
-/// half the vector between the point's neighbors, turned outward. `gradient` has at least as many
-/// entries as `hull`. O(hull points).
+/// Signed area of the hull [length²], and its derivative with respect to each hull point [length]: half the vector
+/// between the point's neighbors, turned outward. `gradient` has at least as many entries as `hull`. O(hull points).
 Real area_and_gradient(std::span<const Vec2> hull, std::span<Vec2> gradient);
 
 /// Pressure of the body [force/length] at the area A: k_p (s - A/A0), positive when it pushes outward.

@@ -6,7 +6,7 @@
 
 namespace softbody {
 
-// From A = sum of x_i × x_{i+1} / 2: the way from the next to the last neighbor, turned by +90 degrees, halved.
+// From A = sum of x_i × x_{i+1} / 2: the vector from the next to the last neighbor, turned by +90 degrees, halved.
 template <class T>
 BasicVec2<T> area_derivative(std::span<const BasicVec2<T>> hull, std::size_t i) {
 	const std::size_t count = hull.size();

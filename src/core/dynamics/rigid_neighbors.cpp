@@ -19,7 +19,7 @@ Aabb way_of(const SolverBody &body, Real dt) {
 } // namespace
 
 void RigidNeighbors::find(const ActiveBodies &bodies, WorldData &world, const ColliderIndex &surroundings,
-		std::span<const char> asleep, Real dt, const ParallelFor &parallel_for) {
+		Real dt, const ParallelFor &parallel_for) {
 	is_near_.clear();
 	restless_.clear();
 	beside_.clear();
@@ -43,16 +43,16 @@ void RigidNeighbors::find(const ActiveBodies &bodies, WorldData &world, const Co
 			restless_[active_index] |= char(!world.rigid_bodies()[rigid].asleep);
 			beside_.push_back({ rigid, active_index });
 		}
-		if (asleep[active_index] != 0 && restless_[active_index] != 0) {
+		if (bodies.is_resting(active_index) && restless_[active_index] != 0) {
 			bodies.data(active_index).wake();
 		}
 	}
 	std::ranges::sort(beside_);
 }
 
-void RigidNeighbors::report_sleepers(const ActiveBodies &bodies, WorldData &world, std::span<const char> asleep) const {
+void RigidNeighbors::report_sleepers(const ActiveBodies &bodies, WorldData &world) const {
 	for (const auto &[rigid, active_index] : beside_) {
-		world.mutable_reactions()[rigid].beside_sleeper |= asleep[active_index] != 0 && !bodies.data(active_index).is_frozen();
+		world.mutable_reactions()[rigid].beside_sleeper |= bodies.is_resting(active_index) && !bodies.data(active_index).is_frozen();
 	}
 }
 

@@ -18,17 +18,17 @@ namespace softbody {
 /// together; beside one that is awake nobody sleeps, or what rests on it would sink in. Bodies go by their active index.
 class RigidNeighbors {
 public:
-	/// Finds them for a step of `dt` [s], and wakes those of the `asleep` who lie beside one that is awake: who keeps track of
-	/// sleepers takes it over, and then calls `report_sleepers`. O(bodies) where there are dynamic colliders.
-	void find(const ActiveBodies &bodies, WorldData &world, const ColliderIndex &surroundings, std::span<const char> asleep,
-			Real dt, const ParallelFor &parallel_for);
-	/// Tells rigid bodies who sleeps beside them (Reaction::beside_sleeper).
-	void report_sleepers(const ActiveBodies &bodies, WorldData &world, std::span<const char> asleep) const;
+	/// Finds them for a step of `dt` [s], and wakes sleeping bodies beside a rigid body that is awake. The caller then takes
+	/// over which bodies have woken, and calls `report_sleepers`. O(bodies) where there are dynamic colliders.
+	void find(const ActiveBodies &bodies, WorldData &world, const ColliderIndex &surroundings, Real dt,
+			const ParallelFor &parallel_for);
+	/// Marks the rigid bodies beside which a body sleeps (Reaction::beside_sleeper).
+	void report_sleepers(const ActiveBodies &bodies, WorldData &world) const;
 
 	/// Whether there is anything to meet.
 	bool has_any() const { return !is_near_.empty(); }
 	bool has(std::uint32_t active_index) const { return !is_near_.empty() && is_near_[active_index] != 0; }
-	/// Who is near one that is awake; empty when there is nothing to meet.
+	/// Bodies near a rigid body that is awake; empty when there is nothing to meet.
 	std::span<const char> restless() const { return restless_; }
 	/// Adds bodies that lie beside one rigid body, as pairs that link all of them.
 	void add_linked(std::vector<BodyPair> &pairs) const;

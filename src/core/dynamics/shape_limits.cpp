@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keeps a body from being crushed flat, drawn out or turned inside out, whatever presses on it.
+// Keeps a body from being crushed flat, drawn out or turned inside out.
 #include "core/dynamics/shape_limits.h"
 
 #include "core/base/constants.h"
@@ -41,14 +41,15 @@ Map over(const Map &a, const Map &b) {
 		a.yx * inverse.xx + a.yy * inverse.yx, a.yx * inverse.xy + a.yy * inverse.yy };
 }
 
-// F = sum of s_k u_k v_kᵀ, s_1 >= |s_2|, u and v orthonormal and turned alike, so that s_2 < 0 for a mirrored body.
+// F = sum of s_k u_k v_kᵀ, s_1 >= |s_2|; u and v are orthonormal with equal winding, so that s_2 < 0 for a mirrored
+// body.
 struct Stretches {
 	std::array<double, 2> sizes;
 	std::array<Vec2, 2> now; ///< u
 	std::array<Vec2, 2> rest; ///< v
 };
 
-// Of a map as the sum of a turned scaling and a mirrored one: their angles add and subtract.
+// Stretches of a map as the sum of a turned scaling and a mirrored one, whose angles add and subtract.
 Stretches stretches_of(const Map &f) {
 	const double e = (f.xx + f.yy) / 2;
 	const double g = (f.yx - f.xy) / 2;
@@ -56,8 +57,8 @@ Stretches stretches_of(const Map &f) {
 	const double k = (f.yx + f.xy) / 2;
 	const double turned = std::sqrt(e * e + g * g);
 	const double mirrored = std::sqrt(h * h + k * k);
-	// As complex numbers of length 1: u v = (h + i k) / mirrored and u / v = (e + i g) / turned. Square roots alone, no
-	// trigonometry, whose last digit differs between machines.
+	// As complex numbers of length 1: u v = (h + i k) / mirrored and u / v = (e + i g) / turned. Square roots alone:
+	// the last digit of trigonometric functions differs between machines.
 	const auto unit = [](double c, double s, double size) { return size > 0 ? std::array{ c / size, s / size } : std::array{ 1.0, 0.0 }; };
 	const auto [pc, ps] = unit(h, k, mirrored);
 	const auto [qc, qs] = unit(e, g, turned);
@@ -70,7 +71,7 @@ Stretches stretches_of(const Map &f) {
 	return { { turned + mirrored, turned - mirrored }, { u, perpendicular(u) }, { v, perpendicular(v) } };
 }
 
-// The stretches that a body is brought to: within bounds, and with the least area. Bounds of 0 are none: a mirrored body stays so.
+// The stretches within bounds and with the least area. A bound of 0 is off: a mirrored body stays mirrored.
 std::array<double, 2> allowed_stretches(const std::array<double, 2> &found, const ShapeBounds &bounds) {
 	std::array<double, 2> allowed;
 	for (std::size_t k = 0; k < 2; ++k) {
@@ -79,18 +80,18 @@ std::array<double, 2> allowed_stretches(const std::array<double, 2> &found, cons
 	}
 	const double area = allowed[0] * allowed[1];
 	if (bounds.least_area > 0 && area < bounds.least_area) {
-		// What lacks is given to the thinner side first.
+		// The thinner side gets the missing area first.
 		allowed[1] = std::min(bounds.least_area / std::max(allowed[0], 1e-6), allowed[0]);
 		allowed[0] = std::max(allowed[0], bounds.least_area / std::max(allowed[1], 1e-6));
 	}
 	return allowed;
 }
 
-// How a body is out of bounds.
+// Excess of a body over its bounds.
 struct Excess {
-	Map shift; ///< from the body's affine map to the allowed one, or LIMIT_PUSH of it
+	Map shift; ///< from the body's affine map to the allowed one, at most LIMIT_PUSH
 	Map now; ///< the body's own affine map
-	bool is_far = false; ///< by more than LIMIT_FAR
+	bool is_far = false; ///< out of bounds by more than LIMIT_FAR
 };
 
 std::optional<Excess> find_excess(const SoftBodyData &body, const BodyFrame &frame) {
@@ -128,7 +129,7 @@ void quicken(Vec2 &velocity, Vec2 way, Real h, Real fastest) {
 	}
 }
 
-// What has been changed gets back the momentum and spin that it had, and its center.
+// Restores momentum, spin and center after changes.
 void restore_rigid_motion(SoftBodyData &body, const BodyFrame &before) {
 	const BodyFrame after = measure_frame(body);
 	const Real turn = after.inertia > 0 ? before.angular_velocity * before.inertia / after.inertia - after.angular_velocity : Real(0);
@@ -153,9 +154,9 @@ bool keep_whole(SoftBodyData &body, Real h, bool bears_load) {
 	const BodyFrame frame = measure_frame(body);
 	const std::optional<Excess> excess = find_excess(body, frame);
 	if (!excess) {
-		return false; // no longer finite: it is about to be reset
+		return false; // not finite: it is about to be reset
 	}
-	// Crumpled, so that its area is lost without the whole being small: its points are drawn to where the affine map has them.
+	// Crumpled: area is lost although the whole is not small. Points are drawn to their places in the affine map.
 	const Real area = hull_area<Real>(body.hull()) / body.shape().rest_area();
 	const Real least_area = bounds_of(settings).least_area;
 	const Real onset = least_area * LIMIT_ONSET;
@@ -172,7 +173,7 @@ bool keep_whole(SoftBodyData &body, Real h, bool bears_load) {
 		const Vec2 shift = excess->shift.apply(q);
 		const Vec2 smoothed = (home - position) * smoothing;
 		position += shift + smoothed;
-		// A constraint's velocity, so that it bears a load; but no body shall burst.
+		// A constraint's velocity, so that it bears a load; but bounded where a body could burst.
 		quicken(velocity, shift, h, bears_load && !excess->is_far ? std::numeric_limits<Real>::max() : walk);
 		quicken(velocity, smoothed, h, walk);
 	}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keeps a body from being crushed flat, drawn out or turned inside out, whatever presses on it.
+// Keeps a body from being crushed flat, drawn out or turned inside out.
 #pragma once
 
 #include "core/base/pack.h"
@@ -12,19 +12,16 @@
 
 namespace softbody {
 
-/// Keeps a body within its settings' `least_area`, `least_stretch` and `most_stretch`.
-///
-/// The stretch is that of the best-fitting affine map of the rest shape (Müller et al. 2005, sec. 4.2: F = A_pq A_qq^-1), by
-/// its singular values. Where one is out of bounds, the points move by (F' - F) q, F' having it at the bound, by at most
-/// LIMIT_PUSH of the body's size in a substep of `h` [s]. Where the area is below LIMIT_ONSET of its bound, points are drawn to
-/// where the map has them, so that no single one folds in. Velocities get what a constraint gives them, the way over h; at most
-/// LIMIT_SPEED where the body is crumpled or far out of bounds, or where nothing can press on it (`bears_load`).
-/// Momentum, angular momentum and center stay. Pinned points stay. Returns whether anything changed. O(points) where the body
-/// is near a limit, O(hull points) else.
+/// Keeps a body within its settings' `least_area`, `least_stretch` and `most_stretch`. The stretches are the singular
+/// values of the best-fitting affine map F of the rest shape (Müller et al. 2005, sec. 4.2: F = A_pq A_qq^-1). Out of
+/// bounds, the points move by (F' - F) q, where F' has the stretch at the bound, by at most LIMIT_PUSH of the body's
+/// size in a substep of `h` [s]. With an area below LIMIT_ONSET of its bound, points are drawn to their places in the
+/// map. Velocities change by the motion over h; at most by LIMIT_SPEED where the body is crumpled or far out of bounds,
+/// or where nothing can press on it (`bears_load`). Momentum, angular momentum, center and pinned points stay. Returns
+/// whether anything changed. O(points) near a limit, else O(hull points).
 bool keep_whole(SoftBodyData &body, Real h, bool bears_load);
 
-/// The limits of a body as it is meant to be: one that is blown up may be as much larger, one that lets its air out as much
-/// smaller.
+/// The limits of a body with its inflation: an inflated body may be as much larger, a deflated one as much smaller.
 struct ShapeBounds {
 	Real least_area = 0;
 	Real least_stretch = 0;

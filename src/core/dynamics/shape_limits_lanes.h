@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies are near a limit of their shape, for any scalar type: included where it is instantiated.
+// Finds bodies near a limit of their shape, for any scalar type: included where it is instantiated.
 #pragma once
 
 #include "core/base/constants.h"
@@ -10,8 +10,8 @@
 
 namespace softbody {
 
-// The diagonal of an ellipse's bounding box has the same length however it is turned: 2 a sqrt(s1² + s2²), a being its radius
-// at rest and s1, s2 its stretches. At rest it is at most sqrt(8) radii, for any outline. A body with less than the least
+// The diagonal of an ellipse's bounding box has one length at any angle: 2 a sqrt(s1² + s2²), with its radius a at rest
+// and its stretches s1 and s2. At rest it is at most sqrt(8) radii, for any outline. A body with less than the least
 // stretch s2 either shows a stretch s1 of NOTICED_STRETCH, or has less than NOTICED_STRETCH times s2 of its area.
 inline constexpr Real NOTICED_STRETCH = Real(1.6);
 

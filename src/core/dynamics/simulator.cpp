@@ -3,27 +3,23 @@
 #include "core/dynamics/simulator.h"
 
 #include <algorithm>
-#include <numeric>
+#include <iterator>
 #include <utility>
 
 namespace softbody {
 
 namespace {
 
-constexpr std::size_t BATCHES_A_TASK = 16;
+// Tasks get whole units of WIDE_WIDTH bodies, so that few bodies are left over for narrower batches.
+constexpr std::size_t UNITS_A_TASK = 2;
 
-// Whose state is asked for meanwhile (353,400 bodies in explicit Euler steps on one thread: 47 ns a body with three, 50 with
-// six).
-constexpr std::size_t BATCHES_AHEAD = 3;
-
-int share_of(const SubstepPlan &plan, int parts) {
-	return (plan.substeps + parts - 1) / parts;
-}
+// How far ahead bodies are prefetched: 353,400 bodies in explicit Euler steps on one thread took 47 ns each with 12, 50 with 24.
+constexpr std::size_t BODIES_AHEAD = 12;
 
 } // namespace
 
-Simulator::Simulator(WorldData &world, ParallelFor parallel_for) :
-		world_(world), parallel_for_(std::move(parallel_for)), bodies_(world),
+Simulator::Simulator(WorldData &world, ParallelFor parallel_for, Clock clock) :
+		world_(world), parallel_for_(std::move(parallel_for)), clock_(std::move(clock)), bodies_(world),
 		sleep_(world, bodies_, surroundings_, joint_solver_), steppers_(MOST_SLICES) {}
 
 SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
@@ -31,106 +27,21 @@ SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
 }
 
 template <class Work>
-void Simulator::for_batches(std::span<const std::uint32_t> batches, const Work &work) {
-	run_slices(parallel_for_, batches.size(), BATCHES_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			if (i + BATCHES_AHEAD < end) {
-				StatePrefetch prefetch;
-				prefetch.add(bodies_.batch(batches[i + BATCHES_AHEAD]));
-				prefetch.prefetch_all();
-			}
-			work(steppers_[task], batches[i]);
-		}
-	});
-}
-
-template <class Before, class After>
-void Simulator::advance_batches(std::span<const std::uint32_t> batches, const TimeSlice &slice, const Before &before,
-		const After &after) {
-	run_slices(parallel_for_, batches.size(), BATCHES_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
-		BodyStepper &stepper = steppers_[task];
-		for (std::size_t i = begin, next = begin; i < end; i = next) {
-			const bool are_two = i + 1 < end && bodies_.move_alike_now(batches[i], batches[i + 1]);
-			next = i + 1 + std::size_t(are_two);
+void Simulator::for_batches(std::span<const std::uint32_t> list, const Work &work) {
+	const std::size_t units = (list.size() + WIDE_WIDTH - 1) / WIDE_WIDTH;
+	run_slices(parallel_for_, units, UNITS_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
+		const std::size_t last = std::min(end * WIDE_WIDTH, list.size());
+		for (std::size_t at = begin * WIDE_WIDTH; at < last;) {
+			const Batch batch = bodies_.batch_at(list.subspan(at, last - at));
 			StatePrefetch prefetch;
-			for (std::size_t k = i; k < next; ++k) {
-				if (k + BATCHES_AHEAD < end) {
-					prefetch.add(bodies_.batch(batches[k + BATCHES_AHEAD]));
-				}
-				before(stepper, batches[k]);
+			if (at + BODIES_AHEAD < last) {
+				bodies_.prefetch(list.subspan(at + BODIES_AHEAD, last - at - BODIES_AHEAD), batch.count, prefetch);
 			}
-			if (are_two) {
-				advance_both(stepper, batches[i], batches[i + 1], slice, prefetch);
-			} else {
-				prefetch.prefetch_all();
-				advance(stepper, batches[i], slice);
-			}
-			for (std::size_t k = i; k < next; ++k) {
-				after(stepper, batches[k]);
-			}
+			work(steppers_[task], batch, prefetch);
+			prefetch.ask_all();
+			at += batch.count;
 		}
 	});
-}
-
-void Simulator::for_stepped(std::uint32_t batch, const auto &work) const {
-	const BatchState &state = bodies_.state(batch);
-	for (std::uint32_t lane = 0; lane < bodies_.batch(batch).count; ++lane) {
-		if (state.stepped() >> lane & 1) {
-			work(state.active_indices[lane]);
-		}
-	}
-}
-
-// Other bodies may have pushed it through a thin wall since it last looked at the surroundings.
-SweepStarts Simulator::sweep_start(std::uint32_t batch, const TimeSlice &slice) const {
-	SweepStarts from{};
-	for (std::uint32_t lane = 0; slice.elapsed > 0 && surroundings_.has_colliders() && lane < PACK_WIDTH; ++lane) {
-		from[lane] = bodies_.sweep_start(bodies_.state(batch).active_indices[lane]);
-	}
-	return from;
-}
-
-void Simulator::advance(BodyStepper &stepper, std::uint32_t i, const TimeSlice &slice) {
-	Batch &batch = bodies_.batch(i);
-	const BatchState &state = bodies_.state(i);
-	const SweepStarts from = sweep_start(i, slice);
-	const std::size_t resets = stepper.counts().non_finite.size();
-	if (!state.has_own_plans()) {
-		stepper.advance(batch, state.stepped(), state.plan, slice.elapsed, slice.duration,
-				share_of(state.plan, slice.parts), from, slice.is_coupled);
-	}
-	for (std::uint32_t lane = 0; state.has_own_plans() && lane < batch.count; ++lane) {
-		const SubstepPlan &own = bodies_.plan_of(state, lane);
-		stepper.advance(batch, state.stepped() & 1u << lane, own, slice.elapsed, slice.duration,
-				share_of(own, slice.parts), from, slice.is_coupled);
-	}
-	if (slice.is_coupled && batch.settings->self_collision && stepper.counts().non_finite.size() > resets) {
-		bodies_.solver_body(state.active_indices[0]).begin_substep(); // in its rest shape again: no way behind it that could be blocked
-	}
-	if (slice.is_coupled) {
-		measure_extents(i);
-	}
-}
-
-void Simulator::measure_extents(std::uint32_t batch) {
-	for_stepped(batch, [&](std::uint32_t active_index) { bodies_.solver_body(active_index).measure_extent(); });
-}
-
-void Simulator::advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const TimeSlice &slice,
-		StatePrefetch &prefetch) {
-	const SubstepPlan &plan = bodies_.state(a).plan;
-	std::array<SolverBody *, WIDE_WIDTH> solver_bodies{};
-	for (std::size_t lane = 0; slice.is_coupled && lane < PACK_WIDTH; ++lane) {
-		solver_bodies[lane] = &bodies_.solver_body(bodies_.state(a).active_indices[lane]);
-		solver_bodies[PACK_WIDTH + lane] = &bodies_.solver_body(bodies_.state(b).active_indices[lane]);
-	}
-	const bool are_measured = stepper.advance_both({ &bodies_.batch(a), &bodies_.batch(b) }, plan, slice.elapsed,
-			slice.duration, share_of(plan, slice.parts), { sweep_start(a, slice), sweep_start(b, slice) },
-			slice.is_coupled, solver_bodies, prefetch);
-	if (slice.is_coupled && !are_measured) {
-		measure_extents(a);
-		measure_extents(b);
-	}
 }
 
 StepReport Simulator::simulate(Real dt) {
@@ -140,14 +51,19 @@ StepReport Simulator::simulate(Real dt) {
 	if (report.refused) {
 		return report;
 	}
+	profile_ = {};
+	timer_.start();
 	begin_step(dt);
 	find_rigid_contacts(dt);
-	if (!sleep_.sleepers().is_everybody() || rigid_contacts_.has_bodies()) {
+	timer_.lap(profile_.begin);
+	if (!bodies_.awake().empty() || rigid_contacts_.has_bodies()) {
 		bodies_.plan_pressure(dt);
-		divide_batches(dt);
+		divide_bodies(dt);
 	}
+	timer_.lap(profile_.broad_phase);
 	step_free(dt);
-	if (!coupled_batches_.empty() || rigid_contacts_.has_bodies()) {
+	timer_.lap(profile_.bodies);
+	if (!coupled_.empty() || rigid_contacts_.has_bodies()) {
 		step_coupled(dt);
 	} else {
 		move_rigid_bodies_alone(dt);
@@ -162,6 +78,8 @@ StepReport Simulator::simulate(Real dt) {
 		let_sleep();
 	}
 	collect(report);
+	timer_.lap(profile_.end);
+	report.profile = profile_;
 	return report;
 }
 
@@ -185,12 +103,14 @@ void Simulator::begin_step(Real dt) {
 				[](const SoftBodyData &body) { return body.acceleration() != Vec2{}; });
 	}
 	pin_motion_.begin_step(world_, dt, is_rearranged);
+	const bool borders_bounce =
+			std::ranges::any_of(world_.borders(), [](const Border &border) { return border.surface.restitution != 0; });
 	for (BodyStepper &stepper : steppers_) {
-		stepper.begin_step(world_, surroundings_, has_forces || has_accelerated_bodies_);
+		stepper.begin_step({ world_, surroundings_, bodies_, has_forces || has_accelerated_bodies_, borders_bounce });
 	}
 	pair_contacts_.forget_step();
-	free_batches_.clear();
-	coupled_batches_.clear();
+	free_.clear();
+	coupled_.clear();
 	beside_dynamic_.clear();
 	sleep_.wake_by_environment();
 	while (joint_solver_.wake_joined()) {
@@ -201,74 +121,61 @@ void Simulator::begin_step(Real dt) {
 void Simulator::find_rigid_contacts(Real dt) {
 	rigid_contacts_.begin_step(world_, surroundings_);
 	rigid_contact_count_ = 0;
-	rigid_neighbors_.find(bodies_, world_, surroundings_, sleep_.sleepers().flags(), dt, parallel_for_);
+	rigid_neighbors_.find(bodies_, world_, surroundings_, dt, parallel_for_);
 	if (!rigid_neighbors_.has_any()) {
 		return;
 	}
 	sleep_.take_over();
-	rigid_neighbors_.report_sleepers(bodies_, world_, sleep_.sleepers().flags());
+	rigid_neighbors_.report_sleepers(bodies_, world_);
 	for (std::uint32_t active_index = 0; active_index < bodies_.count(); ++active_index) {
 		SoftBodyData &body = bodies_.data(active_index);
-		if (rigid_neighbors_.has(active_index) && body.is_frozen()) { // it is in no batch that is stepped
+		if (rigid_neighbors_.has(active_index) && body.is_frozen()) { // a frozen body is not stepped
 			rigid_contacts_.add_body(body);
 			beside_dynamic_.push_back(active_index);
 		}
 	}
 }
 
-// Which bodies take contact substeps: those that may touch another or a dynamic rigid body, or are joined to something.
-void Simulator::divide_batches(Real dt) {
+// Bodies that may touch another or a dynamic rigid body, or are joined to something, take contact substeps.
+void Simulator::divide_bodies(Real dt) {
 	pair_contacts_.begin_step(pair_bodies(), dt, bodies_.version(), joint_solver_.separated(), parallel_for_);
-	if (sleep_.sleepers().count() == 0 && !pair_contacts_.is_used() && !rigid_neighbors_.has_any() && !joint_solver_.has_joints()) {
-		// Nobody meets anybody: no need to look at each.
-		free_batches_.resize(bodies_.batch_count());
-		std::iota(free_batches_.begin(), free_batches_.end(), 0u);
+	const std::span<const std::uint32_t> awake = bodies_.awake();
+	if (!pair_contacts_.is_used() && !rigid_neighbors_.has_any() && !joint_solver_.has_joints()) {
+		free_.assign(awake.begin(), awake.end()); // no body meets another: no need to look at each
 		return;
 	}
-	for (std::uint32_t i = 0; i < bodies_.batch_count(); ++i) {
-		BatchState &state = bodies_.state(i);
-		if (state.awake == 0) {
-			continue;
+	for (std::uint32_t i = 0; rigid_neighbors_.has_any() && i < bodies_.count(); ++i) { // contacts are solved in this order
+		if (rigid_neighbors_.has(i) && !bodies_.is_resting(i)) {
+			rigid_contacts_.add_body(bodies_.data(i));
+			beside_dynamic_.push_back(i);
 		}
-		state.coupled = 0;
-		for (std::uint32_t lane = 0; lane < bodies_.batch(i).count; ++lane) {
-			const std::uint32_t active_index = state.active_indices[lane];
-			if ((state.awake >> lane & 1) == 0) {
-				continue; // or a sleeper would be moved where others of its batch are awake
-			}
-			const bool has_rigid_body = rigid_neighbors_.has(active_index);
-			if (has_rigid_body) {
-				rigid_contacts_.add_body(bodies_.data(active_index));
-				beside_dynamic_.push_back(active_index);
-			}
-			const bool is_coupled = has_rigid_body || pair_contacts_.has_pair(active_index) || joint_solver_.holds(active_index);
-			state.coupled |= std::uint32_t(is_coupled) << lane;
-		}
-		(state.coupled != 0 ? coupled_batches_ : free_batches_).push_back(i);
 	}
-	if (coupled_batches_.empty() && !rigid_contacts_.has_bodies()) {
+	for (const std::uint32_t i : awake) {
+		const bool is_coupled = rigid_neighbors_.has(i) || pair_contacts_.has_pair(i) || joint_solver_.holds(i);
+		(is_coupled ? coupled_ : free_).push_back(i);
+	}
+	if (coupled_.empty() && !rigid_contacts_.has_bodies()) {
 		return;
 	}
-	for (std::uint32_t active_index = 0; joint_solver_.has_dynamic_ends() && active_index < bodies_.count(); ++active_index) {
-		if (joint_solver_.holds_to_dynamic(active_index)) {
-			beside_dynamic_.push_back(active_index);
+	for (std::uint32_t i = 0; joint_solver_.has_dynamic_ends() && i < bodies_.count(); ++i) {
+		if (joint_solver_.holds_to_dynamic(i)) {
+			beside_dynamic_.push_back(i);
 		}
 	}
-	contact_substeps_.choose(bodies_, coupled_batches_, { pair_contacts_.pairs(), joint_solver_.joined(), beside_dynamic_ },
-			substeps_of_step(world_.contact_substeps(), dt), free_batches_);
+	contact_substeps_.choose(bodies_, coupled_, { pair_contacts_.pairs(), joint_solver_.joined(), beside_dynamic_ },
+			substeps_of_step(world_.contact_substeps(), dt));
 }
 
 void Simulator::step_free(Real dt) {
-	const auto begin = [&](BodyStepper &stepper, std::uint32_t i) { stepper.begin(bodies_.batch(i), bodies_.state(i).stepped()); };
-	advance_batches(free_batches_, { 0, dt, 1, false }, begin, [&](BodyStepper &stepper, std::uint32_t i) {
-		const Batch &batch = bodies_.batch(i);
-		const std::uint32_t stepped = bodies_.state(i).stepped();
+	for_batches(free_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &prefetch) {
+		stepper.begin(batch);
+		stepper.advance(batch, { 0, dt, 1, false }, prefetch);
 		if (batch.settings->turns_with_body()) {
-			stepper.remember_rotations(batch, stepped, stepper.measure_frames(batch));
+			stepper.remember_rotations(batch, stepper.measure_frames(batch));
 		}
-		stepper.end(batch, stepped);
+		stepper.end(batch);
 		if (world_.has_sleeping()) {
-			stepper.time_rest(batch, stepped, dt);
+			stepper.time_rest(batch, dt);
 		}
 	});
 }
@@ -280,43 +187,31 @@ void Simulator::step_coupled(Real dt) {
 	if (contact_substeps_.of_rigid_bodies() == 0) {
 		move_rigid_bodies_alone(dt);
 	}
-	for (const std::uint32_t i : coupled_batches_) {
-		bodies_.state(i).active_mask = contact_substeps_.island_substeps().are_common() ? ALL_LANES : bodies_.state(i).coupled;
-	}
 	pair_contacts_.end_step(pair_bodies());
 	measure_frames();
 	resist_rolling_between_bodies();
-	for_batches(coupled_batches_, [&](BodyStepper &stepper, std::uint32_t i) {
-		const Batch &batch = bodies_.batch(i);
-		BatchState &state = bodies_.state(i);
-		if (batch.settings->self_collision && surroundings_.has_colliders()) {
-			const std::span<const Vec2> outside = bodies_.sweep_start(state.active_indices[0]);
-			bodies_.data(state.active_indices[0]).last_valid_hull().assign(outside.begin(), outside.end());
+	for_batches(coupled_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
+		for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+			if (batch.settings->self_collision && surroundings_.has_colliders()) {
+				const std::span<const Vec2> outside = bodies_.sweep_start(batch.active_indices[lane]);
+				bodies_.data(batch.active_indices[lane]).last_valid_hull().assign(outside.begin(), outside.end());
+			}
+			stepper.check(batch.body_indices[lane], dt);
 		}
-		stepper.check(batch, state.active_mask, dt);
-		stepper.end(batch, state.active_mask);
+		stepper.end(batch);
 		if (world_.has_sleeping()) {
-			stepper.time_rest(batch, state.stepped(), dt);
+			stepper.time_rest(batch, dt);
 		}
-		state.active_mask = ALL_LANES;
 	});
 	check_touched_sleepers(dt);
+	timer_.lap(profile_.bodies);
 }
 
-// A turn of the islands that take so many contact substeps.
+// The islands that take so many contact substeps.
 void Simulator::step_islands(int substeps, Real dt) {
 	const SubstepGroup group = contact_substeps_.island_substeps().group(substeps);
-	group_batches_.clear();
-	for (const std::uint32_t i : coupled_batches_) {
-		BatchState &state = bodies_.state(i);
-		state.active_mask = 0;
-		for (std::uint32_t lane = 0; lane < bodies_.batch(i).count; ++lane) {
-			state.active_mask |= std::uint32_t(group.has(state.active_indices[lane])) << lane;
-		}
-		if (state.stepped() != 0) {
-			group_batches_.push_back(i);
-		}
-	}
+	group_.clear();
+	std::ranges::copy_if(coupled_, std::back_inserter(group_), [&](std::uint32_t i) { return group.has(i); });
 	const bool moves_rigid_bodies = substeps == contact_substeps_.of_rigid_bodies();
 	const Real duration = dt / Real(substeps);
 	pair_contacts_.begin_substeps(pair_bodies(), duration);
@@ -325,40 +220,37 @@ void Simulator::step_islands(int substeps, Real dt) {
 			rigid_contacts_.begin_substep(duration);
 		}
 		joint_solver_.begin_substep(group);
-		const auto begin = [&](BodyStepper &stepper, std::uint32_t i) {
-			if (substep == 0) {
-				stepper.begin(bodies_.batch(i), bodies_.state(i).stepped());
-			}
-			for_stepped(i, [&](std::uint32_t active_index) { bodies_.solver_body(active_index).begin_substep(); });
-		};
 		const TimeSlice slice{ Real(substep) * duration, duration, substeps, true };
-		advance_batches(group_batches_, slice, begin, [&](BodyStepper &, std::uint32_t i) {
-			if (surroundings_.has_colliders()) {
-				for_stepped(i, [&](std::uint32_t active_index) {
-					std::ranges::copy(bodies_.solver_body(active_index).hull(), bodies_.sweep_start(active_index).begin());
-				});
+		for_batches(group_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &prefetch) {
+			if (substep == 0) {
+				stepper.begin(batch);
+			}
+			for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+				bodies_.solver_body(batch.active_indices[lane]).begin_substep();
+			}
+			stepper.advance(batch, slice, prefetch);
+			for (std::uint32_t lane = 0; surroundings_.has_colliders() && lane < batch.count; ++lane) {
+				const std::uint32_t i = batch.active_indices[lane];
+				std::ranges::copy(bodies_.solver_body(i).hull(), bodies_.sweep_start(i).begin());
 			}
 		});
+		timer_.lap(profile_.bodies);
 		pair_contacts_.solve(pair_bodies(), group, parallel_for_);
+		timer_.lap(profile_.pair_contacts);
 		joint_solver_.solve(Real(substep + 1) * duration, duration, group);
 		if (moves_rigid_bodies && rigid_contacts_.has_bodies()) {
 			rigid_contact_count_ += rigid_contacts_.solve(parallel_for_);
 		}
-		solve_self_contacts(duration);
+		solve_self_contacts(group_, duration);
+		timer_.lap(profile_.couplings);
 	}
 }
 
-// Who sleeps is not stepped, but what has blown up may have touched it.
+// A sleeping body is not stepped, but a body that has failed may have touched it.
 void Simulator::check_touched_sleepers(Real dt) {
-	for (std::uint32_t i = 0; sleep_.sleepers().count() > 0 && i < bodies_.batch_count(); ++i) {
-		const BatchState &state = bodies_.state(i);
-		std::uint32_t touched = 0;
-		for (std::uint32_t lane = 0; lane < bodies_.batch(i).count; ++lane) {
-			const bool is_touched = (state.awake >> lane & 1) == 0 && pair_contacts_.has_pair(state.active_indices[lane]);
-			touched |= std::uint32_t(is_touched) << lane;
-		}
-		if (touched != 0) {
-			steppers_[0].check(bodies_.batch(i), touched, dt);
+	for (std::uint32_t i = 0; bodies_.resting_count() > 0 && i < bodies_.count(); ++i) {
+		if (bodies_.is_resting(i) && pair_contacts_.has_pair(i)) {
+			steppers_[0].check(bodies_.body_indices()[i], dt);
 		}
 	}
 }
@@ -372,30 +264,28 @@ void Simulator::move_rigid_bodies_alone(Real dt) {
 }
 
 void Simulator::measure_frames() {
-	for_batches(coupled_batches_, [&](BodyStepper &stepper, std::uint32_t i) {
-		const Batch &batch = bodies_.batch(i);
+	for_batches(coupled_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
 		if (!pair_contacts_.resists_rolling() && !batch.settings->turns_with_body()) {
 			return;
 		}
-		const std::array<BodyFrame, PACK_WIDTH> frames = stepper.measure_frames(batch);
+		const std::array<BodyFrame, WIDE_WIDTH> frames = stepper.measure_frames(batch);
 		for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
-			bodies_.solver_body(bodies_.state(i).active_indices[lane]).take_frame(frames[lane]);
+			bodies_.solver_body(batch.active_indices[lane]).take_frame(frames[lane]);
 		}
 		if (batch.settings->turns_with_body()) {
-			stepper.remember_rotations(batch, bodies_.state(i).active_mask, frames);
+			stepper.remember_rotations(batch, frames);
 		}
 	});
 }
 
-// Last of all, as all others may press a hull against itself. A body that meets itself is a batch of its own.
-void Simulator::solve_self_contacts(Real h) {
-	if (!bodies_.meet_themselves()) {
+// Last of all, as all other contacts may press a hull against itself.
+void Simulator::solve_self_contacts(std::span<const std::uint32_t> list, Real h) {
+	if (!bodies_.has_self_collision()) {
 		return;
 	}
-	for_batches(group_batches_, [&](BodyStepper &stepper, std::uint32_t i) {
-		const Batch &batch = bodies_.batch(i);
-		if (batch.settings->self_collision) {
-			stepper.solve_self_contacts(batch.bodies[0], bodies_.solver_body(bodies_.state(i).active_indices[0]).before, h);
+	for_batches(list, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
+		for (std::uint32_t lane = 0; batch.settings->self_collision && lane < batch.count; ++lane) {
+			stepper.solve_self_contacts(batch.active_indices[lane], h);
 		}
 	});
 }
@@ -406,9 +296,9 @@ void Simulator::resist_rolling_between_bodies() {
 		return;
 	}
 	pair_contacts_.resist_rolling(pair_bodies());
-	for_batches(coupled_batches_, [&](BodyStepper &, std::uint32_t i) {
-		for (std::uint32_t lane = 0; lane < bodies_.batch(i).count; ++lane) {
-			bodies_.solver_body(bodies_.state(i).active_indices[lane]).apply_spin_change();
+	for_batches(coupled_, [&](BodyStepper &, const Batch &batch, StatePrefetch &) {
+		for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+			bodies_.solver_body(batch.active_indices[lane]).apply_spin_change();
 		}
 	});
 }
@@ -419,7 +309,7 @@ void Simulator::let_sleep() {
 	sleep_.let_sleep(pair_contacts_.pairs(), pair_contacts_.touched(), joined_, rigid_neighbors_.restless());
 }
 
-// Before anything falls asleep or wakes: what slept during the step has found no contact and yet lost no touch.
+// Before any body falls asleep or wakes: a body that slept during the step has found no contact and yet lost no touch.
 void Simulator::report_contacts(Real dt) {
 	for (BodyStepper &stepper : steppers_) {
 		contact_monitor_.add(stepper.log());
@@ -432,7 +322,7 @@ void Simulator::report_contacts(Real dt) {
 }
 
 void Simulator::collect(StepReport &report) {
-	report.sleeping_bodies = sleep_.sleepers().count() - bodies_.frozen_count();
+	report.sleeping_bodies = bodies_.resting_count() - bodies_.frozen_count();
 	for (const std::uint32_t body_index : bodies_.inactive_bodies()) {
 		SoftBodyData &body = world_.soft_bodies()[body_index];
 		std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());

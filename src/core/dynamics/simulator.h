@@ -15,6 +15,7 @@
 #include "core/dynamics/pin_motion.h"
 #include "core/dynamics/rigid_neighbors.h"
 #include "core/dynamics/sleep_watch.h"
+#include "core/dynamics/step_profile.h"
 #include "core/dynamics/substep_plan.h"
 #include "core/model/world_data.h"
 
@@ -39,6 +40,7 @@ struct StepReport {
 	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves solved, summed over substeps
 	/// Joints that bore more than they can (Joint::break_force) and are gone. Each is told once.
 	std::vector<JointId> broken_joints;
+	StepProfile profile;
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
@@ -51,7 +53,7 @@ class Simulator {
 public:
 	/// `world` must outlive the simulator. With `parallel_for` the work of a step is divided; its results are the
 	/// same bits for any number of threads.
-	explicit Simulator(WorldData &world, ParallelFor parallel_for = {});
+	explicit Simulator(WorldData &world, ParallelFor parallel_for = {}, Clock clock = {});
 	Simulator(const Simulator &) = delete;
 	Simulator &operator=(const Simulator &) = delete;
 
@@ -73,48 +75,32 @@ public:
 	SubstepPlan plan(const SoftBodyData &body, Real dt) const;
 
 private:
-	/// One of `parts` equal stretches of the step, each body in its share of the substeps that it needs.
-	struct TimeSlice {
-		Real elapsed = 0; ///< since the step began [s]
-		Real duration = 0; ///< [s]
-		int parts = 1;
-		bool is_coupled = false;
-	};
-
 	// A step, in this order.
 	void begin_step(Real dt);
 	void find_rigid_contacts(Real dt);
-	void divide_batches(Real dt);
+	void divide_bodies(Real dt);
 	void step_free(Real dt);
 	void step_coupled(Real dt);
 	void report_contacts(Real dt);
 	void let_sleep();
 	void collect(StepReport &report);
 
-	void advance(BodyStepper &stepper, std::uint32_t batch, const TimeSlice &slice);
-	void advance_both(BodyStepper &stepper, std::uint32_t a, std::uint32_t b, const TimeSlice &slice, StatePrefetch &prefetch);
-	SweepStarts sweep_start(std::uint32_t batch, const TimeSlice &slice) const;
-	void measure_extents(std::uint32_t batch);
-	/// Calls `work(stepper, batch index)` for every batch in the list, divided over the steppers.
+	/// Calls `work(stepper, batch, prefetch)` for the bodies of a list, ordered as `ActiveBodies::awake`, divided over the steppers.
 	template <class Work>
-	void for_batches(std::span<const std::uint32_t> batches, const Work &work);
-	/// The same, with every batch advanced between `before(stepper, batch index)` and `after`, likewise.
-	template <class Before, class After>
-	void advance_batches(std::span<const std::uint32_t> batches, const TimeSlice &slice, const Before &before,
-			const After &after);
-	/// Calls `work(active_index)` for every body of a batch that takes part in the present pass.
-	void for_stepped(std::uint32_t batch, const auto &work) const;
-
+	void for_batches(std::span<const std::uint32_t> list, const Work &work);
 	void step_islands(int substeps, Real dt);
 	void move_rigid_bodies_alone(Real dt);
 	void measure_frames();
-	void solve_self_contacts(Real h);
+	void solve_self_contacts(std::span<const std::uint32_t> list, Real h);
 	void resist_rolling_between_bodies();
 	void check_touched_sleepers(Real dt);
-	PairBodies pair_bodies() { return { bodies_.solver_bodies(), sleep_.sleepers().flags(), bodies_.body_indices(), world_ }; }
+	PairBodies pair_bodies() { return { bodies_.solver_bodies(), bodies_.resting(), bodies_.body_indices(), world_ }; }
 
 	WorldData &world_;
 	ParallelFor parallel_for_;
+	Clock clock_;
+	PhaseTimer timer_{ clock_ };
+	StepProfile profile_; ///< of the present step
 	ActiveBodies bodies_;
 	ColliderIndex surroundings_;
 	SleepWatch sleep_;
@@ -127,12 +113,13 @@ private:
 	ContactMonitor contact_monitor_;
 	std::vector<BodyStepper> steppers_; ///< one a task, so that no two threads share scratch memory
 
-	std::vector<std::uint32_t> free_batches_;
-	std::vector<std::uint32_t> coupled_batches_;
-	std::vector<std::uint32_t> group_batches_; ///< those of them whose turn it is
+	// Active indices, ordered as `ActiveBodies::awake`.
+	std::vector<std::uint32_t> free_; ///< bodies that meet no other body
+	std::vector<std::uint32_t> coupled_; ///< bodies that may
+	std::vector<std::uint32_t> group_; ///< coupled bodies that take as many contact substeps
 	ContactSubsteps contact_substeps_;
 	std::vector<std::uint32_t> beside_dynamic_; ///< active indices that may meet a dynamic rigid body, or are joined to one
-	std::vector<BodyPair> joined_; ///< who sleeps and wakes together without touching
+	std::vector<BodyPair> joined_; ///< pairs that sleep and wake together without touching
 
 	std::uint64_t seen_forces_ = 0;
 	bool has_accelerated_bodies_ = false;

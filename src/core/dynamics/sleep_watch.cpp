@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Lets bodies fall asleep, and wakes them when what is around them changes.
+// Lets islands of bodies at rest fall asleep, and wakes them when what is around them changes.
 #include "core/dynamics/sleep_watch.h"
 
+#include "core/base/constants.h"
+
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace softbody {
@@ -16,33 +19,46 @@ bool is_in(std::span<const Aabb> boxes, const Aabb &box) {
 } // namespace
 
 void SleepWatch::take_over(bool is_rearranged) {
-	sleepers_.take_over(world_, bodies_.body_indices(), is_rearranged,
-			[this](std::uint32_t active_index, bool awake) { bodies_.note_awake(active_index, awake); });
+	std::vector<WokenIsland> woken = world_.take_woken_islands();
+	if (!is_rearranged && woken.empty()) {
+		return;
+	}
+	std::ranges::sort(woken);
+	for (std::uint32_t i = 0; i < bodies_.count(); ++i) {
+		SoftBodyData &body = bodies_.data(i);
+		RestState &rest = body.rest_state();
+		if (rest.asleep && (!world_.has_sleeping() || std::ranges::binary_search(woken, WokenIsland{ rest.island, rest.restored }))) {
+			body.wake();
+		}
+		rest.restored = 0;
+		const bool rests = body.is_asleep() || body.is_frozen();
+		if (rests != bodies_.is_resting(i)) {
+			bodies_.set_resting(i, rests);
+		}
+	}
+	world_.take_woken_islands(); // what this has added
 }
 
 void SleepWatch::begin_step(bool is_rearranged) {
-	if (is_rearranged) {
-		sleepers_.reset(bodies_.count());
-	}
 	take_over(is_rearranged);
-	for (std::uint32_t active_index = 0; is_rearranged && sleepers_.count() > 0 && active_index < bodies_.count(); ++active_index) {
-		// Who was put to sleep sleeps amid what is there now.
-		RestState &rest = bodies_.data(active_index).rest_state();
+	for (std::uint32_t i = 0; is_rearranged && bodies_.resting_count() > 0 && i < bodies_.count(); ++i) {
+		// A body put to sleep from outside sleeps amid what is there now.
+		RestState &rest = bodies_.data(i).rest_state();
 		if (rest.asleep && rest.surroundings == 0) {
-			rest.surroundings = describe(active_index);
+			rest.surroundings = describe(i);
 		}
 	}
 }
 
 void SleepWatch::wake_by_environment() {
 	if (world_.has_sleeping()) {
-		wake_by_what_changed();
+		wake_by_changes();
 		wake_by_rigid_ends();
 	}
 	wake_by_frozen_bodies();
 }
 
-void SleepWatch::wake_by_what_changed() {
+void SleepWatch::wake_by_changes() {
 	watch_.update(surroundings_);
 	const bool was_restored = std::exchange(seen_restores_, world_.change_counts().restores) != seen_restores_;
 	const bool asks_all = was_restored || watch_.has_border_changed();
@@ -52,9 +68,9 @@ void SleepWatch::wake_by_what_changed() {
 	for (std::uint32_t active_index = 0; active_index < bodies_.count(); ++active_index) {
 		SoftBodyData &body = bodies_.data(active_index);
 		const Aabb box = rest_box(active_index);
-		// Who sleeps goes by what was there when it fell asleep, not in the last step, so that it does not matter how
-		// this state came about. Who is awake does not rest beside what moves.
-		const bool has_changed = sleepers_[active_index] && (asks_all || is_in(watch_.changed_boxes(), box)) &&
+		// A sleeping body is compared with what was there when it fell asleep, not in the last step: so it does not matter
+		// how this state came about. An awake body does not come to rest beside one that moves.
+		const bool has_changed = bodies_.is_resting(active_index) && (asks_all || is_in(watch_.changed_boxes(), box)) &&
 				describe(active_index) != body.rest_state().surroundings;
 		if (has_changed || is_in(watch_.moving_boxes(), box)) {
 			body.wake();
@@ -85,14 +101,14 @@ void SleepWatch::wake_by_frozen_bodies() {
 		return;
 	}
 	for (std::uint32_t active_index = 0; active_index < bodies_.count(); ++active_index) {
-		if (is_in(boxes, rest_box(active_index))) { // who is awake does not rest either while that changes
+		if (is_in(boxes, rest_box(active_index))) { // an awake body does not rest either while that changes
 			bodies_.data(active_index).wake();
 		}
 	}
 	take_over();
 	for (std::uint32_t active_index = 0; active_index < bodies_.count(); ++active_index) {
 		if (bodies_.data(active_index).is_frozen()) {
-			bodies_.note_awake(active_index, false); // it may lie elsewhere now
+			bodies_.set_resting(active_index, true); // it may lie elsewhere now
 		}
 	}
 }
@@ -100,15 +116,63 @@ void SleepWatch::wake_by_frozen_bodies() {
 // What a body rests on touches its box at most.
 Aabb SleepWatch::rest_box(std::uint32_t active_index) const {
 	const SolverBody &body = bodies_.solver_body(active_index);
-	return (sleepers_[active_index] ? body.box : bounding_box(body.hull())).grown(body.rolling_radius / 8);
+	return (bodies_.is_resting(active_index) ? body.box : bounding_box(body.hull())).grown(body.rolling_radius / 8);
+}
+
+void SleepWatch::join(BodyPair pair) {
+	const auto [a, b] = pair;
+	const auto is_frozen = [&](std::uint32_t i) { return bodies_.is_resting(i) && bodies_.data(i).is_frozen(); };
+	if (is_frozen(a) || is_frozen(b)) {
+		return; // bodies that rest on one frozen body are no island
+	}
+	if (bodies_.is_resting(a) != bodies_.is_resting(b)) {
+		bodies_.data(bodies_.is_resting(a) ? a : b).wake();
+	}
+	islands_.join(a, b);
 }
 
 void SleepWatch::let_sleep(std::span<const BodyPair> pairs, std::span<const char> touched, std::span<const BodyPair> joined,
 		std::span<const char> restless) {
-	sleepers_.let_sleep(world_, bodies_.body_indices(), pairs, touched, joined, restless, [this](std::uint32_t active_index, bool awake) {
-		bodies_.note_awake(active_index, awake);
-		bodies_.data(active_index).rest_state().surroundings = describe(active_index);
-	});
+	if (bodies_.awake().empty()) {
+		return;
+	}
+	islands_.reset(bodies_.count());
+	for (std::size_t i = 0; i < pairs.size(); ++i) {
+		if (touched[i]) {
+			join(pairs[i]);
+		}
+	}
+	for (const BodyPair pair : joined) {
+		join(pair);
+	}
+	least_rest_.assign(bodies_.count(), std::numeric_limits<Real>::max());
+	bool any_may_sleep = false;
+	for (const std::uint32_t i : bodies_.awake()) {
+		const SoftBodyData &body = bodies_.data(i);
+		Real &least = least_rest_[islands_.find(i)];
+		const bool may_sleep = body.settings().can_sleep && (restless.empty() || !restless[i]);
+		least = std::min(least, may_sleep ? body.rest_time() : Real(0));
+		any_may_sleep |= may_sleep && body.rest_time() >= SLEEP_TIME;
+	}
+	if (!any_may_sleep) {
+		return;
+	}
+	names_.assign(bodies_.count(), 0);
+	for (std::uint32_t i = 0; i < bodies_.count(); ++i) {
+		const std::uint32_t island = islands_.find(i);
+		if (bodies_.is_resting(i) || least_rest_[island] < SLEEP_TIME) {
+			continue;
+		}
+		// An island is named after its first body, which sleeps on no other: so the name depends on no past.
+		if (names_[island] == 0) {
+			names_[island] = world_.id_at(bodies_.body_indices()[i]).index + std::uint64_t(1);
+		}
+		bodies_.set_resting(i, true);
+		RestState &rest = bodies_.data(i).rest_state();
+		rest.asleep = true;
+		rest.island = names_[island];
+		rest.surroundings = describe(i);
+	}
 }
 
 } // namespace softbody

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a body will hold: what its step rule chose, and how its springs compare with its weight. For those who set values.
+// Judges whether a body will hold: its substep plan, and its springs compared with its weight. For editor tools.
 #include "core/dynamics/stability_report.h"
 
 #include "core/base/constants.h"
@@ -12,7 +12,7 @@ namespace softbody {
 
 namespace {
 
-// Of a body whose elastic modes or triangles take part: E = 2 μ (1 + ν). 0 for others.
+// For a body whose elastic modes or triangles take part: E = 2 μ (1 + ν). 0 for others.
 Real youngs_modulus_of(const SoftBodyShape &shape, const BodySettings &settings) {
 	const bool is_elastic = settings.is_elastic() && (shape.modes() != nullptr || shape.triangles() != nullptr);
 	return is_elastic ? 2 * settings.shear_modulus * (1 + settings.poisson_ratio) : Real(0);

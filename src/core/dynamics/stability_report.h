@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a body will hold: what its step rule chose, and how its springs compare with its weight. For those who set values.
+// Judges whether a body will hold: its substep plan, and its springs compared with its weight. For editor tools.
 #pragma once
 
 #include "core/base/real.h"
@@ -8,37 +8,37 @@
 
 namespace softbody {
 
-/// How much a body of the usual structure (hull and centre springs) sags on flat ground depends on
-/// q = k n R / (8 m g) alone (measured for 8 to 64 hull points): below 1 it folds, at 2 it has lost a tenth of its area,
-/// at 4 a twentieth, at 8 a fiftieth.
-/// A body with elastic modes or triangles sags by q = E R / (m g) instead: at 15 a disk has lost 4 % of its height, at 4 a tenth.
+/// The sag of a body of the usual structure (hull and centre springs) on flat ground depends on q = k n R / (8 m g)
+/// alone (measured for 8 to 64 hull points): below 1 it folds, at 2 it has lost a tenth of its area, at 4 a twentieth,
+/// at 8 a fiftieth. For a body with elastic modes or triangles q = E R / (m g): at 15 a disk has lost 4 % of its
+/// height, at 4 a tenth.
 inline constexpr Real FOLDING_STRENGTH = 1;
 inline constexpr Real FIRM_STRENGTH = 4;
 
-/// What `report_stability` finds.
+/// Result of `report_stability`.
 struct StabilityReport {
-	SubstepPlan plan; ///< what a step does
-	/// What it would do if the settings left the number of substeps open: `plan`, unless they fix it.
+	SubstepPlan plan; ///< the plan of a step
+	/// The plan if the settings left the number of substeps open: `plan`, unless they fix it.
 	SubstepPlan automatic;
 	Real stiffness = 0; ///< mean of the springs [force/length]; 0 without springs
-	Real strength = 0; ///< q [1]; infinite where nothing weighs
+	Real strength = 0; ///< q [1]; infinite without weight
 	Real folding_stiffness = 0; ///< where q is FOLDING_STRENGTH [force/length]
 	Real firm_stiffness = 0; ///< where q is FIRM_STRENGTH [force/length]
-	/// E of a body with elastic modes or triangles [force/length]; 0 for others, and then the next two mean nothing.
+	/// E of a body with elastic modes or triangles [force/length]; 0 for others, for which the next two mean nothing.
 	Real youngs_modulus = 0;
 	Real folding_youngs_modulus = 0; ///< where q is FOLDING_STRENGTH [force/length]
 	Real firm_youngs_modulus = 0; ///< where q is FIRM_STRENGTH [force/length]
 	Real damping = 0; ///< mean of the springs [force·s/length]
-	/// Below DAMPING_FLOOR sqrt(k m), k and m being the means, strong deformations ring for long [force·s/length].
+	/// Damping below which strong deformations ring for long [force·s/length]: DAMPING_FLOOR sqrt(k m), of the means.
 	Real least_damping = 0;
 
 	bool is_too_soft() const { return strength < FOLDING_STRENGTH; }
 	bool rings() const { return damping < least_damping; }
 };
 
-/// Judges a body at rest. R is the radius of a disk of the hull's area, n the number of hull points. `gravity` [length/s²]
-/// is that of the world, before the settings' factor. `dt` [s] > 0. A formula: inner springs, pressure and painted
-/// springs carry more or less than it says, which `LoadTrial` finds out. O(springs).
+/// Judges a body at rest. R is the radius of a disk of the hull's area, n the number of hull points. `gravity`
+/// [length/s²] is that of the world, before the settings' factor. `dt` [s] > 0. A formula: inner springs, pressure and
+/// painted springs carry more or less than it says; `LoadTrial` measures that. O(springs).
 StabilityReport report_stability(const SoftBodyShape &shape, const BodySettings &settings, Vec2 gravity, Real dt,
 		bool has_contacts);
 

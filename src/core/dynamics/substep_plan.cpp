@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which integrator and how many substeps a body needs.
+// Chooses the integrator and the number of substeps of a body.
 #include "core/dynamics/substep_plan.h"
 
 #include "core/base/constants.h"
@@ -17,8 +17,7 @@ namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
-// Largest h with h²Ω² + 2h·rate <= S². The root of the quadratic, written without the cancellation
-// that the textbook form has for small Ω.
+// Largest h with h²Ω² + 2h·rate <= S², without the cancellation of the textbook formula for small Ω.
 double within_quadratic(double frequency_squared, double rate, double budget) {
 	const double root = std::sqrt(rate * rate + frequency_squared * budget * budget);
 	const double denominator = rate + root;
@@ -29,7 +28,7 @@ double ratio(double numerator, double denominator) {
 	return denominator > 0 ? numerator / denominator : INFINITE;
 }
 
-// What the pressure term depends on: sum |∂A/∂x|²/m [length²/mass], and |A/A0 - s|.
+// Hull values of the pressure term: sum |∂A/∂x|²/m [length²/mass], and |A/A0 - s|.
 struct HullState {
 	double area_inverse_mass = 0;
 	double excess = 0;
@@ -59,7 +58,7 @@ HullState hull_of(const SoftBodyData &body, Real ahead) {
 	return { inverse_mass, std::abs(twice_area / (2 * shape.rest_area()) - body.settings().inflation) };
 }
 
-// A hull that is no number any more asks for nothing: the step that made it is what the simulator answers.
+// A hull with NaN asks for nothing; the simulator handles the step that made it.
 void include(HullState &state, const HullState &other) {
 	if (std::isfinite(other.area_inverse_mass) && std::isfinite(other.excess)) {
 		state.area_inverse_mass = std::max(state.area_inverse_mass, other.area_inverse_mass);
@@ -112,16 +111,13 @@ SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shap
 	SubstepPlan plan;
 	plan.frequency = Real(std::sqrt(bounds.frequency_squared));
 	plan.damping_rate = Real(bounds.damping_rate);
-	// Without contacts Verlet costs the same and is of order 2. Each contact makes it evaluate its forces twice, and what
-	// rests does not come to rest: of 72 dropped jellies 27 still trembled after 12 s, none under semi-implicit Euler
-	// (`bench.sh auto`). That one swings farther when a crumpled body is let go beside the ground: 1 in 500 showed more
-	// than twice its energy for a moment. A budget of 0.8 would end that and take 1.7 times the substeps of every body
-	// at rest; Verlet for the flight alone left less trembling, but some, and one such body.
-	// A body whose area is held is moved after its forces were evaluated, which takes Verlet's advantage away as well.
+	// Without contacts Verlet costs the same and is of order 2. With contacts it evaluates its forces twice, and its
+	// resting bodies tremble. Moving the points to hold an area invalidates forces too, so it takes Verlet's advantage
+	// away as well. Figures: docs/accuracy.md, "The automatic choice".
 	const Integrator chosen = has_contacts || holds_area(shape, settings) ? Integrator::SEMI_IMPLICIT_EULER : Integrator::VELOCITY_VERLET;
 	plan.integrator = automatic ? chosen : settings.integrator;
 
-	// A damping of -0 is none, and gives a step of -0.
+	// A damping of -0 counts as none, and gives a step of -0.
 	const double wanted = std::ceil(double(dt) / std::abs(largest_stable_step(plan.integrator, bounds, STABILITY_BUDGET)));
 	if (settings.substeps > 0) {
 		plan.substeps = settings.substeps;
@@ -152,7 +148,7 @@ SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shap
 
 } // namespace
 
-// Rounded up but for rounding: a step of 1/60 s is no longer than one of 1/60 s.
+// Rounded up, with tolerance for rounding: a step of 1/60 s is no longer than one of 1/60 s.
 int substeps_of_step(int in_usual_step, Real dt) {
 	const double wanted = std::ceil(double(in_usual_step) * (double(dt) / double(USUAL_STEP)) - 1e-3);
 	return int(std::clamp(wanted, double(in_usual_step), double(std::max(in_usual_step, MAX_CONTACT_SUBSTEPS))));

@@ -12,36 +12,36 @@ namespace softbody {
 
 // The stable neo-Hookean solid in the plane (Smith, de Goes and Kim 2018, eq. 14 without its constant) has the energy
 //   μ/2 (|F|² - 2) - μ (J - 1) + K/2 (J - 1)², J = det F, K = λ + μ,
-// per rest area. In the singular values of F, s2 < 0 for a triangle turned over, that is μ/2 (s1 - s2)² + K/2 (J - 1)². F = I is
+// per rest area. In the singular values of F, s2 < 0 for an inverted triangle, it is μ/2 (s1 - s2)² + K/2 (J - 1)². F = I is
 // free of force, and μ and λ are the Lamé parameters there.
 //
-// Here it is that for |F|²/2 < PLAIN_SIZE and K |J - 1| < MOST_PRESSURE μ, and beyond softer against a change of area:
+// The code uses this energy for |F|²/2 < PLAIN_SIZE and K |J - 1| < MOST_PRESSURE μ. Beyond, it is softer against a
+// change of area:
 //   W(F) = μ/2 (s1 - s2)² + K h(C), C = (J - 1)/n, n² = max(1, |F|²/2 / PLAIN_SIZE),
-// h being C²/2 for |C| up to MOST_PRESSURE μ/K and linear beyond (Huber 1964). W is 0 for the same F. There are two reasons.
-// The stiffness of (J - 1)² grows with the square of a stretch, so that a step that is stable at rest is not for a body drawn
-// out; that of h(C) along any plane wave stays below 2.42 times its value at rest. And pressures without bound hold triangles
-// that are turned over against each other for good, where shear alone unfolds them.
+// where h is C²/2 for |C| up to MOST_PRESSURE μ/K and linear beyond (Huber 1964). W is 0 for the same F. There are two
+// reasons. The stiffness of (J - 1)² grows with the square of a stretch, so that a step that is stable at rest is not
+// for a stretched body; that of h(C) along any plane wave stays below 2.42 times its value at rest. And unbounded
+// pressures hold inverted triangles against each other forever, where shear alone unfolds them.
 //
-// The part of shear is quadratic in the positions: with u = F_xx - F_yy and v = F_xy + F_yx it is μ/2 (u² + v²). Its forces are
-// linear and never vanish in a sheared triangle, turned over or not. |F|²/2 = J + (u² + v²)/2.
+// Shear is quadratic in the positions: with u = F_xx - F_yy and v = F_xy + F_yx it is μ/2 (u² + v²). Its forces are
+// linear and never vanish in a sheared triangle, inverted or not. |F|²/2 = J + (u² + v²)/2.
 
-/// From this |F|²/2 on a triangle's change of area is measured relative to its size [1]; 1 is a triangle at rest. Larger: drawn
-/// out bodies are stiffer against a change of area than the plan's substeps bear. Smaller: moderate stretches deviate from the
-/// solid's.
+/// |F|²/2 above which a triangle's change of area is measured relative to its size [1]; 1 at rest. Larger: stretched
+/// bodies are stiffer than the planned substeps bear. Smaller: moderate stretches deviate from the solid's.
 inline constexpr Real PLAIN_SIZE = Real(1.1);
 
-/// Largest pressure of a triangle over the shear modulus [1]. Larger: triangles turned over push so hard that they hold one
-/// another there. Smaller: bodies pressed flat lose area. A disk pressed to 0.3 of its height has about 3.
+/// Largest pressure of a triangle over the shear modulus [1]. Larger: inverted triangles push so hard that they hold
+/// one another there. Smaller: bodies pressed flat lose area. A disk pressed to 0.3 of its height has about 3.
 inline constexpr Real MOST_PRESSURE = 4;
 
-/// How a triangle is sheared: zero for every turned and scaled copy of it.
+/// Shear of a triangle: zero for every turned and scaled copy of it.
 template <class T>
 struct TriangleShear {
 	T u = T(0); ///< F_xx - F_yy [1]
 	T v = T(0); ///< F_xy + F_yx [1]
 };
 
-/// Of the triangle with edges e1 and e2 from its first corner.
+/// Shear of the triangle with edges e1 and e2 from its first corner.
 template <class T>
 TriangleShear<T> triangle_shear(const ElasticTriangle &triangle, BasicVec2<T> e1, BasicVec2<T> e2) {
 	const auto [g1, g2] = triangle.gradients;
@@ -86,7 +86,7 @@ T dilation_energy(Real bulk_modulus, const TriangleDilation<T> &dilation) {
 	return dilation.slope * (dilation.strain - dilation.slope * T(Real(0.5))) * T(bulk_modulus);
 }
 
-/// Net push [force] and torque about a place [force·length] of forces on points.
+/// Net force [force] and torque about a place [force·length] of forces on points.
 template <class T>
 struct NetForce {
 	BasicVec2<T> push;
@@ -103,11 +103,10 @@ NetForce<T> net_force(std::span<const BasicVec2<T>> positions, BasicVec2<T> cent
 	return net;
 }
 
-/// Adds the forces of the triangles, the negative derivatives of their energies. J is compared with the settings' inflation
-/// instead of 1. Damping counts β times the rate of shear as shear (Kelvin and Voigt), of the motion relative to the rigid
-/// motion; what these damping forces have of a push and a torque is taken away by a rigid acceleration, so that momentum and spin
-/// stay. Changes of area are not damped by themselves: ten times as stiff for jelly, they would take most of the substeps, and
-/// the modes that one sees hardly have any. Precondition: the shape has triangles. O(points + triangles).
+/// Adds the forces of the triangles, the negative derivatives of their energies. J is compared with the settings'
+/// inflation instead of 1. Damping counts β times the rate of shear as shear (Kelvin and Voigt), of the motion relative
+/// to the rigid one; a rigid acceleration cancels its net force and torque. Changes of area are not damped, as that
+/// would take most of the substeps. Precondition: the shape has triangles. O(points + triangles).
 template <class T>
 void add_triangle_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,
 		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {
@@ -129,7 +128,7 @@ void add_triangle_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>>
 		const T elastic = (T(settings.shear_modulus) - dilation.softening) * T(triangle.area);
 		const T viscous = damping * T(triangle.area);
 		const TriangleShear<T> stress = { shear.u * elastic + rate.u * viscous, shear.v * elastic + rate.v * viscous };
-		// The derivative of the area by a corner is half of the turned edge across.
+		// The derivative of the area by a corner is half of the opposite edge, turned.
 		const T half_pressure = dilation.pressure * T(Real(0.5));
 		const BasicVec2<T> on_b = shear_derivative<T>(stress, triangle.gradients[0]) - perpendicular(e2) * half_pressure;
 		const BasicVec2<T> on_c = shear_derivative<T>(stress, triangle.gradients[1]) + perpendicular(e1) * half_pressure;
@@ -137,7 +136,7 @@ void add_triangle_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>>
 		forces[b] -= on_b;
 		forces[c] -= on_c;
 	}
-	// The elastic part pushes and turns nothing but for rounding, which would turn with the body and drive it.
+	// Net force and torque of the elastic part are rounding, which would turn with the body and drive it.
 	const NetForce<T> after = net_force<T>(positions, frame.center, forces);
 	const BasicVec2<T> push = (after.push - before.push) * T(1 / shape.total_mass());
 	const T least(DEGENERATE_LENGTH * shape.rest_inertia());

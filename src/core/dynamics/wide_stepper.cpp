@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two batches at once, where the processor has registers twice as wide.
+// Batches of WIDE_WIDTH bodies, where the processor has registers twice as wide.
 #include "core/dynamics/wide_stepper.h"
 
 namespace softbody {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Two batches at once, where the processor has registers twice as wide.
+// Batches of WIDE_WIDTH bodies, where the processor has registers twice as wide.
 #pragma once
 
 #include "core/base/pack.h"
 #include "core/collision/pair_constraint.h"
-#include "core/dynamics/batch_builder.h"
+#include "core/dynamics/batch.h"
 #include "core/dynamics/state_prefetch.h"
 #include "core/model/integrator.h"
 #include "core/model/surroundings.h"
@@ -17,30 +17,26 @@
 
 namespace softbody {
 
-/// How many bodies two full batches hold.
-inline constexpr std::size_t WIDE_WIDTH = 2 * PACK_WIDTH;
-
-/// Two full batches of one shape and equal settings that have a slice of the step to themselves: no colliders near, no
-/// external forces, nothing that bounces, nobody monitored.
+/// A slice of the step for a batch of WIDE_WIDTH bodies that meet no colliders, feel no external forces, do not bounce and are
+/// not monitored.
 struct WideTimeSlice {
-	std::array<const Batch *, 2> batches{};
-	std::array<Rotation, WIDE_WIDTH> rotation_memories; ///< read where shapes are matched
+	const Batch *batch = nullptr;
 	std::span<const Border> borders;
 	Integrator integrator = Integrator::SEMI_IMPLICIT_EULER; ///< not XPBD, not AUTOMATIC
 	Vec2 gravity; ///< [length/s²]
 	Real h = 0; ///< of a substep [s]
 	int substeps = 1;
-	Real reach = 0; ///< how far apart points may be at the end [length], see `is_sound`
+	Real reach = 0; ///< how far apart points may be at the end [length], see `is_finite_within`
 	/// Whose extents are measured at the end (`SolverBody::measure_extent`), or all null.
 	std::array<SolverBody *, WIDE_WIDTH> solver_bodies{};
 };
 
-/// Advances two batches side by side, with the bits that each would get alone. Serves one thread.
+/// Advances a wide batch, with the bits that each body would get alone. Serves one thread.
 class WideStepper {
 public:
 	virtual ~WideStepper() = default;
-	/// How many contacts with borders it solved. Nothing, and nothing has changed, if a body would have ended unsound.
-	/// Meanwhile it asks for all of `prefetch`.
+	/// Returns how many contacts with borders it solved. Returns nothing, and changes nothing, if a body would not end finite
+	/// and whole. Prefetches all of `prefetch` meanwhile.
 	virtual std::optional<std::uint64_t> advance(const WideTimeSlice &slice, StatePrefetch &prefetch) = 0;
 };
 

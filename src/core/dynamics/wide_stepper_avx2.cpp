@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two batches at once in registers of 32 bytes. This file alone is compiled for AVX2, and linked last (see SConstruct).
+// Batches of WIDE_WIDTH bodies in registers of 32 bytes. This file alone is compiled for AVX2, and linked last (see SConstruct).
 #include "core/dynamics/wide_stepper.h"
 
 // GCC cannot align the stack to 32 bytes on Windows (its bug 54412). SOFTBODY_SHUFFLES implies single precision.
@@ -13,7 +13,7 @@
 #include "core/dynamics/pressure_lanes.h"
 #include "core/dynamics/rigid_damping_lanes.h"
 #include "core/dynamics/shape_limits_lanes.h"
-#include "core/dynamics/soundness.h"
+#include "core/dynamics/finite_check.h"
 #include "core/model/body_frame_lanes.h"
 
 #include <algorithm>
@@ -98,25 +98,25 @@ void scatter_all(std::span<const WideVec2> all, const Lanes &lanes) {
 class Avx2Stepper final : public WideStepper {
 public:
 	std::optional<std::uint64_t> advance(const WideTimeSlice &slice, StatePrefetch &prefetch) override {
-		const SoftBodyShape &shape = *slice.batches[0]->shape;
-		const BodySettings &settings = *slice.batches[0]->settings;
+		const Batch &batch = *slice.batch;
+		const SoftBodyShape &shape = *batch.shape;
+		const BodySettings &settings = *batch.settings;
 		const std::size_t count = shape.point_count();
 		positions_.resize(std::max(positions_.size(), count));
 		velocities_.resize(std::max(velocities_.size(), count));
 		workspace_.begin_body(count);
 		BodyLanes<WidePack> bodies{ { shape, settings, {} }, shape.inverse_masses(), { positions_.data(), count },
 			{ velocities_.data(), count } };
-		Lanes to_positions;
+		const Lanes &to_positions = batch.states;
 		Lanes to_velocities;
 		for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
-			const Batch &batch = *slice.batches[lane / PACK_WIDTH];
-			to_positions[lane] = batch.positions[lane % PACK_WIDTH];
-			to_velocities[lane] = batch.velocities[lane % PACK_WIDTH];
+			to_velocities[lane] = batch.velocities(lane);
 		}
 		if (settings.turns_with_body()) {
 			for (std::size_t lane = 0; lane < WIDE_WIDTH; ++lane) {
-				bodies.model.rotation_memory.c.set(lane, slice.rotation_memories[lane].c);
-				bodies.model.rotation_memory.s.set(lane, slice.rotation_memories[lane].s);
+				const Rotation memory = batch.rotation_memory(lane);
+				bodies.model.rotation_memory.c.set(lane, memory.c);
+				bodies.model.rotation_memory.s.set(lane, memory.s);
 			}
 		}
 		// A body or two at a time, as evenly as the work lets them be spread.
@@ -136,7 +136,7 @@ public:
 				workspace_.forces_are_current = WidePack(0) < WidePack(0);
 			}
 			if (settings.has_limits() && any(may_break_limits<WidePack>(bodies.model, bodies.positions))) {
-				prefetch.prefetch_all();
+				prefetch.ask_all();
 				return std::nullopt; // rare, and for the narrower code
 			}
 			prefetch.ask(2);
@@ -149,8 +149,8 @@ public:
 				contacts += solved;
 			}
 		}
-		prefetch.prefetch_all();
-		if (any(!is_sound<WidePack>(bodies.positions, bodies.velocities, slice.reach))) {
+		prefetch.ask_all();
+		if (any(!is_finite_within<WidePack>(bodies.positions, bodies.velocities, slice.reach))) {
 			return std::nullopt;
 		}
 		if (settings.has_limits() && any(may_break_limits<WidePack>(bodies.model, bodies.positions))) {

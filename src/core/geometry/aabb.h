@@ -14,7 +14,7 @@ struct Aabb {
 	Vec2 min{ Real(1e30), Real(1e30) };
 	Vec2 max{ Real(-1e30), Real(-1e30) };
 
-	/// A coordinate that is no number changes nothing.
+	/// A coordinate that is NaN changes nothing.
 	void include(Vec2 p) {
 		min = { std::min(min.x, p.x), std::min(min.y, p.y) };
 		max = { std::max(max.x, p.x), std::max(max.y, p.y) };
@@ -37,7 +37,7 @@ public:
 		min_ = { lesser(p.x, min_.x), lesser(p.y, min_.y) };
 		max_ = { greater(p.x, max_.x), greater(p.y, max_.y) };
 	}
-	/// Around all of them.
+	/// The box around all lanes.
 	Aabb joined() const {
 		return { { least_lane(min_.x), least_lane(min_.y) }, { greatest_lane(max_.x), greatest_lane(max_.y) } };
 	}

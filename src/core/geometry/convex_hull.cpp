@@ -33,9 +33,9 @@ std::span<const Vec2> convex_hull(std::span<const Vec2> points, std::span<Vec2> 
 	for (std::size_t i = 0; i < distinct; ++i) {
 		add(sorted[i]);
 	}
-	// Back from right to left. The upper chain starts at the lower one's last corner and ends where that began. A corner
-	// of the lower chain stays on the upper one only until the next point comes, so the chains hold one more than the
-	// points at most: they may overwrite sorted[0], which is taken from the lower chain instead.
+	// From right to left. The upper chain starts at the lower one's last corner and ends where that began. A corner of
+	// the lower chain stays on the upper chain only until the next point comes, so the chains hold at most one more
+	// than the points. They may overwrite sorted[0], which is then taken from the lower chain.
 	chain_start = count - 1;
 	for (std::size_t i = distinct - 2; i > 0; --i) {
 		add(sorted[i]);

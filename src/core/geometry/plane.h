@@ -6,7 +6,7 @@
 
 namespace softbody {
 
-/// A directed line: everything on the side the unit `normal` points to is in front of it.
+/// A directed line: points on the side to which the unit `normal` points are in front of it.
 struct Plane {
 	Vec2 position; ///< any point on the line [length]
 	Vec2 normal{ 0, 1 }; ///< unit length

@@ -42,7 +42,7 @@ Error hull_error(const std::string &value, const std::string &bound, const std::
 	return { "hull", value, bound, remedy };
 }
 
-// The first place at which a polygon meets itself, by the points or edges involved.
+// The first place at which a polygon meets itself, by the indices of its points or edges.
 struct SelfContact {
 	enum class Kind { COINCIDENT_POINTS,
 		FOLDED_BACK,
@@ -60,7 +60,7 @@ std::optional<SelfContact> find_self_contact(std::span<const Vec2> polygon) {
 		}
 	}
 	for (std::size_t i = 0; i < count; ++i) {
-		// The next edge shares a corner by construction; it may only not fold back onto this one.
+		// The next edge shares a corner by construction, but must not fold back onto this one.
 		const Vec2 a = polygon[i];
 		const Vec2 b = polygon[(i + 1) % count];
 		const Vec2 c = polygon[(i + 2) % count];

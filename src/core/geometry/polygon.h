@@ -20,12 +20,11 @@ Real perimeter(std::span<const Vec2> polygon);
 /// Center of area [length]; the mean of the points when the area is zero. O(n).
 Vec2 area_centroid(std::span<const Vec2> polygon);
 
-/// Whether p lies inside the closed polygon (even-odd rule, so concave is fine). Points exactly on
-/// the border may fall on either side. O(n).
+/// Whether p lies inside the closed polygon (even-odd rule). Points on the border may fall on either side. O(n).
 bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon);
 
-/// Whether every border point is seen from `center` without crossing the border. Thesis Alg. 4.11
-/// asks for convexity, but this is what its centre springs need. O(n).
+/// Whether every border point is seen from `center` without crossing the border: the condition for centre springs,
+/// where thesis Alg. 4.11 asks for convexity. O(n).
 bool is_star_shaped_about(Vec2 center, std::span<const Vec2> polygon);
 
 /// Whether the closed polygon meets itself: edges that cross or touch, an edge that folds back onto its
@@ -36,9 +35,8 @@ bool is_self_intersecting(std::span<const Vec2> polygon);
 /// longer positive (turned over, or squeezed flat). O(n²).
 bool is_folded(std::span<const Vec2> hull);
 
-/// Refuses what cannot be a hull: fewer than 3 or more than 4096 points, a coordinate that is not
-/// finite, coincident neighbors, edges that touch or cross, zero area. Either winding is accepted.
-/// O(n²) once at creation.
+/// Refuses a polygon that cannot be a hull: fewer than 3 or more than 4096 points, a coordinate that is not finite,
+/// coincident neighbors, edges that touch or cross, zero area. Either winding is accepted. O(n²) once at creation.
 Status check_hull(std::span<const Vec2> hull);
 
 } // namespace softbody

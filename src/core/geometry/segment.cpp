@@ -13,11 +13,11 @@ namespace softbody {
 
 namespace {
 
-// By how much a segment counts as longer at each end [of its length].
+// Share of its length by which a segment counts as longer at each end.
 constexpr double END_TOLERANCE = 1e-6;
 
-// How close a point counts as on the segment [of the largest distance in the query]. Far above the
-// rounding of a root in double, which near a grazing hit is about 1e-8 in time but not in distance.
+// Distance at which a point counts as on the segment [of the largest distance in the query]. Far above the rounding of
+// a root in double, which near a grazing hit is about 1e-8 in time but not in distance.
 constexpr double GAP_TOLERANCE = 1e-9;
 
 double closest_parameter(Vec2d p, Vec2d along) {
@@ -31,7 +31,7 @@ struct RelativeMotion {
 	Vec2d point_way;
 	Vec2d end;
 	Vec2d end_way;
-	double scale = 0; // the largest distance that occurs
+	double scale = 0; // the largest distance in the query
 
 	Vec2d point_at(double t) const { return point + point_way * t; }
 	Vec2d end_at(double t) const { return end + end_way * t; }
@@ -55,25 +55,25 @@ double closest_time(Vec2d p, Vec2d way) {
 }
 
 // Times at which a hit may begin. Point, a and b are in line when
-//   f(t) = cross(end + t end_way, point + t point_way) = c0 + c1 t + c2 t² = 0,
-// and apart from its roots:
-// - its extremum, which is the double root of a grazing hit when rounding leaves no real one;
-// - when the point is nearest to a and to b: if f is 0 at all times, a hit begins at an end;
+//   f(t) = cross(end + t end_way, point + t point_way) = c0 + c1 t + c2 t² = 0.
+// Beside its roots these are:
+// - its extremum, the double root of a grazing hit when rounding leaves no real one;
+// - the times when the point is nearest to a and to b: if f is 0 at all times, a hit begins at an end;
 // - the start, for a point that is on the segment already.
-// Each is checked by distance afterwards, so one too many does no harm.
+// Each is checked by distance afterwards, so a superfluous one does no harm.
 std::array<double, 6> candidate_times(const RelativeMotion &motion) {
 	const double c0 = cross(motion.end, motion.point);
 	const double c1 = cross(motion.end, motion.point_way) + cross(motion.end_way, motion.point);
 	const double c2 = cross(motion.end_way, motion.point_way);
-	// Of -c1 ± sqrt(c1² - 4 c0 c2) the sum that does not cancel, and the other root from their product c0 / c2.
-	// What is 0 / 0 is no time at all.
+	// The root from the sum -c1 ± sqrt(c1² - 4 c0 c2) that does not cancel, and the other root from their product c0 /
+	// c2. 0 / 0 is NaN and is rejected later.
 	const double q = -(c1 + std::copysign(std::sqrt(c1 * c1 - 4 * c0 * c2), c1)) / 2;
 	return { 0, q / c2, c0 / q, -c1 / (2 * c2), closest_time(motion.point, motion.point_way),
 		closest_time(motion.point - motion.end, motion.point_way - motion.end_way) };
 }
 
-// Whether the boxes of both ways lie apart by more than any tolerance of a hit. Most edges of a hull are far from a point's
-// way, and six candidates each cost ten times this question.
+// Whether the boxes of both ways lie apart by more than any tolerance of a hit. Most edges of a hull are far from a
+// point's way, and testing six candidates costs ten times as much as this.
 bool ways_lie_apart(const RelativeMotion &motion) {
 	const double margin = 4 * END_TOLERANCE * motion.scale;
 	const auto apart = [margin](double from, double to, double end_from, double end_to) {
@@ -99,8 +99,8 @@ std::optional<Real> segment_intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 	if (a_side != b_side) {
 		return Real(a_side / (a_side - b_side));
 	}
-	// Both sides are 0: the four points are in line, or a segment is a point on the line of the other. Compare
-	// along ab; if that is a point, ask whether cd contains it.
+	// Both sides are 0: the four points are in line, or a segment is a point on the line of the other. Compare along
+	// ab; if ab is a point, test whether cd contains it.
 	const Vec2d along = difference(b, a);
 	const double size = dot(along, along);
 	if (size == 0) {
@@ -161,7 +161,7 @@ std::optional<SegmentImpact> point_segment_impact(const Motion &p, const Motion 
 	}
 	std::optional<SegmentImpact> first;
 	for (const double candidate : candidate_times(motion)) {
-		// A time outside of the range may belong to its end, by rounding; NaN stays NaN, and fails the last test.
+		// Rounding may put a time of the range's end outside of it. NaN stays NaN and fails the last test.
 		const double t = std::clamp(candidate, 0.0, 1.0);
 		if (first && !(t < double(first->time))) {
 			continue;

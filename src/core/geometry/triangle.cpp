@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact-as-possible tests on points and triangles.
+// Tests on points and triangles, robust to rounding.
 #include "core/geometry/triangle.h"
 
 namespace softbody {
@@ -13,8 +13,7 @@ bool point_in_triangle(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
 	if (whole == 0) {
 		return false;
 	}
-	// The three sub-areas are the barycentric coordinates times the whole; p is inside when none of
-	// them has the opposite sign.
+	// The sub-areas are the barycentric coordinates times the whole; p is inside when none has the opposite sign.
 	const double u = signed_double_area(p, b, c);
 	const double v = signed_double_area(a, p, c);
 	const double w = signed_double_area(a, b, p);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact-as-possible tests on points and triangles (thesis Alg. 4.5 and 4.6, corrected).
+// Tests on points and triangles, robust to rounding (thesis Alg. 4.5 and 4.6, corrected).
 #pragma once
 
 #include "core/base/vec2.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A vector in double, for questions whose answer hangs on a small difference of large coordinates.
+// A vector in double, for tests whose result depends on a small difference of large coordinates.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -8,8 +8,7 @@
 
 namespace softbody {
 
-/// Two doubles, whatever `Real` is. Only an intermediate of the geometry room: states and results
-/// are `Vec2`.
+/// Two doubles, whatever `Real` is. Only an intermediate inside geometry: states and results are `Vec2`.
 struct Vec2d {
 	double x = 0;
 	double y = 0;
@@ -20,7 +19,7 @@ struct Vec2d {
 	explicit operator Vec2() const { return { Real(x), Real(y) }; }
 };
 
-/// p seen from `origin`, before anything is rounded: exact for float coordinates of like size.
+/// p relative to `origin`, subtracted before any rounding: exact for float coordinates of like size.
 constexpr Vec2d difference(Vec2 p, Vec2 origin) {
 	return { double(p.x) - double(origin.x), double(p.y) - double(origin.y) };
 }

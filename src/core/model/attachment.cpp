@@ -9,8 +9,7 @@ namespace softbody {
 
 namespace {
 
-// At a point the weight 1/d⁴ is infinite: there the others no longer count. In double, as one over the square of a
-// small distance is no float.
+// At a point its weight 1/d⁴ is infinite, and the other points no longer count. In double: it overflows float.
 std::vector<double> weights_at(std::span<const Vec2> points, Vec2 place) {
 	double farthest = 0;
 	for (const Vec2 point : points) {

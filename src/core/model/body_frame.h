@@ -9,7 +9,7 @@
 
 namespace softbody {
 
-/// Best-fitting rigid motion of a body, weighted by mass; of several side by side for T = `RealPack`.
+/// Best-fitting rigid motion of a body, weighted by mass; of several bodies side by side for T = `RealPack`.
 template <class T>
 struct BasicBodyFrame {
 	BasicVec2<T> center; ///< center of mass [length]
@@ -21,10 +21,9 @@ struct BasicBodyFrame {
 };
 using BodyFrame = BasicBodyFrame<Real>;
 
-/// Measures the frame of any state of a body's points: the rotation that minimizes
-/// sum m |x - c - R q|², which in 2D is atan2(sum m q×x, sum m q·x) (Müller et al. 2005, sec. 3.3).
-/// Where that is undefined (a mirrored or collapsed body can fit every rotation alike), the rotation is
-/// `memory`, the body's last defined one. O(points).
+/// Measures the frame of any state of a body's points. The rotation minimizes sum m |x - c - R q|², which in 2D is
+/// atan2(sum m q×x, sum m q·x) (Müller et al. 2005, sec. 3.3). Where it is undefined (every rotation may fit a mirrored
+/// or collapsed body equally well), the rotation is `memory`, the body's last defined one. O(points).
 template <class T>
 BasicBodyFrame<T> measure_frame(const SoftBodyShape &shape, const BasicRotation<T> &memory,
 		std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The name of a body.
+// The id of a body.
 #pragma once
 
 #include <compare>
@@ -7,8 +7,7 @@
 
 namespace softbody {
 
-/// Names a body for as long as it lives; after its removal the id refers to nothing, even when
-/// the place is used again.
+/// Refers to a body as long as it lives. After its removal the id refers to nothing, even when its place is used again.
 struct BodyId {
 	std::uint32_t index = UINT32_MAX;
 	std::uint32_t generation = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What forces and integrators see of a body, or of several bodies of one shape side by side.
+// A body, or several bodies of one shape side by side, as forces and integrators see them.
 #pragma once
 
 #include "core/base/pack.h"
@@ -12,9 +12,8 @@
 
 namespace softbody {
 
-/// What the forces on a body depend on besides the state of its points. Of one body (T = `Real`), or of
-/// PACK_WIDTH bodies of one shape and equal settings side by side (T = `RealPack`). A view: what it refers to
-/// must outlive it.
+/// What the forces on a body depend on besides its points: for one body (T = `Real`), or for PACK_WIDTH bodies of one
+/// shape and equal settings side by side (T = `RealPack`). A view: its sources must outlive it.
 template <class T>
 struct BodyModel {
 	const SoftBodyShape &shape;
@@ -22,7 +21,7 @@ struct BodyModel {
 	BasicRotation<T> rotation_memory; ///< last well-defined orientation, see `measure_frame`
 };
 
-/// The same with the state of its points, for what advances it. Positions, velocities and inverse masses have
+/// A model with the state of its points, for integrators and constraints. Positions, velocities and inverse masses have
 /// one entry a point; the inverse masses are those of every lane.
 template <class T>
 struct BodyLanes {

@@ -13,45 +13,42 @@
 
 namespace softbody {
 
-/// What becomes of a body whose state has become non-finite, or that has flown apart. Either way it gets its rest shape
-/// back and is told in StepReport::reset_bodies.
+/// Treatment of a body whose state has become non-finite, or that has flown apart. Either way it gets its rest shape
+/// back and is listed in StepReport::reset_bodies.
 enum class FailureResponse : std::uint8_t {
-	RESET, ///< it goes on from there; if what ruined it lasts, it is reset again in the next step
-	FREEZE, ///< it is frozen (SoftBodyData::set_frozen) until somebody lets it go, and so told once
+	RESET, ///< it goes on; if the cause lasts, it is reset again in the next step
+	FREEZE, ///< it is frozen (SoftBodyData::set_frozen), and so reported once
 };
 inline constexpr int FAILURE_RESPONSE_COUNT = 2;
 
-/// What a body is made of beyond its springs, and how it is stepped. A term whose coefficient is 0
-/// is not evaluated.
+/// Coefficients of the body's model beyond its springs, and how it is stepped. A term with coefficient 0 is off.
 struct BodySettings {
 	/// Factors on the stiffness and damping of all springs of the shape [1], >= 0. Springs of stiffness 0 are not evaluated.
 	Real spring_stiffness_scale = 1;
 	Real spring_damping_scale = 1;
-	/// Shear modulus μ of the elastic modes or triangles [force/length], >= 0; without effect where the shape has neither. See
-	/// `Material`.
+	/// Shear modulus μ of the elastic modes or triangles [force/length], >= 0; no effect without them. See `Material`.
 	Real shear_modulus = 0;
-	/// Poisson's ratio ν of the elastic modes [1], 0..0.49; triangles do without it. How far the area gives way is set by `area_stiffness`.
+	/// Poisson's ratio ν of the elastic modes [1], 0..0.49; not of triangles. `area_stiffness` resists the change of
+	/// area.
 	Real poisson_ratio = Real(0.45);
-	/// Bulk modulus K of the hull's area [force/length], >= 0: energy K (A - inflation A0)² / (2 A0) for small changes, harder as the
-	/// area goes to nothing. Solved as a compliant
-	/// constraint (XPBD, Macklin 2016), so it takes no substeps, however large. Of elastic triangles it is the bulk modulus of
-	/// each instead, by explicit forces, and takes substeps.
+	/// Bulk modulus K of the hull's area [force/length], >= 0: energy K (A - inflation A0)² / (2 A0) for small changes,
+	/// harder as the area goes to 0. A compliant constraint (XPBD, Macklin 2016), which takes no substeps. With elastic
+	/// triangles it is the modulus of each triangle, by explicit forces, and takes substeps.
 	Real area_stiffness = 0;
-	/// Damping of elastic modes and area as the time β by which strain rate counts as strain [s], >= 0 (Kelvin and Voigt).
+	/// Damping of elastic modes and area: time β for which strain rate counts as strain [s], >= 0 (Kelvin and Voigt).
 	Real elastic_damping_time = 0;
-	/// The area is kept above this share of the rest area [1], 0..1; 0, the default, switches it off. See `keep_whole`;
-	/// `set_default_limits` sets what suits nearly every body.
+	/// Share of the rest area above which the area is kept [1], 0..1; 0, the default, switches it off. See
+	/// `keep_whole`. `set_default_limits` sets values for nearly every body.
 	Real least_area = 0;
-	/// The body as a whole is kept from being pressed to less, or drawn to more, than these shares of its rest size in any
-	/// direction [1]: 0..1 and >= 1; 0 and infinity, the defaults, switch them off. See `keep_whole`.
+	/// Shares of its rest size between which the body as a whole is kept in any direction [1]: 0..1 and >= 1; 0 and
+	/// infinity, the defaults, switch them off. See `keep_whole`.
 	Real least_stretch = 0;
 	Real most_stretch = std::numeric_limits<Real>::infinity();
-	/// Shape-matching stiffness k_s [force/length], >= 0. Each point of mass m is pulled towards its
-	/// place in the best-fitting rigid copy of the rest shape with m k_s / mean(m). 0 switches the
-	/// term off; then a folded body stays folded. About 0.4 of the springs' stiffness always recovers.
+	/// Shape-matching stiffness k_s [force/length], >= 0. Each point of mass m is pulled towards its place in the
+	/// best-fitting rigid copy of the rest shape with m k_s / mean(m). 0 switches the term off; then a folded body
+	/// stays folded. About 0.4 of the springs' stiffness always recovers.
 	Real shape_stiffness = 0;
-	/// Damping of motion relative to the rigid motion [force·s/length], >= 0, shared out like
-	/// `shape_stiffness`. It slows wobble, never flight or spin.
+	/// Damping of motion relative to the rigid motion [force·s/length], >= 0. It slows wobble, never flight or spin.
 	Real shape_damping = 0;
 	/// Pressure stiffness k_p [force/length], >= 0: the body pushes its hull outward with the pressure
 	/// k_p (inflation - A/A0) (thesis 2.1.3). Without inner springs it is a balloon.
@@ -66,48 +63,47 @@ struct BodySettings {
 	/// times the body's radius, over its inertia. A soft body on flat ground otherwise rocks between two
 	/// hull points for tens of seconds. On slopes up to about atan(r) it hardly rolls.
 	Real rolling_resistance = 0;
-	/// Share of the approach speed with which the body leaves a surface at least [1], 0..1. The springs
-	/// bounce by themselves; where they give back more, they do.
+	/// Least share of the approach speed with which the body leaves a surface [1], 0..1. Springs may return more.
 	Real restitution = 0;
 	/// The body's restitution is subtracted from that of the other side, at least 0, instead of added to it.
 	bool absorbent = false;
 	/// Factor on the world's gravity [1], any finite value.
 	Real gravity_scale = 1;
-	/// With which the velocity of the body as a whole dies away [1/s], >= 0: by exp(-damp t), in any substeps. Springs and
-	/// wobble feel nothing of it. Surroundings that damp (an area, water) are added to it by the caller. Default 0: none.
+	/// Decay of the velocity of the body as a whole [1/s], >= 0: by exp(-damp t), whatever the substeps. Springs and
+	/// wobble are unaffected. The caller adds the damping of an environment (an area, water). Default 0: none.
 	Real linear_damp = 0;
-	/// The same for the spin of the body as a whole [1/s], >= 0. Default 0.
+	/// Decay of the spin of the body as a whole [1/s], >= 0: by exp(-damp t). Default 0.
 	Real angular_damp = 0;
-	/// How the points advance; see `plan_substeps` for what AUTOMATIC chooses.
+	/// The method that advances the points; see `plan_substeps` for AUTOMATIC.
 	Integrator integrator = Integrator::AUTOMATIC;
 	/// Substeps a step, 1..MAX_SUBSTEPS, or 0 for the automatic rule (see `plan_substeps`).
 	int substeps = 0;
-	/// Whether the body may fall asleep when it and all that it touches have hardly moved for a while (see `Simulator`).
+	/// Whether the body may fall asleep when its island has hardly moved for a while (see `Simulator`).
 	bool can_sleep = true;
-	/// The layers that the body is on. Two bodies touch when one's mask shares a bit with the other's layer.
+	/// Layers of the body. Two bodies touch when one's mask shares a bit with the other's layer.
 	std::uint32_t collision_layer = 1;
-	/// Which surroundings and bodies the body notices: those whose layer shares a bit with this mask.
+	/// Environment and bodies that the body collides with: those whose layer shares a bit with this mask.
 	std::uint32_t collision_mask = 0xffffffffu;
-	/// Whether the body's contacts are kept and their beginnings and ends told (see `Simulator::contacts`). It moves the
-	/// same either way. A pile in which every body monitors takes about 1.15 times as long.
+	/// Whether the body's contacts are listed and their beginnings and ends reported (see `Simulator::contacts`).
+	/// Motion is not affected. A pile in which every body monitors takes about 1.15 times as long.
 	bool contact_monitor = false;
-	/// Whether the hull is kept from passing through itself, from outside (arms that close, a snake that curls) and from
-	/// inside (a thin body pressed flat). Friction is the body's. Such a body is stepped on its own, in at least
-	/// MIN_CONTACT_SUBSTEPS substeps; see `SelfCollision` for the rest of what it costs. Default false: costs nothing.
+	/// Whether the hull is kept from passing through itself, from outside (arms that close, a snake that curls) and
+	/// from inside (a thin body pressed flat). Friction is the body's. Such a body is stepped on its own, in at least
+	/// MIN_CONTACT_SUBSTEPS substeps; see `SelfCollision` for its cost. Default false: costs nothing.
 	bool self_collision = false;
 
-	/// What becomes of it when it fails. Default RESET.
+	/// Treatment of the body when it fails. Default RESET.
 	FailureResponse failure_response = FailureResponse::RESET;
 
-	/// Whether shape matching takes part at all.
+	/// Whether shape matching takes part.
 	bool matches_shape() const { return shape_stiffness > 0 || shape_damping > 0; }
 	/// Whether springs take part.
 	bool has_springs() const { return spring_stiffness_scale > 0 || spring_damping_scale > 0; }
 	/// Whether the elastic modes or triangles of the shape take part.
 	bool is_elastic() const { return shear_modulus > 0; }
-	/// Whether anything resists being crushed.
+	/// Whether limits of area or stretch are on.
 	bool has_limits() const { return least_area > 0 || least_stretch > 0 || most_stretch < std::numeric_limits<Real>::max(); }
-	/// Whether forces depend on how the body is turned, so that its rotation is kept from step to step.
+	/// Whether forces depend on the body's orientation, so that its rotation is kept from step to step.
 	bool turns_with_body() const { return matches_shape() || is_elastic(); }
 	/// Whether its motion as a whole is damped.
 	bool has_damp() const { return linear_damp > 0 || angular_damp > 0; }

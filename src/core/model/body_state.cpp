@@ -48,7 +48,7 @@ Status check_index(const char *name, std::size_t index, std::size_t count) {
 			"restore it into a body of the shape that it was saved from");
 }
 
-// All that can be said without knowing the body.
+// Checks that need no body.
 Status check_values(const BodyState &state) {
 	using List = std::pair<const char *, const std::vector<Vec2> *>;
 	for (const auto &[name, points] : { List{ "positions", &state.positions }, List{ "velocities", &state.velocities },
@@ -70,7 +70,7 @@ Status check_values(const BodyState &state) {
 	if (!are_finite) {
 		return refused("memory", "non-finite", "must be finite", "restore a sound state");
 	}
-	// Turned again and again it is a unit vector but for roundings, of up to 1e-3 in each pose that it was given.
+	// Products of rotations leave a unit vector up to rounding, up to 1e-3 for each pose given by a user.
 	const Real size = length(Vec2{ state.rotation_memory.c, state.rotation_memory.s });
 	if (!(size > Real(0.5) && size < 2)) {
 		return refused("rotation_memory", "length " + number_text(size), "must have unit length", "restore a sound state");
@@ -106,7 +106,7 @@ public:
 	std::vector<std::uint8_t> bytes;
 };
 
-/// Past the end, or after what cannot be, everything reads as 0 and `is_sound` stays false.
+/// Past the end, or after invalid data, everything reads as 0 and `is_valid` stays false.
 class Reader {
 public:
 	explicit Reader(std::span<const std::uint8_t> bytes) :
@@ -115,7 +115,7 @@ public:
 	template <class Bits>
 	Bits bits() {
 		if (rest_.size() < sizeof(Bits)) {
-			is_sound_ = false;
+			is_valid_ = false;
 			rest_ = {};
 			return 0;
 		}
@@ -130,7 +130,7 @@ public:
 	void read(std::uint64_t &value) { value = bits<std::uint64_t>(); }
 	void read(bool &value) {
 		const std::uint8_t byte = bits<std::uint8_t>();
-		is_sound_ &= byte <= 1;
+		is_valid_ &= byte <= 1;
 		value = byte == 1;
 	}
 	void read(float &value) { value = std::bit_cast<float>(bits<std::uint32_t>()); }
@@ -139,12 +139,12 @@ public:
 		read(value.x);
 		read(value.y);
 	}
-	/// Every item has at least `item_size` bytes: a count beyond what is left is refused before anything is allocated.
+	/// Every item has at least `item_size` bytes: a count beyond the remaining bytes is refused before any allocation.
 	template <class Item>
 	void read_list(std::vector<Item> &items, std::size_t item_size, const auto &read_item) {
 		const std::uint32_t count = bits<std::uint32_t>();
 		if (count > rest_.size() / item_size) {
-			is_sound_ = false;
+			is_valid_ = false;
 			rest_ = {};
 			return;
 		}
@@ -153,13 +153,13 @@ public:
 			read_item(item);
 		}
 	}
-	bool is_sound() const { return is_sound_; }
+	bool is_valid() const { return is_valid_; }
 	bool is_at_end() const { return rest_.empty(); }
 	std::span<const std::uint8_t> rest() const { return rest_; }
 
 private:
 	std::span<const std::uint8_t> rest_;
-	bool is_sound_ = true;
+	bool is_valid_ = true;
 };
 
 // FNV-1a.
@@ -171,7 +171,7 @@ std::uint64_t checksum_of(std::span<const std::uint8_t> bytes) {
 	return sum;
 }
 
-/// Calls `each` for every single value, in the order of the bytes.
+/// Calls `each` for every value, in the order of the bytes.
 template <class State>
 void visit_values(State &state, const auto &each) {
 	each(state.rotation_memory.c);
@@ -283,7 +283,7 @@ Result<BodyState> body_state_from_bytes(std::span<const std::uint8_t> bytes) {
 				"restore it with the build that saved it");
 	}
 	const std::uint64_t checksum = reader.bits<std::uint64_t>();
-	if (!reader.is_sound() || checksum != checksum_of(reader.rest())) {
+	if (!reader.is_valid() || checksum != checksum_of(reader.rest())) {
 		return refused("checksum", "another", "must be that of the data", DAMAGED);
 	}
 	BodyState state;
@@ -307,7 +307,7 @@ Result<BodyState> body_state_from_bytes(std::span<const std::uint8_t> bytes) {
 		reader.read(memory.held);
 	});
 	visit_values(state, read);
-	if (!reader.is_sound() || !reader.is_at_end()) {
+	if (!reader.is_valid() || !reader.is_at_end()) {
 		return refused("length", std::to_string(bytes.size()) + " bytes", "must be what its lists say", DAMAGED);
 	}
 	if (Status status = check_values(state)) {
@@ -347,8 +347,8 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 		return status;
 	}
 	const std::uint32_t restored = rest_state_.restored + 1;
-	wake(); // for those who fell asleep with it
-	// What rests on a frozen body wakes where that changes.
+	wake(); // for bodies that fell asleep with it
+	// Bodies that rest on a frozen body wake when it changes.
 	const bool is_other = frozen_ != state.frozen || !std::ranges::equal(state.positions, positions());
 	if (is_other) {
 		disturb();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a body remembers from step to step, and all of it as one value that can be kept and put back.
+// Everything a body remembers from step to step, and all of it as one value that can be saved and restored.
 #pragma once
 
 #include "core/base/error.h"
@@ -20,21 +20,21 @@ struct ExternalForce {
 	friend bool operator==(const ExternalForce &, const ExternalForce &) = default;
 };
 
-/// Where a pinned point is to be at the end of the next step.
+/// Place of a pinned point at the end of the next step.
 struct PinTarget {
 	std::uint32_t point = 0; ///< point index
 	Vec2 position; ///< [length]
 	friend bool operator==(const PinTarget &, const PinTarget &) = default;
 };
 
-/// What pushes and turns a body as a whole during the next step (see `add_rigid_force`).
+/// Force and torque on a body as a whole during the next step (see `add_rigid_force`).
 struct RigidLoad {
 	Vec2 force; ///< [mass·length/s²]
 	Real torque = 0; ///< about the center of mass [mass·length²/s²]
 	friend bool operator==(const RigidLoad &, const RigidLoad &) = default;
 };
 
-/// What a body remembers of the touch it is in, so that it can be given its bounce when it leaves.
+/// Memory of the touch that a body is in, for its bounce when it leaves.
 struct TouchMemory {
 	bool touching = false;
 	Real approach = 0; ///< fastest approach of the center of mass during this touch [length/s]
@@ -44,52 +44,50 @@ struct TouchMemory {
 	friend bool operator==(const TouchMemory &, const TouchMemory &) = default;
 };
 
-/// What two bodies remember of their touch, so that they can be given their bounce when they part.
+/// Memory of a touch of two bodies, for their bounce when they part.
 struct PairTouch {
 	bool touching = false;
 	Real approach = 0; ///< fastest approach of their centers during this touch [length/s]
-	double energy = 0; ///< kinetic, of both, before it began
+	double energy = 0; ///< kinetic, of both bodies, before the touch
 	friend bool operator==(const PairTouch &, const PairTouch &) = default;
 };
 
-/// A touch with another body that is under way, kept by the one that stands first in the world.
+/// A current touch with another body, kept by the body that is stored first in the world.
 struct PairMemory {
 	BodyId other;
 	PairTouch touch;
 	friend bool operator==(const PairMemory &, const PairMemory &) = default;
 };
 
-/// What a body is to a one-way collider that it meets: held by it, or on its way through.
+/// State of a body at a one-way collider near it: held by it, or on its way through.
 struct OneWayMemory {
-	std::uint64_t collider = 0; ///< as `one_way_name` has it
+	std::uint64_t collider = 0; ///< its `one_way_name`
 	bool held = false;
 	friend bool operator==(const OneWayMemory &, const OneWayMemory &) = default;
 };
 
-/// Whether a body sleeps, and how long it has hardly moved.
+/// Whether a body sleeps, and for how long it has hardly moved.
 struct RestState {
 	Real rest_time = 0; ///< [s]
 	bool asleep = false;
-	std::uint64_t island = 0; ///< while asleep: the same for all bodies that fell asleep together
-	std::uint64_t surroundings = 0; ///< while asleep: what it rests amid and hangs from, as `SleepWatch` put it
-	std::uint32_t restored = 0; ///< how often its state was put back since the last step
+	std::uint64_t island = 0; ///< while asleep: common to all bodies that fell asleep together
+	std::uint64_t surroundings = 0; ///< while asleep: stands for its environment and joints, see `SleepWatch`
+	std::uint32_t restored = 0; ///< number of restored states since the last step
 	friend bool operator==(const RestState &, const RestState &) = default;
 };
 
-/// Everything of a body that a step reads and writes (`SoftBodyData::save_state`). Put back, with the same shape,
-/// settings, world and surroundings, it goes on in the same bits, on any number of threads. What pairs remember goes by
-/// `BodyId`: it means something in the same world, or in one that was built alike.
-///
-/// Not part of it: shape, settings, ignored tags and collision exceptions; gravity and surroundings with their rigid bodies, which belong to the world; and
-/// joints; what has been told of contacts, so that after putting a state back, touches may be told to begin or end anew.
+/// Everything of a body that a step reads and writes (`SoftBodyData::save_state`). Restored with equal shape, settings,
+/// world and environment, the body goes on in the same bits, on any number of threads. `BodyId`s in it mean something
+/// in the same world, or in one built alike. Not part of it: shape, settings, ignored tags, everything of the world,
+/// and contact events already reported, so touches may be reported to begin or end anew.
 struct BodyState {
 	std::vector<Vec2> positions; ///< of all points [length]
-	std::vector<Vec2> velocities; ///< likewise [length/s]
-	std::vector<Vec2> previous_positions; ///< likewise, for drawing [length]
+	std::vector<Vec2> velocities; ///< of all points [length/s]
+	std::vector<Vec2> previous_positions; ///< of all points, for drawing [length]
 	std::vector<std::uint32_t> pinned_points; ///< ascending
 	std::vector<PinTarget> pin_targets; ///< of the next step
 	std::vector<ExternalForce> external_forces; ///< queued for the next step
-	RigidLoad load; ///< likewise
+	RigidLoad load; ///< queued for the next step
 	Vec2 acceleration; ///< SoftBodyData::acceleration [length/s²]
 	Rotation rotation_memory;
 	TouchMemory touch;
@@ -103,14 +101,13 @@ struct BodyState {
 	friend bool operator==(const BodyState &, const BodyState &) = default;
 };
 
-/// Refuses lists that do not match `point_count` and `hull_count`, indices out of range or order, and values that are not
-/// finite, by name. O(points).
+/// Refuses, by name, lists of other sizes, indices out of range or order, and non-finite values. O(points).
 Status check_body_state(const BodyState &state, std::size_t point_count, std::size_t hull_count);
 
-/// A state as bytes, the same on every machine: little-endian, with a version, the size of `Real` and a checksum.
+/// A state as bytes, equal on every machine: little-endian, with a version, the size of `Real` and a checksum.
 std::vector<std::uint8_t> to_bytes(const BodyState &state);
-/// The state again. Refuses by name what is not such a state, another version or precision, damaged data, and values that
-/// are not finite. Whether it fits a body is for `restore_state` to say. Never allocates more than about the data's size.
+/// The state from its bytes. Refuses, by name, other data, another version or precision, damaged data and non-finite
+/// values. `restore_state` checks whether it fits a body. Never allocates more than about the data's size.
 Result<BodyState> body_state_from_bytes(std::span<const std::uint8_t> bytes);
 
 } // namespace softbody

@@ -11,30 +11,27 @@
 
 namespace softbody {
 
-/// Most modes that a body keeps [1]. More: finer dents, and in proportion more time a substep.
+/// Most modes of a body [1]. More: finer dents, and proportionally more time a substep.
 inline constexpr std::size_t MAX_ELASTIC_MODES = 16;
 
-/// Poisson's ratios at which mode stiffnesses are known; between and beyond them they are interpolated by a parabola.
+/// Poisson's ratios at which mode stiffnesses are known; a parabola interpolates and extrapolates them.
 inline constexpr std::array<double, 3> MODE_POISSON_RATIOS = { 0, 0.3, 0.45 };
 
-/// Reduced elastic model of a body (modal analysis; Pentland and Williams 1989). Every mode moves all points by a vector
-/// each, keeps the area and has a stiffness in proportion to the shear modulus. The modes are orthogonal to each other and to
-/// rigid motion, weighted by mass, so that in modal coordinates a body is a set of independent oscillators. Deformation that
-/// is in no mode is resisted as the stiffest of them is. Dilation is left to the area term.
-///
-/// Nothing here contains a length or a mass, except `dilation` [1/length]: the same outline at any size and mass has the same
-/// modes. Immutable; shared by shapes.
+/// Reduced elastic model of a body (modal analysis; Pentland and Williams 1989). Every mode moves each point by a
+/// vector, keeps the area and has a stiffness in proportion to the shear modulus. Modes are orthogonal to each other
+/// and to rigid motion, weighted by mass. Deformation in no mode is resisted like the stiffest mode. The area term
+/// resists dilation. An outline has equal modes at any size and mass. Immutable; shared by shapes.
 struct ElasticModes {
 	std::size_t count = 0; ///< of modes, 1..MAX_ELASTIC_MODES
 	/// Mass share times displacement of point i in mode j at [i * count + j] [1].
 	std::vector<Vec2> shapes;
 	/// Stiffness of each mode over the shear modulus at each of MODE_POISSON_RATIOS [1], ascending in the first column.
 	std::vector<std::array<Real, 3>> stiffness;
-	/// Of each hull point: the derivative of the rest area over twice the rest area [1/length].
+	/// For each hull point: the derivative of the rest area over twice the rest area [1/length].
 	std::vector<Vec2> dilation;
-	/// Sum over points of mode shape times rest position, a mode [length].
+	/// For each mode: sum over points of mode shape times rest position [length].
 	std::vector<Real> dilation_overlap;
-	/// By how much the removal of dilation may raise a frequency's square at most [1], >= 1.
+	/// Largest factor by which the removal of dilation may raise a squared frequency [1], >= 1.
 	Real projection_bound = 1;
 
 	std::span<const Vec2> shape_of_point(std::size_t point) const { return { shapes.data() + point * count, count }; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which edges of convex polygons lie against one another.
+// Finds edges of convex polygons that lie against one another.
 #include "core/model/internal_edges.h"
 
 #include <algorithm>
@@ -12,8 +12,7 @@ namespace softbody {
 
 namespace {
 
-// What two edges that lie against each other have in common, if one of them is turned round: its ends by their place in a
-// grid, its body and its layers.
+// Common key of two edges that lie against each other, one reversed: ends in a grid, body and layers.
 struct Edge {
 	std::array<std::int64_t, 6> key{};
 	std::uint32_t collider = 0;

@@ -20,7 +20,7 @@ Status check_anchor(const std::string &name, const JointAnchor &anchor) {
 	return check_between(name + ".fraction", anchor.fraction, 0, 1, "");
 }
 
-// At least, where infinity has a meaning.
+// Refuses values below 0 (or equal, unless `may_be_zero`) and NaN; infinity has a meaning here.
 Status check_up_to_infinity(const std::string &name, Real value, bool may_be_zero, const std::string &unit) {
 	if (std::isinf(value) && value > 0) {
 		return {};

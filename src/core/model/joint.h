@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ties a soft body to another one, to a place in the world, or to a rigid body.
+// Joints of a soft body with another one, a place in the world, or a rigid body.
 #pragma once
 
 #include "core/base/error.h"
@@ -14,7 +14,7 @@
 
 namespace softbody {
 
-/// Names a joint for as long as it lives, like `BodyId`.
+/// Refers to a joint as long as it lives, like `BodyId`.
 struct JointId {
 	std::uint32_t index = UINT32_MAX;
 	std::uint32_t generation = 0;
@@ -30,7 +30,7 @@ struct JointAnchor {
 	};
 	Kind kind = Kind::WORLD;
 	BodyId body; ///< the soft body
-	/// Of the soft body: any of its points; or, where `fraction` is not 0, the hull point with which the edge begins.
+	/// On a soft body: any of its points; or, where `fraction` is not 0, the hull point at which the edge begins.
 	std::uint32_t point = 0;
 	Real fraction = 0; ///< of the way along that edge to the next hull point [1], 0..1
 	Vec2 position; ///< in the world, or in the frame of the rigid body [length]
@@ -47,30 +47,30 @@ struct JointAnchor {
 	bool is_soft() const { return kind == Kind::SOFT_BODY; }
 };
 
-/// Keeps two anchors at a distance, or in one place. At least one of them is on a soft body, and not both on the same. A
-/// joint to a rigid body lasts while that is not among the surroundings, and does nothing in such a step. The bodies that
-/// it joins fall asleep and wake together.
+/// Keeps two anchors at a distance, or in one place. At least one anchor is on a soft body, and both are not on the
+/// same body. A joint to a rigid body that is not in the environment stays, and does nothing in that step. Joined
+/// bodies fall asleep and wake together.
 struct Joint {
 	JointAnchor first;
 	JointAnchor second;
-	/// Distance that the joint keeps [length], >= 0. 0: the anchors are one place, about which both may turn.
+	/// Distance that the joint keeps [length], >= 0. 0: the anchors share one place, about which both may turn.
 	Real rest_length = 0;
-	/// Of the joint as a spring [force/length], >= 0. Infinite, the default: rigid.
+	/// Stiffness of the joint as a spring [force/length], >= 0. Infinite, the default: rigid.
 	Real stiffness = std::numeric_limits<Real>::infinity();
-	/// Of the speed along the line between the anchors [force·s/length], >= 0; a rigid joint needs none.
+	/// Damping of the speed along the line between the anchors [force·s/length], >= 0; a rigid joint needs none.
 	Real damping = 0;
-	/// Force, on average over a step, beyond which the joint breaks [force], > 0: it is told in
-	/// StepReport::broken_joints and removed. Infinite, the default: never. A blow weighs the more the shorter the step is.
+	/// Force, averaged over a step, beyond which the joint breaks [force], > 0: it is listed in
+	/// StepReport::broken_joints and removed. Infinite, the default: never. A blow counts more the shorter the step is.
 	Real break_force = std::numeric_limits<Real>::infinity();
 	/// Whether two soft bodies that it joins still collide with each other.
 	bool collide_joined = false;
 };
 
-/// Refuses, by name, values outside their range, anchors that are not finite, two anchors of which none is on a soft body
-/// or both are on the same, and an anchor on a rigid body without a tag. Does not know which bodies there are.
+/// Refuses, by name, values outside their range, non-finite anchors, two anchors of which none is on a soft body or
+/// both are on one body, and an anchor on a rigid body without a tag. Does not check that the bodies exist.
 Status check_joint(const Joint &joint);
 
-/// The joints of a world, densely, under stable ids; removing one moves the last into its place.
+/// The joints of a world, stored densely under stable ids; removing one moves the last into its place.
 class JointList {
 public:
 	JointId add(const Joint &joint);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An elastic material, and which terms of the model stand for it.
+// An elastic material, and the terms of the model that represent it.
 #include "core/model/material.h"
 
 #include "core/base/constants.h"
@@ -29,7 +29,7 @@ double spring_shear_modulus(const SoftBodyShape &shape) {
 
 namespace {
 
-// The lowest frequency of a solid of unit shear modulus and unit mass, squared: a disk's, for those without modes.
+// The lowest frequency of a solid of unit shear modulus and unit mass, squared: a disk's, for shapes without modes.
 constexpr double DISK_FREQUENCY_SQUARED = 17.3;
 
 Status apply_modes(const Material &material, const SoftBodyShape &shape, BodySettings &settings) {
@@ -61,19 +61,19 @@ double lowest_stiffness(const Material &material, const SoftBodyShape &shape) {
 	return weights[0] * first[0] + weights[1] * first[1] + weights[2] * first[2];
 }
 
-// Longest damping time of triangles, as the ratio of their damping rate to their frequency [1]. Explicit substeps go by both: at
-// this ratio damping takes two thirds more of them.
+// Longest damping time of triangles, as the ratio of their damping rate to their frequency [1]. Both limit explicit
+// substeps: at this ratio damping takes two thirds more of them.
 constexpr double MOST_VISCOUS = 0.7;
 
-// The damping time, as far as triangles get it by their rate of shear.
+// The damping time of triangles, shortened to the longest that their rate of shear allows.
 double triangle_damping_time(double wanted, const Material &material, const SoftBodyShape &shape) {
 	const double shear = material.shear_modulus() * double(shape.triangle_shear_inverse_mass());
 	const double dilation = material.bulk_modulus() * double(shape.triangle_dilation_inverse_mass());
 	return std::min(wanted, MOST_VISCOUS * std::sqrt(shear + dilation) / shear);
 }
 
-// Shape matching of k_s pulls with κ = k_s / mean(m) per mass. Under uniform strain its two moduli are κ J / (4 A), J being the
-// inertia.
+// Shape matching of k_s pulls with κ = k_s / mean(m) per mass. Under uniform strain both its moduli are κ J / (4 A),
+// where J is the inertia.
 Status apply_springs(const Material &material, ElasticModel model, const SoftBodyShape &shape, BodySettings &settings) {
 	const double unit_shear = spring_shear_modulus(shape);
 	if (!(unit_shear > 0)) {
@@ -121,7 +121,8 @@ Status apply_material(const Material &material, ElasticModel model, const SoftBo
 	const double time = 2 * double(material.damping_ratio) / frequency;
 	changed.elastic_damping_time = Real(time);
 	if (model == ElasticModel::TRIANGLES) {
-		// What is too much for the highest frequencies damps all that is not rigid motion, as strongly for the lowest.
+		// Damping time beyond the limit of the highest frequencies becomes shape damping, with equal effect on the
+		// lowest mode.
 		const double shortened = triangle_damping_time(time, material, shape);
 		changed.elastic_damping_time = Real(shortened);
 		const double rate = (time - shortened) * frequency * frequency;

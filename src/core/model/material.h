@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An elastic material, and which terms of the model stand for it.
+// An elastic material, and the terms of the model that represent it.
 #pragma once
 
 #include "core/base/error.h"
@@ -10,11 +10,11 @@
 
 namespace softbody {
 
-/// What a body is made of: a homogeneous, isotropic solid in plane strain with viscous damping. None of the values contains a
-/// length: they mean the same in meters and in pixels, for any outline and any number of points.
+/// Material of a body: a homogeneous, isotropic solid in plane strain with viscous damping. No value contains a length:
+/// equal values mean the same in meters and in pixels, for any outline and any number of points.
 struct Material {
-	/// Young's modulus E in two dimensions [force/length], > 0: force over thickness and strain. A square pressed from two
-	/// sides by a force F loses about F/E of its side.
+	/// Young's modulus E in two dimensions [force/length], > 0: force over thickness and strain. A square pressed from
+	/// two sides by a force F loses about F/E of its side.
 	Real youngs_modulus = 300;
 	/// Poisson's ratio ν [1], 0..MOST_POISSON_RATIO: 0 does not bulge when pressed, 0.45 keeps most of its area, like jelly.
 	Real poisson_ratio = Real(0.45);
@@ -31,22 +31,22 @@ struct Material {
 /// Refuses the first value outside its range, by name.
 Status check_material(const Material &material);
 
-/// Which terms of the model stand for a material, from the cheapest to the dearest.
+/// The terms of the model that represent a material, from cheap to expensive.
 enum class ElasticModel : std::uint8_t {
-	SPRINGS, ///< the thesis's springs: ν is 1/3 whatever the material says
+	SPRINGS, ///< the thesis's springs: ν is always 1/3
 	SPRINGS_AND_SHAPE, ///< springs with shape matching of DEFAULT_SHAPE_MATCHING: ν is about 0.2
-	SPRINGS_SHAPE_AND_AREA, ///< these with the area term, which brings ν to what the material says
-	MODES, ///< elastic modes with the area term: E and ν as the material says, and the solid's lowest frequency
-	TRIANGLES, ///< finite elements, E and ν as the material says, also where it is much deformed
+	SPRINGS_SHAPE_AND_AREA, ///< with the area term, which gives the material's ν
+	MODES, ///< elastic modes with the area term: E and ν of the material, and the solid's lowest frequency
+	TRIANGLES, ///< finite elements: E and ν of the material, also at large deformation
 };
 inline constexpr int ELASTIC_MODEL_COUNT = 5;
 
-/// Sets the coefficients of the model's terms in `settings`, so that under uniform strain, averaged over its directions, the
-/// body resists as the material does as far as the model can: springs and shape matching take up the shear modulus, the area
-/// term the rest of the bulk modulus; elastic modes and triangles have both as they are. Triangles whose damping would take too
-/// many substeps get a part of it by `shape_damping`, with the same ratio for the lowest mode. The other terms are switched off; pressure is left as it is. Refuses a bad material,
-/// MODES for a shape without modes, TRIANGLES for one without triangles, and springs for a shape without springs of
-/// stiffness > 0. O(springs).
+/// Sets the coefficients of the model's terms in `settings`, so that the body resists uniform strain, averaged over its
+/// directions, like the material, as far as the model can. Springs and shape matching take up the shear modulus, the
+/// area term the rest of the bulk modulus; elastic modes and triangles have both. Triangles whose damping would take
+/// too many substeps get a part of it by `shape_damping`, with an equal ratio for the lowest mode. Other terms are
+/// switched off; pressure is unchanged. Refuses a bad material, MODES for a shape without modes, TRIANGLES for one
+/// without triangles, and springs for a shape without springs of stiffness > 0. O(springs).
 Status apply_material(const Material &material, ElasticModel model, const SoftBodyShape &shape, BodySettings &settings);
 
 /// Shear modulus of the shape's springs under uniform strain, averaged over its directions: sum k l² / (8 A)

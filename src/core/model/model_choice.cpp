@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which elastic model is enough for what a player sees.
+// Chooses an elastic model whose error a player does not see.
 #include "core/model/model_choice.h"
 
 #include <algorithm>

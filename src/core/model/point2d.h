@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One point mass, as the interface hands it out.
+// One point mass as a value.
 #pragma once
 
 #include "core/base/vec2.h"
 
 namespace softbody {
 
-/// Point mass (thesis 4.4.2, "Point2D"). A value: bodies store their points as parallel arrays,
-/// because the step reads positions without masses and masses without forces.
+/// Point mass (thesis 4.4.2, "Point2D"). A value: bodies store their points as parallel arrays, because the step reads
+/// positions without masses and masses without forces.
 struct Point2D {
 	Vec2 position; ///< [length]
 	Vec2 velocity; ///< [length/s]

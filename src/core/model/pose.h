@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where something rigid is, and which way it is turned.
+// Place and rotation of a rigid thing.
 #pragma once
 
 #include "core/base/vec2.h"

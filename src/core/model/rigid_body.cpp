@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motion and validator of rigid bodies of the surroundings.
+// Motion and validator of rigid bodies.
 #include "core/model/rigid_body.h"
 
 #include <cmath>
@@ -19,7 +19,7 @@ Pose RigidBody::pose_after(Real time) const {
 	if (angular_velocity != 0) {
 		result.rotation = turned(Rotation::from_angle(angular_velocity * time), pose.rotation);
 		const Real size = std::sqrt(result.rotation.c * result.rotation.c + result.rotation.s * result.rotation.s);
-		result.rotation = { result.rotation.c / size, result.rotation.s / size }; // or it would drift, step by step
+		result.rotation = { result.rotation.c / size, result.rotation.s / size }; // otherwise it drifts from unit length
 		result.position += pose.rotation.apply(center_of_mass) - result.rotation.apply(center_of_mass);
 	}
 	result.position += linear_velocity * time;
@@ -46,8 +46,7 @@ RigidBody kinematic_between(const Pose &from, const Pose &to, Real dt) {
 	return body;
 }
 
-// The velocities of a turning body and of its belt are both linear in the place, so that their sum is one about any
-// origin.
+// Velocities of a turning body and of its belt are both linear in the place, so their sum is linear about any origin.
 Surface surface_in_motion(const Surface &surface, const RigidBody &body, const Pose &at) {
 	Surface result = surface;
 	result.velocity_origin = at.apply(body.center_of_mass);

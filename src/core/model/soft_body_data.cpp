@@ -48,7 +48,7 @@ Result<SoftBodyData> SoftBodyData::create(std::shared_ptr<const SoftBodyShape> s
 
 void SoftBodyData::wake() {
 	if (frozen_) {
-		return; // it does not sleep, and what touches it is no reason to look at it
+		return; // a frozen body does not sleep, and its contacts are no reason to wake
 	}
 	if (rest_state_.asleep && changes_) {
 		changes_->woken_islands.push_back({ rest_state_.island, rest_state_.restored });
@@ -60,7 +60,7 @@ void SoftBodyData::wake() {
 void SoftBodyData::disturb() {
 	wake();
 	if (frozen_ && changes_) {
-		changes_->disturbed_boxes.push_back(bounding_box(hull())); // whoever rests on it shares no island with it
+		changes_->disturbed_boxes.push_back(bounding_box(hull())); // bodies that rest on it share no island with it
 	}
 }
 
@@ -72,7 +72,7 @@ void SoftBodyData::put_to_sleep() {
 	}
 	std::ranges::fill(mutable_velocities(), Vec2{});
 	clear_external_forces();
-	note_change(); // the step asks anew who sleeps
+	note_change(); // the step determines sleeping bodies anew
 	rest_state_ = { 0, true, NOT_OF_A_STEP | (changes_ ? ++changes_->put_to_sleep : 0) };
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state of one soft body: where its points are, how they move, what pushes them.
+// The state of one soft body: positions, velocities, loads.
 #pragma once
 
 #include "core/base/error.h"
@@ -18,28 +18,28 @@
 
 namespace softbody {
 
-/// Names those that fell asleep together. Who has been put back into an island since the last step is not of one with
-/// those who were in it before.
+/// Identifies bodies that fell asleep together. A body that was put back into an island since the last step does not
+/// belong to the bodies that were in it before.
 struct WokenIsland {
 	std::uint64_t island = 0;
 	std::uint32_t restored = 0;
 	friend auto operator<=>(const WokenIsland &, const WokenIsland &) = default;
 };
 
-/// How often bodies were changed from outside, so that a step need not ask each of them.
+/// Counts of changes from outside, so that a step need not check each body.
 struct ChangeCounts {
 	std::uint64_t arrangement = 0; ///< shape, settings, pins, activity: what the order of stepping depends on
 	std::uint64_t forces = 0; ///< external forces queued, accelerations changed
 	std::uint64_t pin_targets = 0; ///< set
 	std::uint64_t joints = 0; ///< added, changed, removed
 	std::uint64_t restores = 0; ///< states put back
-	std::vector<Aabb> disturbed_boxes; ///< in which a frozen body was, came to be or went, until a step takes note
+	std::vector<Aabb> disturbed_boxes; ///< boxes in which a frozen body was, came to be or went, until a step takes note
 	std::vector<WokenIsland> woken_islands; ///< of sleeping bodies that were woken, until a step takes note
-	std::uint64_t put_to_sleep = 0; ///< bodies that were, as each is an island of its own
+	std::uint64_t put_to_sleep = 0; ///< number of bodies put to sleep; each is an island of its own
 };
 
-/// One soft body of the world: a shared shape, its settings, and the state that a step advances.
-/// Spans stay valid until the body's shape is replaced or the body is removed.
+/// One soft body of the world: a shared shape, its settings, and the state that a step advances. Spans stay valid until
+/// the body's shape is replaced or the body is removed.
 class SoftBodyData {
 public:
 	/// At rest at `pose`, which places the coordinates of the shape's description.
@@ -58,7 +58,7 @@ public:
 	std::span<const Vec2> positions() const { return { state_.data(), point_count() }; }
 	std::span<const Vec2> velocities() const { return { state_.data() + point_count(), point_count() }; }
 	std::span<const Vec2> hull() const { return { state_.data(), shape_->hull_count() }; }
-	/// Of points as contacts and integrators feel them [1/mass]: 0 where pinned, and everywhere while frozen.
+	/// Inverse masses for contacts and integrators [1/mass]: 0 for pinned points, and for all while frozen.
 	std::span<const Real> inverse_masses() const {
 		if (frozen_) {
 			return frozen_inverse_masses_;
@@ -67,85 +67,82 @@ public:
 	}
 	/// Positions at the start of the last step, for interpolated drawing (see `WorldData::set_interpolated`).
 	std::span<const Vec2> previous_positions() const { return previous_positions_; }
-	/// Everything about one point. Precondition: index < point_count().
+	/// All values of one point. Precondition: index < point_count().
 	Point2D point(std::size_t index) const;
 
-	/// Queues a force for the next step; several on one point add up. Refuses an index out of range
-	/// or a force that is not finite.
+	/// Queues a force for the next step; several on one point add up. Refuses an index out of range or a non-finite
+	/// force.
 	Status add_external_force(std::uint32_t point, Vec2 force);
 	/// Changes a velocity at once by impulse / mass; a pinned point stays. Refuses like `add_external_force`.
 	Status apply_impulse(std::uint32_t point, Vec2 impulse);
 	/// Replaces one point's state. Refuses an index out of range or values that are not finite.
 	Status set_point(std::uint32_t point, Vec2 position, Vec2 velocity);
-	/// Pins the point where it is (infinite mass, no velocity) or lets it go again.
+	/// Pins the point in place (infinite mass, no velocity) or releases it.
 	Status set_pinned(std::uint32_t point, bool pinned);
 	bool is_pinned(std::uint32_t point) const { return has_pins() && pinned_inverse_masses_[point] == 0; }
-	/// Moves a pinned point straight to `position` during the next step: in each substep it is where it belongs at that
-	/// time, and springs, contacts and friction feel its velocity. After the step it is there and rests, unless it has been
-	/// given another target by then. Wakes the body if that is another place. A target that no body can follow tears at
-	/// the body until it is reset beside its pins (StepReport::reset_bodies). Refuses a point that is not pinned and what
-	/// is not finite. A frozen body ignores it. O(pins that move).
+	/// Moves a pinned point straight to `position` during the next step, felt by springs, contacts and friction; then
+	/// it rests there. Wakes the body if `position` is another place. A target that the body cannot follow tears at it
+	/// until it is reset (StepReport::reset_bodies). Refuses a point that is not pinned and non-finite positions. A
+	/// frozen body ignores it. O(pins that move).
 	Status set_pin_target(std::uint32_t point, Vec2 position);
-	/// Moves every point by the map p -> pose(reference⁻¹(p)) without touching velocities; the
-	/// previous positions follow, so that nothing is drawn in between. Refuses non-finite poses.
+	/// Moves every point by the map p -> pose(reference⁻¹(p)) without changing velocities. Previous positions follow,
+	/// so that nothing is drawn in between. Refuses non-finite poses.
 	Status teleport(const Pose &reference, const Pose &pose);
 
-	/// Surroundings with one of these tags (Surface::tag) do not exist for this body, from the next step on. 0 names
-	/// nothing and is left out. Such a body is stepped on its own. Wakes it. Default none: costs nothing. O(n log n).
+	/// Hides surfaces with one of these tags (Surface::tag) from this body, from the next step on. Tag 0 is dropped.
+	/// Such a body is stepped on its own. Wakes it. Default none: costs nothing. O(n log n).
 	void set_ignored_tags(std::span<const std::uint64_t> tags);
 	std::span<const std::uint64_t> ignored_tags() const { return ignored_tags_; } ///< ascending
 	bool ignores_tag(std::uint64_t tag) const;
 
 	/// The whole state as a value. O(points).
 	BodyState save_state() const;
-	/// Puts a state back, of this body or of one like it, and forgets what was. Bodies that had fallen asleep with this one
-	/// wake, unless they are put back as well before the next step. Refuses a state of another number of points or hull
-	/// points, or with values that are not finite (see `check_body_state`). O(points), and the next step looks at all
-	/// bodies.
+	/// Restores a state of this body or of one like it. Bodies that had fallen asleep with this one wake, unless they
+	/// are restored as well before the next step. Refuses a state of another number of points or hull points, or with
+	/// non-finite values (see `check_body_state`). O(points), and the next step checks all bodies.
 	Status restore_state(const BodyState &state);
 
-	/// An inactive body is left out of the step: it keeps its state and queued forces, and nothing it
-	/// would collide with notices it. Default true.
+	/// An inactive body is left out of the step: it keeps its state and queued forces, and nothing collides with it.
+	/// Default true.
 	bool is_active() const { return active_; }
 	void set_active(bool active);
 
-	/// A frozen body keeps its shape and place whatever pushes it, as if of infinite mass, and others collide with it; it
-	/// is not stepped and costs no more than one that sleeps. Forces, impulses and pin targets on it are ignored, and its
-	/// queue is emptied. It may still be teleported, its points set, its pins changed: what lies near wakes. When it
-	/// is let go it goes on at rest, with the pins that it has. It is not asleep, nor is it counted as such. A rigid body
-	/// that lies on it is stopped, not moved out. Default false.
+	/// A frozen body keeps its shape and place, as if of infinite mass, and others collide with it. It is not stepped,
+	/// does not count as asleep, and ignores forces, impulses and pin targets; its queue is emptied. It may be
+	/// teleported, its points set, its pins changed: bodies near it wake. After release it goes on at rest. A rigid
+	/// body that lies on it is stopped, not moved out. Default false.
 	bool is_frozen() const { return frozen_; }
 	void set_frozen(bool frozen);
 
 	const std::vector<ExternalForce> &external_forces() const { return external_forces_; }
-	/// Adds to what acts on the body as a whole during the next step. Callers of the core use `add_rigid_force` and
-	/// `add_torque`, which check it.
+	/// Adds to the load on the body as a whole during the next step, unchecked. Callers of the core use
+	/// `add_rigid_force` and `add_torque`.
 	void queue_load(const RigidLoad &load);
 	const RigidLoad &queued_load() const { return load_; }
-	/// An acceleration of all its points [length/s²], added to gravity times `gravity_scale` until it is changed: that of an
-	/// area with a gravity of its own, or of wind. A change of it wakes the body and rearranges nothing; a body that has
-	/// one is stepped alone. Refuses what is not finite. Default 0.
+	/// Acceleration of all its points [length/s²], added to gravity times `gravity_scale` until it is changed, such as
+	/// wind or an area's gravity. A change wakes the body and rearranges nothing. A body with an acceleration is
+	/// stepped alone. Refuses non-finite values. Default 0.
 	Vec2 acceleration() const { return acceleration_; }
 	Status set_acceleration(Vec2 acceleration);
-	/// Gravity and acceleration together [length/s²]; exactly 0 where they cancel but for rounding.
+	/// Gravity plus acceleration [length/s²]; exactly 0 where they cancel up to rounding.
 	Vec2 total_acceleration(Vec2 gravity) const;
-	/// Whether anything queued, or an acceleration of its own, acts on the body in the next step.
+	/// Whether queued forces or an acceleration act on the body in the next step.
 	bool is_pushed() const { return !external_forces_.empty() || load_ != RigidLoad{} || acceleration_ != Vec2{}; }
 
-	/// A sleeping body is at rest and left out of the step. It wakes, with all that it touched, when something awake
-	/// touches it and when a force, an impulse or any other change is applied to it.
+	/// A sleeping body is at rest and left out of the step. It wakes with its island when an awake body touches it, and
+	/// when a force, an impulse or any other change is applied to it.
 	bool is_asleep() const { return rest_state_.asleep; }
-	Real rest_time() const { return rest_state_.rest_time; } ///< for how long it has hardly moved [s]
+	Real rest_time() const { return rest_state_.rest_time; } ///< time for which it has hardly moved [s]
 	void wake();
-	/// For who moves or removes it: wakes it, or, if it is frozen, what lies near.
+	/// Called before a body is moved or removed: wakes it, or, if it is frozen, the bodies near it.
 	void disturb();
-	/// Stops it and lets it sleep at once, wherever it is, whether or not its settings let it fall asleep. It sleeps alone:
-	/// what it touches goes on, and may wake it. A frozen one does not sleep.
+	/// Stops the body and puts it to sleep at once, in any place, whether or not its settings let it fall asleep. It
+	/// sleeps alone: bodies that touch it go on, and may wake it. A frozen body does not sleep.
 	void put_to_sleep();
 
 	/// Whether any point is pinned.
 	bool has_pins() const { return !pinned_inverse_masses_.empty(); }
-	/// Whether it can be moved as a whole: it is neither pinned nor frozen.
+	/// Whether the body can be moved as a whole: it is neither pinned nor frozen.
 	bool is_free() const { return !has_pins() && !frozen_; }
 	/// `WorldData` gives its bodies a common count of changes.
 	void set_change_counts(std::shared_ptr<ChangeCounts> counts) { changes_ = std::move(counts); }
@@ -160,18 +157,18 @@ public:
 		external_forces_.clear();
 		load_ = {};
 	}
-	/// Last well-defined orientation; see `measure_frame`. The step keeps it for bodies with shape matching, whose
-	/// motion depends on it; for others, whoever measures the frame may.
+	/// Last well-defined orientation; see `measure_frame`. The step keeps it for bodies whose forces depend on it; for
+	/// other bodies any caller that measures the frame may set it.
 	Rotation rotation_memory() const { return { state_.back().x, state_.back().y }; }
 	void set_rotation_memory(Rotation rotation) { state_.back() = { rotation.c, rotation.s }; }
 	TouchMemory &touch_memory() { return touch_memory_; }
 	std::vector<PairMemory> &pair_memories() { return pair_memories_; }
-	/// The one-way colliders by which it is held or through which it passes. Few at a time.
+	/// The few one-way colliders that hold the body or that it passes through.
 	std::vector<OneWayMemory> &one_ways() { return one_ways_; }
 	std::span<const OneWayMemory> one_ways() const { return one_ways_; }
 	RestState &rest_state() { return rest_state_; }
-	/// Of a body that collides with itself and has pushed itself since: its hull as it last was moved out of the
-	/// surroundings. Empty when it is where it was moved to.
+	/// The hull of a body with self-collision at its last environment contacts, if it has pushed itself since.
+	/// Otherwise empty.
 	std::vector<Vec2> &last_valid_hull() { return last_valid_hull_; }
 
 private:
@@ -181,11 +178,11 @@ private:
 
 	std::shared_ptr<const SoftBodyShape> shape_;
 	BodySettings settings_;
-	/// Positions, then velocities, then the rotation memory: a step reads and writes these, and nothing else.
+	/// Positions, then velocities, then the rotation memory: the only data that a step reads and writes.
 	std::vector<Vec2> state_;
 	std::vector<Vec2> previous_positions_;
-	std::vector<Real> pinned_inverse_masses_; ///< empty while nothing is pinned: then those of the shape hold
-	std::vector<Real> frozen_inverse_masses_; ///< zeros, while it is frozen
+	std::vector<Real> pinned_inverse_masses_; ///< empty while nothing is pinned: then the shape's hold
+	std::vector<Real> frozen_inverse_masses_; ///< zeros, while the body is frozen
 	std::vector<PinTarget> pin_targets_;
 	std::vector<ExternalForce> external_forces_;
 	RigidLoad load_;

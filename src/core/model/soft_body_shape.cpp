@@ -182,13 +182,13 @@ Status SoftBodyShape::derive() {
 
 	spring_frequency_squared_ = Real(largest_rate(&Spring2D::stiffness));
 	spring_damping_rate_ = Real(largest_rate(&Spring2D::damping));
-	const auto [shear, dilation] = largest_triangle_mobilities();
+	const auto [shear, dilation] = largest_triangle_inverse_masses();
 	triangle_shear_inverse_mass_ = Real(shear);
 	triangle_dilation_inverse_mass_ = Real(dilation);
 	return check_derived();
 }
 
-// Each number may be in range and what follows from them not: areas of hulls of 1e20, inverses of masses of 1e-40.
+// Each number may be in range and derived ones not: areas of hulls of 1e20, inverses of masses of 1e-40.
 Status SoftBodyShape::check_derived() const {
 	const auto is_usable = [](Real value) { return std::isfinite(value) && value >= std::numeric_limits<Real>::min(); };
 	const auto refused = [](const char *name, const char *what, const char *remedy) {
@@ -216,7 +216,7 @@ Status SoftBodyShape::check_derived() const {
 	return {};
 }
 
-// Bound of the largest eigenvalue of M^-1 N for a non-negative symmetric matrix N, which `apply` multiplies x by.
+// Bound of the largest eigenvalue of M^-1 N for a non-negative symmetric matrix N; `apply` multiplies by N.
 template <class Apply>
 double SoftBodyShape::largest_eigenvalue(const Apply &apply) const {
 	// 16 iterations: on wheels and lattices the quotient is then within 1 % of its limit.
@@ -237,9 +237,9 @@ double SoftBodyShape::largest_eigenvalue(const Apply &apply) const {
 			return 0;
 		}
 		if (!std::isfinite(bound)) {
-			return bound; // what follows from it would be no numbers, and pass for a bound
+			return bound; // otherwise NaN would pass for a bound
 		}
-		// A point without such springs keeps its entry positive, or it could not be divided by.
+		// A point without such springs keeps its entry positive, as it is divided by.
 		for (std::size_t i = 0; i < image.size(); ++i) {
 			x[i] = std::max(image[i] / bound, 1e-3 * x[i]);
 		}
@@ -259,7 +259,7 @@ double SoftBodyShape::largest_rate(Real Spring2D::*coefficient) const {
 
 namespace {
 
-// What two coordinates of one point have to do with two of another: a 2 x 2 block of a Hessian.
+// Coupling of the two coordinates of one point with those of another: a 2 x 2 block of a Hessian.
 struct Block {
 	std::array<std::array<double, 2>, 2> entries{};
 
@@ -283,8 +283,8 @@ struct Coupling {
 	Block dilation;
 };
 
-// The Hessians, over μ and over K, of shear and of dilation at rest, by pairs of points. With g the gradient of a corner's linear
-// function, u has the derivative (g.x, -g.y) and v has (g.y, g.x), while dJ has g.
+// The Hessians, over μ and over K, of shear and of dilation at rest, by pairs of points. With g the gradient of a
+// corner's linear function, u has the derivative (g.x, -g.y), v has (g.y, g.x), and J has g.
 std::vector<Coupling> couplings_of(const ElasticTriangles &mesh) {
 	std::vector<Coupling> parts;
 	for (const ElasticTriangle &triangle : mesh.triangles) {
@@ -325,7 +325,7 @@ std::vector<Coupling> couplings_of(const ElasticTriangles &mesh) {
 } // namespace
 
 // Shear, then dilation.
-std::array<double, 2> SoftBodyShape::largest_triangle_mobilities() const {
+std::array<double, 2> SoftBodyShape::largest_triangle_inverse_masses() const {
 	if (triangles_ == nullptr) {
 		return { 0, 0 };
 	}

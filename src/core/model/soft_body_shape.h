@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What never changes while a body moves: its points at rest, masses, hull and springs.
+// The immutable part of a body: its points at rest, masses, hull and springs.
 #pragma once
 
 #include "core/base/error.h"
@@ -15,11 +15,11 @@
 
 namespace softbody {
 
-/// Immutable structure of a soft body. Bodies made alike share one through `std::shared_ptr`;
-/// changing a spring means making another shape.
+/// Immutable structure of a soft body. Like bodies share one through `std::shared_ptr`; changing a spring means making
+/// another shape.
 ///
-/// Points [0, hull_count) are the hull in order, wound so that its signed area is positive; inner
-/// points follow. Rest positions are stored relative to the center of mass.
+/// Points [0, hull_count) are the hull in order, wound so that its signed area is positive; inner points follow. Rest
+/// positions are stored relative to the center of mass.
 class SoftBodyShape {
 public:
 	/// Input of `create`. `points` may lie anywhere; `masses` has one entry a point.
@@ -28,18 +28,17 @@ public:
 		std::vector<Real> masses; ///< [mass], each > 0
 		std::size_t hull_count = 0; ///< 3..points.size()
 		std::vector<Spring2D> springs;
-		/// For exactly these points and mass shares; null: none.
+		/// Modes for exactly these points and mass shares; null: none.
 		std::shared_ptr<const ElasticModes> modes = nullptr;
-		/// With these points as corners; null: none. A shape has modes, triangles or neither.
+		/// Triangles with these points as corners; null: none. A shape has modes, triangles or neither.
 		std::shared_ptr<const ElasticTriangles> triangles = nullptr;
 	};
 
-	/// Checks everything and builds the shape. Refuses: a bad hull (see `check_hull`) or one of
-	/// negative winding, sizes that do not match, non-finite points, masses <= 0, springs whose
-	/// index is out of range, whose ends are the same point or repeat an earlier spring, whose rest
-	/// length is not > 0, or whose stiffness or damping is negative or not finite; modes of another number of points; triangles
-	/// beside modes, with corners out of range or without area; and sizes and masses whose area, inertia,
-	/// inverse or frequency leaves the range of numbers. O(points² + springs).
+	/// Checks everything and builds the shape. Refuses a bad hull (see `check_hull`) or one of negative winding; sizes
+	/// that do not match; non-finite points; masses <= 0; springs with an index out of range, coinciding ends, an
+	/// earlier spring's ends, a rest length not > 0, or a negative or non-finite value; modes of another number of
+	/// points; triangles beside modes, with corners out of range or without area; and derived values out of range.
+	/// O(points² + springs).
 	static Result<std::shared_ptr<const SoftBodyShape>> create(Description description);
 
 	std::span<const Vec2> rest_positions() const { return rest_positions_; }
@@ -47,39 +46,38 @@ public:
 	std::span<const Real> masses() const { return masses_; }
 	std::span<const Real> inverse_masses() const { return inverse_masses_; } ///< [1/mass]
 	std::span<const Spring2D> springs() const { return springs_; }
-	/// How the body deforms as an elastic solid, or null (BodySettings::shear_modulus).
+	/// The body's elastic modes, or null (BodySettings::shear_modulus).
 	const ElasticModes *modes() const { return modes_.get(); }
 	/// Finite elements of an elastic solid that fill the hull, or null (BodySettings::shear_modulus).
 	const ElasticTriangles *triangles() const { return triangles_.get(); }
 	std::size_t point_count() const { return rest_positions_.size(); }
 	std::size_t hull_count() const { return hull_count_; }
 
-	/// Where the center of mass lay in the coordinates of the description [length].
+	/// Center of mass in the coordinates of the description [length].
 	Vec2 origin_offset() const { return origin_offset_; }
 	Real total_mass() const { return total_mass_; }
 	Real rest_area() const { return rest_area_; } ///< area inside the hull at rest [length²], > 0
 	Real rest_inertia() const { return rest_inertia_; } ///< about the center of mass [mass·length²]
-	/// Of its thinner part, roughly: twice the rest area over the hull's perimeter [length]. A disk's is its radius.
+	/// Rough width of the thinner part: twice the rest area over the hull's perimeter [length]. A disk's is its radius.
 	Real width() const { return width_; }
 	Real radius() const { return radius_; } ///< largest distance of a point from the center of mass
 
-	/// Upper bound of the highest squared angular frequency of the springs [1/s²] in any
-	/// configuration. The Hessian of one spring has eigenvalues k and k(1 - l/|x|) <= k, so the whole is
-	/// bounded by the scalar graph Laplacian of the stiffnesses over the masses, and that by its signless
-	/// twin (D_i x_i + sum of k x_j) / m_i, a non-negative matrix, for which every positive vector x gives
-	/// a rigorous bound (Collatz and Wielandt): the largest quotient. A few power iterations choose x.
+	/// Upper bound of the highest squared angular frequency of the springs [1/s²] in any configuration. The Hessian of
+	/// one spring has eigenvalues k and k(1 - l/|x|) <= k, so the graph Laplacian of the stiffnesses over the masses
+	/// bounds the whole, and its signless twin (D_i x_i + sum of k x_j) / m_i bounds that: by its largest quotient for
+	/// any positive vector x (Collatz and Wielandt). A few power iterations choose x.
 	Real spring_frequency_squared() const { return spring_frequency_squared_; }
-	/// The same sum over damping coefficients: upper bound of the springs' damping rate [1/s].
+	/// Upper bound of the springs' damping rate [1/s]: as `spring_frequency_squared`, over damping coefficients.
 	Real spring_damping_rate() const { return spring_damping_rate_; }
 
-	/// Upper bound of the highest squared angular frequency of the triangles' resistance to shear, over the shear modulus
-	/// [1/mass]; 0 without triangles. Its Hessian is the same in every configuration (see `add_triangle_forces`). By blocks of
-	/// two coordinates, its norms are a non-negative matrix, bounded as `spring_frequency_squared`.
+	/// Upper bound of the highest squared angular frequency of the triangles' resistance to shear, over the shear
+	/// modulus [1/mass]; 0 without triangles. Its Hessian is equal in every configuration (see `add_triangle_forces`).
+	/// The norms of its 2 x 2 blocks are a non-negative matrix, bounded as for `spring_frequency_squared`.
 	Real triangle_shear_inverse_mass() const { return triangle_shear_inverse_mass_; }
-	/// The same for their resistance to a change of area at rest, over the bulk modulus [1/mass].
+	/// Upper bound for the triangles' resistance to a change of area at rest, over the bulk modulus [1/mass].
 	Real triangle_dilation_inverse_mass() const { return triangle_dilation_inverse_mass_; }
 
-	/// Sum over the hull of |∂A/∂x_i|²/m_i at rest [length²/mass]: what the pressure's frequency bound needs.
+	/// Sum over the hull of |∂A/∂x_i|²/m_i at rest [length²/mass], for the pressure's frequency bound.
 	Real area_inverse_mass() const { return area_inverse_mass_; }
 	Real least_hull_mass() const { return least_hull_mass_; } ///< [mass]
 	Real shortest_hull_edge() const { return shortest_hull_edge_; } ///< at rest [length], > 0
@@ -94,7 +92,7 @@ private:
 	Status derive();
 	Status check_derived() const;
 	double largest_rate(Real Spring2D::*coefficient) const;
-	std::array<double, 2> largest_triangle_mobilities() const;
+	std::array<double, 2> largest_triangle_inverse_masses() const;
 	template <class Apply>
 	double largest_eigenvalue(const Apply &apply) const;
 

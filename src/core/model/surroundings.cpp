@@ -80,8 +80,8 @@ Status check_collider(const Collider &collider) {
 		if (count > 1 && vertices[i] == vertices[(i + 1) % count]) {
 			return Error{ name(), "coincides with the next", "must differ from its neighbors", "remove one of the two" };
 		}
-		// Turning the same way everywhere is not enough: a pentagram does, and winds twice. Seen from one
-		// vertex of a convex polygon the others also follow one another in order.
+		// Equal turns everywhere are not enough: a pentagram has them, and winds twice. Seen from one vertex of a
+		// convex polygon the others also follow one another in order.
 		const bool wrong_turn = signed_double_area(vertices[i], vertices[(i + 1) % count], vertices[(i + 2) % count]) < 0;
 		const bool out_of_order = signed_double_area(vertices[0], vertices[i], vertices[(i + 1) % count]) < 0;
 		if (count > 2 && !collider.concave && (wrong_turn || out_of_order)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Storage of bodies under stable ids, and of their surroundings.
+// Storage of bodies under stable ids, and of their environment.
 #include "core/model/world_data.h"
 
 #include <algorithm>
@@ -84,7 +84,7 @@ BodyId WorldData::add_soft_body(SoftBodyData body) {
 	free_slots_.pop_back();
 	slots_[slot].dense = std::uint32_t(bodies_.size());
 	const BodyId id{ slot, slots_[slot].generation };
-	body.wake(); // those with whom it may have fallen asleep are elsewhere
+	body.wake(); // bodies with which it may have fallen asleep are elsewhere
 	body.set_change_counts(changes_);
 	bodies_.push_back(std::move(body));
 	ids_.push_back(id);
@@ -97,7 +97,7 @@ bool WorldData::remove_soft_body(BodyId id) {
 		return false;
 	}
 	const std::uint32_t dense = slots_[id.index].dense;
-	bodies_[dense].disturb(); // and with it what rested on it
+	bodies_[dense].disturb(); // and with it the bodies that rested on it
 	std::erase_if(collision_exceptions_, [id](const CollisionException &each) { return each.a == id || each.b == id; });
 	for (std::size_t i = joints().size(); i-- > 0;) {
 		if (joints()[i].first.body == id || joints()[i].second.body == id) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything a simulation contains: gravity, bodies, and the surroundings they rest on.
+// Everything a simulation contains: gravity, bodies, and their environment.
 #pragma once
 
 #include "core/base/constants.h"
@@ -20,14 +20,14 @@
 
 namespace softbody {
 
-/// The environment of a simulation (thesis 4.4.2, "WorldData"). Bodies are stored densely and
-/// stepped in the order of that storage; removing one moves the last into its place.
+/// The world of a simulation (thesis 4.4.2, "WorldData"). Bodies are stored densely and stepped in the order of
+/// that storage; removing one moves the last into its place.
 class WorldData {
 public:
-	/// Acceleration [length/s²], the same for every mass (thesis eq. 3.8 and 3.9).
+	/// Acceleration [length/s²], equal for every mass (thesis eq. 3.8 and 3.9).
 	Vec2 gravity() const { return gravity_; }
 	Status set_gravity(Vec2 gravity);
-	/// How many world units make a meter [length/m], > 0: tolerances scale with it. Default 1.
+	/// World units in a meter [length/m], > 0: tolerances scale with it. Default 1.
 	Real length_unit() const { return length_unit_; }
 	Status set_length_unit(Real length_unit);
 
@@ -35,8 +35,8 @@ public:
 	bool has_sleeping() const { return sleeping_; }
 	void set_sleeping(bool sleeping);
 
-	/// Substeps of a step of USUAL_STEP in which bodies that may touch one another advance together, 1..MAX_SUBSTEPS; longer
-	/// steps take more (`substeps_of_step`). More: less penetration and stiffer piles, at a cost that grows as fast. Default
+	/// Contact substeps of bodies that may touch one another in a step of USUAL_STEP, 1..MAX_SUBSTEPS; longer steps
+	/// take more (`substeps_of_step`). More: less penetration and stiffer piles, at proportional cost. Default
 	/// MIN_CONTACT_SUBSTEPS.
 	int contact_substeps() const { return contact_substeps_; }
 	Status set_contact_substeps(int contact_substeps);
@@ -51,7 +51,7 @@ public:
 	/// Wakes every sleeping body.
 	void wake_all();
 
-	/// It is awake, however it was before.
+	/// Adds a body, awake.
 	BodyId add_soft_body(SoftBodyData body);
 	/// False when the id refers to nothing.
 	bool remove_soft_body(BodyId id);
@@ -63,13 +63,13 @@ public:
 	/// Id of the body stored at `index` of `soft_bodies()`.
 	BodyId id_at(std::size_t index) const { return ids_[index]; }
 
-	/// Lets two soft bodies pass through each other, whatever their layers, from the next step on; wakes both. Forgotten
-	/// when one of them is removed. Refuses ids that refer to nothing and a body with itself. O(exceptions).
+	/// Lets two soft bodies pass through each other, whatever their layers, from the next step on; wakes both.
+	/// Forgotten when one of them is removed. Refuses ids that refer to nothing and a body with itself. O(exceptions).
 	Status add_collision_exception(BodyId a, BodyId b);
-	/// Lets them collide again. False when there was no such exception.
+	/// Lets two bodies collide again. False when there was no such exception.
 	bool remove_collision_exception(BodyId a, BodyId b);
 	bool has_collision_exception(BodyId a, BodyId b) const;
-	/// All of them, in order; of each pair the lesser id comes first.
+	/// All exceptions, in order; of each pair the lesser id comes first.
 	struct CollisionException {
 		BodyId a;
 		BodyId b;
@@ -77,20 +77,21 @@ public:
 	};
 	std::span<const CollisionException> collision_exceptions() const { return collision_exceptions_; }
 
-	/// How often bodies came, went, or were changed.
+	/// Counts of bodies that came, went, or were changed.
 	const ChangeCounts &change_counts() const { return *changes_; }
-	/// For the step: islands with a body that was woken since it last asked.
+	/// For the step: islands with a body that was woken since the last call.
 	std::vector<WokenIsland> take_woken_islands() { return std::exchange(changes_->woken_islands, {}); }
-	/// For the step: where frozen bodies were moved, came or went since it last asked.
+	/// For the step: boxes in which frozen bodies were moved, came or went since the last call.
 	std::vector<Aabb> take_disturbed_boxes() { return std::exchange(changes_->disturbed_boxes, {}); }
-	/// Whether the step keeps the positions that it starts from, for interpolated drawing. Default true.
+	/// Whether the step keeps its start positions for interpolated drawing. Default true.
 	bool is_interpolated() const { return interpolated_; }
 	void set_interpolated(bool interpolated) { interpolated_ = interpolated; }
 
-	/// Joins two anchors; the soft bodies that it joins wake. Refuses what `check_joint` refuses, bodies that are not there,
+	/// Joins two anchors; the joined soft bodies wake. Refuses joints that `check_joint` refuses, missing bodies,
 	/// points out of range, and edges that do not begin at a hull point. Removing a body removes its joints.
 	Result<JointId> add_joint(const Joint &joint);
-	/// Changes it: another length, another place in the world. Refuses likewise, and an id that refers to nothing.
+	/// Changes a joint, for example its length or place in the world. Refuses an id that refers to nothing, and joints
+	/// that `add_joint` refuses.
 	Status set_joint(JointId id, const Joint &joint);
 	/// False when the id refers to nothing.
 	bool remove_joint(JointId id);
@@ -102,10 +103,10 @@ public:
 
 	const std::vector<Border> &borders() const { return borders_; }
 	const std::vector<Collider> &colliders() const { return colliders_; }
-	/// Whether there is anything to touch but other bodies.
+	/// Whether there are borders or colliders.
 	bool has_environment() const { return !borders_.empty() || !colliders_.empty(); }
 	Status add_border(const Border &border);
-	/// Refuses also a rigid body that is not there.
+	/// Refuses colliders that `check_collider` refuses, and a missing rigid body.
 	Status add_collider(Collider collider);
 
 	/// Adds a chain: a segment from each point to the next, and back to the first if `closed`, with the radius, surface and
@@ -116,16 +117,16 @@ public:
 	/// Rigid bodies that own colliders. A step moves them: after it they are where its end found them, with the
 	/// velocities that contacts left them.
 	std::span<const RigidBody> rigid_bodies() const { return rigid_bodies_; }
-	/// Returns its index, by which colliders refer to it; indices hold until the surroundings are cleared.
+	/// Returns its index, by which colliders refer to it; indices hold until the environment is cleared.
 	Result<std::uint32_t> add_rigid_body(const RigidBody &body);
-	/// Puts it elsewhere or changes its values. Refuses an index out of range.
+	/// Replaces its values. Refuses an index out of range.
 	Status set_rigid_body(std::uint32_t index, const RigidBody &body);
-	/// What the last step gave each rigid body: zero for a kinematic one.
+	/// Impulses of the last step on each rigid body: zero for a kinematic one.
 	std::span<const Reaction> reactions() const { return reactions_; }
 
-	/// Forgets borders, colliders and rigid bodies, for callers that hand over fresh ones every step.
+	/// Removes borders, colliders and rigid bodies, for callers that add fresh ones every step.
 	void clear_environment();
-	/// Another number whenever borders or colliders come or go; no two worlds share one, unless one is the other's copy.
+	/// Changes whenever borders or colliders come or go; no two worlds share a version, unless one is the other's copy.
 	std::uint64_t environment_version() const { return environment_version_; }
 
 	// Access of the step; not for users of the core.

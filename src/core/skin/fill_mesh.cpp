@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangles that fill a body, and what its hull's colors and texture coordinates are in between.
+// The triangles that fill a body, and the colors and texture coordinates between its hull points.
 #include "core/skin/fill_mesh.h"
 
 #include "core/geometry/polygon.h"
@@ -21,8 +21,8 @@ Vec2 mean_of(std::span<const Vec2> points) {
 	return sum * (1 / Real(points.size()));
 }
 
-// Mean value coordinates of a place inside a polygon: w_i = (tan(α_{i-1}/2) + tan(α_i/2)) / r_i, where r_i is the
-// distance of corner i and α_i the signed angle under which the edge from it is seen; normalized.
+// Mean value coordinates of a place inside a polygon: w_i = (tan(α_{i-1}/2) + tan(α_i/2)) / r_i, normalized. r_i is the
+// distance of corner i, α_i the signed angle under which the edge after it is seen.
 std::vector<Real> mean_value_weights(Vec2 place, std::span<const Vec2> polygon) {
 	const std::size_t count = polygon.size();
 	std::vector<double> weights(count, 0.0);
@@ -37,7 +37,7 @@ std::vector<Real> mean_value_weights(Vec2 place, std::span<const Vec2> polygon) 
 		const double sine = double(a.x) * b.y - double(a.y) * b.x;
 		const double divisor = ra * rb + cosine;
 		if (!(ra > 0) || !(divisor > 1e-9 * ra * rb)) {
-			// On a corner or on the edge: there the values are those of the edge.
+			// On a corner or edge the values are those of the edge.
 			std::vector<Real> on_edge(count, Real(0));
 			const double share = ra + rb > 0 ? ra / (ra + rb) : 0;
 			on_edge[i] = Real(1 - share);
@@ -51,7 +51,7 @@ std::vector<Real> mean_value_weights(Vec2 place, std::span<const Vec2> polygon) 
 	}
 	std::vector<Real> normalized;
 	for (const double weight : weights) {
-		// Outside of the hull the sum may vanish. Nothing is drawn there; any number will do.
+		// Outside the hull the sum may vanish. Nothing is drawn there, so any number is fine.
 		normalized.push_back(std::abs(sum) > 0 ? Real(weight / sum) : 1 / Real(count));
 	}
 	return normalized;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangles that fill a body, and what its hull's colors and texture coordinates are in between.
+// The triangles that fill a body, and the colors and texture coordinates between its hull points.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -11,18 +11,16 @@
 
 namespace softbody {
 
-/// The mesh of a body's inside. It is made once from the rest shape; a frame only computes where its vertices lie.
+/// The mesh of a body's inside. It is made once from the rest shape; a frame only places its vertices.
 ///
-/// Vertices, in this order: the rim, which is the hull or a curve through it; the body's inner points; where the hull
-/// is seen from its middle and nothing else is there, a middle, the mean of the hull; with a soft edge, the rim again,
-/// farther out. Triangles spread out from the middle if that sees the whole rim, and otherwise are those of
-/// `triangulate`.
+/// Vertices, in this order: the rim, which is the hull or a curve through it; the body's inner points; if there are
+/// none and the middle sees the whole hull, a middle, the mean of the hull; with a soft edge, the rim again, farther
+/// out. Triangles spread out from the middle if it sees the whole rim, and otherwise are those of `triangulate`.
 class FillMesh {
 public:
 	/// How the mesh is made.
 	struct Options {
-		/// Pieces that each hull edge is divided into. 1 draws it straight; more follow a smooth curve through the hull
-		/// points (Catmull and Rom 1974).
+		/// Pieces of each hull edge. 1 draws it straight; more follow a smooth curve (Catmull and Rom 1974).
 		std::size_t pieces = 1;
 		/// Width of the edge over which the body fades out, half of it inside [length]; 0 is a hard edge.
 		Real soft_edge = 0;
@@ -31,8 +29,7 @@ public:
 	};
 
 	FillMesh() = default;
-	/// `rest` are all points of the body at rest, the hull first, as `check_hull` accepts it and in either winding.
-	/// O(rim²) in the usual case.
+	/// `rest` are all points at rest, the hull first, accepted by `check_hull`, of either winding. Usually O(rim²).
 	FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Options &options);
 
 	std::size_t vertex_count() const { return vertex_count_; }
@@ -43,13 +40,13 @@ public:
 	/// 1 where the hull at rest has positive winding, else -1.
 	Real side() const { return side_; }
 
-	/// Where the rim runs when the body's points lie at `points`: `rim_count()` places. O(rim).
+	/// Writes the `rim_count()` places of the rim for a body whose points lie at `points`. O(rim).
 	void place_rim(std::span<const Vec2> points, std::span<Vec2> rim) const;
-	/// Where all vertices lie; `rim` is what `place_rim` gave for these points. O(vertices), no allocation.
+	/// Writes the places of all vertices; `rim` is the result of `place_rim`. O(vertices), no allocation.
 	void place(std::span<const Vec2> points, std::span<const Vec2> rim, std::span<Vec2> vertices) const;
 
-	/// Gives every vertex a value, from values of the hull points: along the rim as `place_rim` does, inside by mean value
-	/// coordinates of the rest shape (Floater 2003), which are smooth and give a linear map back as it is.
+	/// Gives every vertex a value, from values of the hull points: along the rim as `place_rim` does, inside by mean
+	/// value coordinates of the rest shape (Floater 2003), which are smooth and reproduce linear maps.
 	template <class Value>
 	std::vector<Value> spread(std::span<const Value> hull_values) const;
 

@@ -10,11 +10,11 @@ namespace softbody {
 
 namespace {
 
-// How far a mitre may reach on the side where edges spread, as a multiple of the distance. Longer ones, of corners
-// below 29 degrees, are cut off, which takes a little from both edges.
+// Longest mitre on the side where edges spread, as a multiple of the distance. Longer mitres, of corners below 29
+// degrees, are cut off, which takes a little from both edges.
 constexpr Real LONGEST_MITRE = 4;
 
-// A corner of the outline: its edges, and what their normals make of it.
+// A corner of the outline: its edges, their normals and mitre.
 struct Corner {
 	Vec2 place;
 	Vec2 normal_before; ///< unit, to the left of the edge that comes in
@@ -39,23 +39,22 @@ Corner corner_of(Vec2 before, Vec2 place, Vec2 after) {
 	corner.normal_before = normal_of(in, in_length, corner.normal_after);
 	corner.turn = cross(corner.normal_before, corner.normal_after);
 	corner.shorter_edge = std::min(in_length, out_length);
-	// The sum of two unit normals has the direction of the mitre and the length 2 cos(half the angle); the mitre's is
-	// 1 over that cosine.
+	// The sum of two unit normals has the mitre's direction and length 2 cos(half the angle), the mitre 1 over that
+	// cosine.
 	const Vec2 sum = corner.normal_before + corner.normal_after;
 	corner.mitre = sum * (2 / std::max(length_squared(sum), Real(1e-6)));
 	return corner;
 }
 
-// The unit vector between two others. Edges that fold back onto each other have opposite normals, halfway between which
-// there is nothing: then `otherwise`.
+// The unit vector between two others; `otherwise` where they are opposite, as edges fold back onto each other.
 Vec2 direction_between(Vec2 from, Vec2 to, Real share, Vec2 otherwise) {
 	const Vec2 between = from * (1 - share) + to * share;
 	const Real size = length(between);
 	return size > Real(1e-3) ? between * (1 / size) : otherwise;
 }
 
-// Vertex `k` of `count` on an arc around the corner, from the one normal to the other. In two halves, as a blend of
-// vectors more than a right angle apart would crowd at the ends.
+// Vertex `k` of `count` on an arc around the corner, from one normal to the other. In two halves, as a blend of vectors
+// more than a right angle apart would crowd at the ends.
 Vec2 arc_point(const Corner &corner, Real distance, std::uint32_t k, std::uint32_t count) {
 	const Vec2 tip = perpendicular(corner.normal_before) * (distance > 0 ? Real(-1) : Real(1));
 	const Vec2 half = direction_between(corner.normal_before, corner.normal_after, Real(0.5), tip);

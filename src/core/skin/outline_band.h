@@ -12,16 +12,15 @@
 namespace softbody {
 
 /// Moves every edge of a closed outline by `distance` [length] to its left, which is into a polygon of positive
-/// winding; corners go to where their edges meet, though not far (see `OutlineBand`). O(n).
+/// winding. Corners move to where their edges meet, within a limit (see `OutlineBand`). O(n).
 void move_corners(std::span<const Vec2> outline, Real distance, std::span<Vec2> moved);
 
-/// Lines along an outline at fixed distances from it; the band fills what is between neighboring ones. Which triangles
-/// there are never changes, only where they lie: that is all a frame has to compute.
+/// Lines along an outline at fixed distances from it; the band fills the space between neighboring lines. The triangles
+/// never change, only the places of their corners: a frame computes nothing else.
 ///
 /// A corner has `corner_points` vertices on each line. On the side where the two edges spread apart they lie on an arc
 /// around the corner, so that a dent does not spike. On the side where the edges close they meet in one point, the
-/// mitre, at most as far from the corner as the shorter of the two edges allows, so that a sharp tip does not spike
-/// either.
+/// mitre, at most as far from the corner as the shorter edge allows, so that a sharp tip does not spike.
 class OutlineBand {
 public:
 	/// A line of the band.
@@ -31,7 +30,7 @@ public:
 	};
 
 	OutlineBand() = default;
-	/// `corner_count` >= 3 points of the outline; two rails at least, in order of distance.
+	/// `corner_count` >= 3 points of the outline; at least two rails, in order of distance.
 	OutlineBand(std::size_t corner_count, std::span<const Rail> rails);
 
 	std::size_t vertex_count() const { return vertex_count_; }
@@ -39,8 +38,8 @@ public:
 	const std::vector<Rail> &rails() const { return rails_; }
 	std::size_t corner_count() const { return corner_count_; }
 
-	/// Calls `visit(vertex, corner, rail)` for every vertex. Corner `corner_count()` is the first one again, where the
-	/// band closes, so that a texture can end there and begin anew.
+	/// Calls `visit(vertex, corner, rail)` for every vertex. Corner `corner_count()` is the first corner again, where
+	/// the band closes, so that a texture can end and begin there.
 	template <class Visit>
 	void for_vertices(const Visit &visit) const {
 		std::size_t vertex = 0;
@@ -53,8 +52,8 @@ public:
 		}
 	}
 
-	/// Where the vertices lie for an outline of `corner_count()` points. `side` is 1 for positive winding, -1 for
-	/// negative. Neighboring points may coincide. O(vertices), no allocation.
+	/// Writes the places of the vertices for an outline of `corner_count()` points. `side` is 1 for positive winding,
+	/// -1 for negative. Neighboring points may coincide. O(vertices), no allocation.
 	void place(std::span<const Vec2> outline, Real side, std::span<Vec2> vertices) const;
 
 private:

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint32_t NONE = UINT32_MAX;
 
-// How far inside a circle a point must lie to count [relative to the product of the lengths involved]: four points of
-// one circle must not be flipped to and fro.
+// How far inside a circle a point must lie to count [relative to the product of the lengths involved]. It keeps four
+// points of one circle from being flipped forever.
 constexpr double CIRCLE_TOLERANCE = 1e-7;
 
 class Filling {
@@ -51,7 +51,7 @@ private:
 		while (rest.size() > 3) {
 			const std::size_t count = rest.size();
 			at %= count;
-			// Every simple polygon has two ears. If rounding hides them, cutting anything still ends with a filling.
+			// Every simple polygon has two ears. If rounding hides them, cutting any corner still ends with a filling.
 			if (is_ear(rest, at) || misses > count) {
 				triangles_.push_back({ rest[(at + count - 1) % count], rest[at], rest[(at + 1) % count] });
 				rest.erase(rest.begin() + std::ptrdiff_t(at));
@@ -59,7 +59,7 @@ private:
 			} else {
 				misses++;
 			}
-			// Going on behind the neighbor keeps the triangles from fanning out around one corner.
+			// Continuing behind the neighbor keeps the triangles from fanning out around one corner.
 			at++;
 		}
 		triangles_.push_back({ rest[0], rest[1], rest[2] });
@@ -79,7 +79,7 @@ private:
 		});
 	}
 
-	// Divides the triangle that holds the point. On an edge one of the parts is flat until the edge is flipped.
+	// Divides the triangle that holds the point. For a point on an edge one part is flat until the edge is flipped.
 	void insert(std::uint32_t p) {
 		const auto found = std::ranges::find_if(triangles_, [&](const Triangle &t) {
 			return point_in_triangle(points_[p], points_[t[0]], points_[t[1]], points_[t[2]]);
@@ -126,7 +126,7 @@ private:
 	void flip_edges() {
 		std::vector<std::uint32_t> suspects(triangles_.size());
 		std::iota(suspects.begin(), suspects.end(), 0u);
-		// Lawson's flips end by themselves, after a number quadratic at worst; the bound is for what rounding might do.
+		// Lawson's flips end by themselves, after a quadratic number at worst; the bound guards against rounding.
 		std::size_t flips_left = 1000 + 64 * triangles_.size();
 		while (!suspects.empty() && flips_left > 0) {
 			const std::uint32_t t = suspects.back();

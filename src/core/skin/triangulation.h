@@ -15,16 +15,11 @@ namespace softbody {
 /// Three indices of points.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Fills the simple polygon `points[0, hull_count)`, of either winding, by triangles of positive winding. The points
-/// after it become corners too, as far as they lie inside; those outside or on top of another point belong to no
-/// triangle. The triangles cover the polygon once, all hull edges are edges of triangles, and otherwise they are as far
-/// from slivers as those edges allow (constrained Delaunay). Where points lie on one circle several answers are equally
-/// good; the same input gives the same one.
-///
-/// However the points move afterwards, the triangles leave no hole: every place that the moved hull winds around is
-/// covered, as a continuous map of a disk cannot leave out what its border winds around.
-///
-/// Precondition: `check_hull` accepts the polygon. O(n²) in the usual case.
+/// Fills the simple polygon `points[0, hull_count)`, of either winding, with triangles of positive winding. Further
+/// points become corners if they lie inside and on no other point. The triangles cover the polygon once, contain all
+/// hull edges, and are otherwise as far from slivers as those edges allow (constrained Delaunay). Equal input gives
+/// equal output. However the points move afterwards, the triangles leave no hole inside the moved hull.
+/// Precondition: `check_hull` accepts the polygon. Usually O(n²).
 /// Source: ear clipping (Meisters 1975), then edge flips (Lawson 1977).
 std::vector<Triangle> triangulate(std::span<const Vec2> points, std::size_t hull_count);
 

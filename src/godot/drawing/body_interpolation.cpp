@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a body is between two physics ticks.
+// Places a body between two physics ticks.
 #include "godot/drawing/body_interpolation.h"
 
 #include "godot/convert.h"
@@ -10,8 +10,8 @@ namespace softbody {
 
 namespace {
 
-// Global to local, weighted. The origin is taken off before anything is multiplied: far from the world's origin the
-// translation of an inverse would lose the digits that matter.
+// Global to local, weighted. The origin is subtracted before any multiplication: far from the world's origin the
+// translation of an inverse would lose significant digits.
 struct WeightedInverse {
 	Vec2 origin;
 	Vec2 x_row;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Debug → Visible Collision Shapes shows of a body.
+// Draws a body for Debug → Visible Collision Shapes.
 #include "godot/drawing/debug_drawing.h"
 
 #include "core/skin/triangulation.h"
@@ -20,8 +20,8 @@ namespace softbody {
 namespace {
 
 constexpr int Z_ABOVE_BODIES = 1;
-constexpr real_t FULL_COLOR_STRAIN = 0.2; // at which a spring is all red or all blue
-constexpr real_t SPRING_WIDTH = 1.5; // px, like all that follow
+constexpr real_t FULL_COLOR_STRAIN = 0.2; // at which a spring is fully red or blue
+constexpr real_t SPRING_WIDTH = 1.5; // px, like the following
 constexpr real_t CENTER_SIZE = 5;
 constexpr real_t CONTACT_SIZE = 4;
 constexpr real_t NORMAL_LENGTH = 14;
@@ -67,7 +67,7 @@ void DebugDrawing::draw(const SoftBodyData &body, std::span<const Vec2> points, 
 	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);
 	server()->canvas_item_clear(item_);
 	draw_hull(body, points);
-	if (!body.settings().is_elastic()) { // Beside elastic modes springs take no part.
+	if (!body.settings().is_elastic()) { // springs take no part beside elastic modes
 		draw_springs(body, points, pixel);
 	}
 	const Vector2 center = mean_of(points, body.shape().masses());
@@ -102,7 +102,7 @@ void DebugDrawing::draw_springs(const SoftBodyData &body, std::span<const Vec2> 
 	PackedVector2Array ends;
 	PackedColorArray colors;
 	for (const Spring2D &spring : body.shape().springs()) {
-		// At the body's own scale: lengths in the node's frame are those of the world over the node's scale.
+		// At the body's own scale: a length in the node's frame is one in the world over the node's scale.
 		const real_t length_now = length(body.positions()[spring.a] - body.positions()[spring.b]);
 		const real_t strain = length_now / spring.rest_length - 1;
 		const real_t share = MIN(real_t(1), Math::abs(strain) / FULL_COLOR_STRAIN);
@@ -134,7 +134,7 @@ void DebugDrawing::draw_text(const SubstepPlan &plan, const Transform2D &frame, 
 	}
 	const String frequency = String::num(plan.frequency, 0);
 	const String text = String::utf8("Ω ") + frequency + " rad/s / " + String::num_int64(plan.substeps);
-	// Upright and of one size, however the node is turned and scaled.
+	// Upright and of constant size, however the node is turned and scaled.
 	Transform2D upright = frame.affine_inverse();
 	upright.set_origin(place);
 	server()->canvas_item_add_set_transform(item_, upright);

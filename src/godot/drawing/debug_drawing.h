@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Debug → Visible Collision Shapes shows of a body.
+// Draws a body for Debug → Visible Collision Shapes.
 #pragma once
 
 #include "core/dynamics/substep_plan.h"
@@ -14,9 +14,8 @@
 namespace softbody {
 
 /// Draws on a canvas item of its own, above the node: the hull as Godot draws shapes, springs in the color of their
-/// strain (red is stretched, blue pressed), the center of mass, contacts where the body monitors them, and how stiff
-/// the body is: the bound of its highest frequency over the substeps that it takes. Made only while such shapes are
-/// visible.
+/// strain (red is stretched, blue pressed), the center of mass, contacts if the body monitors them, and its stiffness:
+/// the bound of its highest frequency over its substeps. Made only while such shapes are visible.
 class DebugDrawing {
 public:
 	/// `parent` is the node's canvas item.
@@ -25,8 +24,7 @@ public:
 	DebugDrawing &operator=(const DebugDrawing &) = delete;
 	~DebugDrawing();
 
-	/// Replaces what was drawn. `points` are the body's in the node's frame, which is at `frame` now; `contacts` are
-	/// those of this body.
+	/// Replaces the drawing. `points` are the body's in the node's frame, now at `frame`; `contacts` are this body's.
 	void draw(const SoftBodyData &body, std::span<const Vec2> points, const godot::Transform2D &frame,
 			std::span<const Contact> contacts, const SubstepPlan &plan);
 

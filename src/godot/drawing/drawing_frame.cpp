@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all bodies need to know of the frame that is about to be drawn.
+// State of the coming frame that all bodies need for drawing.
 #include "godot/drawing/drawing_frame.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int SUB_VIEWPORT_UPDATE_ONCE = 1; // SubViewport.UPDATE_ONCE
 
-// How far the corners of the view have moved over the canvas.
+// Largest motion of the view's corners over the canvas.
 double way_of_view(const Transform2D &p_before, const Transform2D &p_now, const Rect2 &p_screen) {
 	const Transform2D before = p_before.affine_inverse();
 	const Transform2D now = p_now.affine_inverse();

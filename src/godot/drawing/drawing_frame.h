@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all bodies need to know of the frame that is about to be drawn.
+// State of the coming frame that all bodies need for drawing.
 #pragma once
 
 #include <godot_cpp/classes/node.hpp>
@@ -12,15 +12,15 @@
 
 namespace softbody {
 
-/// A viewport with bodies in its scene, and how it looks at them.
+/// A viewport with bodies in its scene, and its camera.
 class BodyView {
 public:
 	explicit BodyView(godot::Viewport *viewport);
 
-	/// Whether what the rendering server saw last may not hold in this frame: the camera has jumped, or the viewport is
-	/// not drawn in every frame. Then every body must be up to date.
+	/// Whether visibility of the last frame may not hold in this one: the camera has jumped, or the viewport is not
+	/// drawn in every frame. Then every body must be updated.
 	bool is_unsteady() const { return is_unsteady_; }
-	/// Whether the viewport's camera hangs rigidly on this node, so that both move in ticks.
+	/// Whether the viewport's camera hangs rigidly below this node, so that both move in ticks.
 	bool is_carried_by(const godot::Node *node) const;
 
 private:
@@ -35,20 +35,20 @@ private:
 	std::vector<const godot::Node *> carriers_; ///< ancestors of the camera; compared, never followed
 };
 
-/// Made new for every frame.
+/// State of one frame, made new for each.
 class DrawingFrame {
 public:
-	/// How far a body's surroundings count as seen, beyond the edges of the view [px]. Less, and a body that comes in fast
-	/// would show for one frame the shape in which it went out.
+	/// Distance beyond the view at which a body counts as visible [px]. Smaller: fast bodies show an old shape for one
+	/// frame.
 	static constexpr double MARGIN = 64;
 
-	/// A node in the scene of this viewport begins, or ends, to be drawn. A view is shared by all its nodes.
+	/// Called when a node in the scene of this viewport begins, or ends, to be drawn. All its nodes share a view.
 	BodyView *add(godot::Viewport *viewport);
 	void remove(BodyView *view);
 
 	/// Reads the engine's state before a frame.
 	void begin();
-	/// Where the frame is between the last two physics ticks, in [0, 1].
+	/// Place of the frame between the last two physics ticks, in [0, 1].
 	double fraction() const { return fraction_; }
 
 private:
@@ -56,7 +56,7 @@ private:
 	double fraction_ = 1;
 };
 
-/// The engine's own, for whoever draws outside of a frame; in [0, 1].
+/// The engine's present interpolation fraction, for drawing outside of a frame; in [0, 1].
 double present_fraction();
 
 } // namespace softbody

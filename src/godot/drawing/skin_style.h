@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user chooses of a body's looks.
+// A user's choices for the looks of a body.
 #pragma once
 
 #include <godot_cpp/classes/texture2d.hpp>
@@ -10,7 +10,7 @@
 
 namespace softbody {
 
-/// The values of the node's properties; `doc_classes/SoftBody2D.xml` says what each means.
+/// Values of the node's properties; `doc_classes/SoftBody2D.xml` explains each.
 struct SkinStyle {
 	enum class OutlineTextureMode {
 		TILE,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a body looks like: two meshes whose vertices follow its points.
+// The looks of a body: two meshes whose vertices follow its points.
 #include "godot/drawing/soft_body_skin.h"
 
 #include "godot/convert.h"
@@ -17,17 +17,17 @@ namespace softbody {
 
 namespace {
 
-// Pieces of a hull edge where the outline is smooth. A hull of very many points is smooth by itself, and making
-// triangles takes a time that grows with the square of their number.
+// Pieces of a hull edge on a smooth outline. A hull of very many points is smooth by itself, and the time to make
+// triangles grows with the square of their number.
 constexpr std::size_t SMOOTH_PIECES = 4;
 constexpr std::size_t MOST_SMOOTHED_POINTS = 256;
-// Vertices of an arc around a corner of the outline. On a smooth one every corner is blunt.
+// Vertices of an arc around a corner of the outline; every corner of a smooth outline is blunt.
 constexpr std::uint32_t ARC_POINTS = 5;
 constexpr std::uint32_t SMOOTH_ARC_POINTS = 2;
 
 static_assert(sizeof(Vec2) == 2 * sizeof(float), "the rendering server reads vertices as pairs of float");
 
-// Where a texture's own coordinates lie in the one that the graphics card has: a part of it, for an AtlasTexture.
+// Part of a texture of the graphics card, for an AtlasTexture.
 struct TexturePart {
 	Vector2 size{ 1, 1 }; // of the part, in pixels
 	Vector2 start; // both as shares of the whole
@@ -133,8 +133,8 @@ std::size_t SoftBodySkin::user_index(std::size_t index) const {
 	return is_reversed_ ? (hull_count_ - index) % hull_count_ : index;
 }
 
-// The hull's box shows the whole texture, unless the user says which of its pixels each hull point shows. Offset,
-// rotation and scale then move it as those of Polygon2D do, around the middle of the box.
+// The hull's box shows the whole texture, unless `uv` assigns a texture pixel to each hull point. Offset, rotation and
+// scale then move it as those of Polygon2D do, around the middle of the box.
 std::vector<Vector2> SoftBodySkin::texture_coordinates() const {
 	const TexturePart part = part_of(style_.texture);
 	std::vector<Vec2> pixels;
@@ -183,7 +183,7 @@ std::vector<Color> SoftBodySkin::colors() const {
 }
 
 void SoftBodySkin::make_fill() {
-	// A hard edge may not show through the soft one of an outline on top of it.
+	// A hard edge must not show through the soft one of an outline on top of it.
 	const Real soft_edge = style_.antialiased && !has_outline() ? pixel_ : 0;
 	const Real inset = style_.antialiased && has_outline() ? std::min(pixel_, Real(style_.outline_width) / 2) : 0;
 	const bool is_curved = style_.smooth && hull_count_ <= MOST_SMOOTHED_POINTS;
@@ -195,7 +195,7 @@ void SoftBodySkin::make_fill() {
 	}
 }
 
-// The outline lies inside the hull, so that its outer edge is where the body touches things.
+// The outline lies inside the hull: its outer edge is where the body touches other things.
 void SoftBodySkin::make_outline() {
 	if (!has_outline()) {
 		outline_mesh_.free();
@@ -218,7 +218,7 @@ void SoftBodySkin::make_outline() {
 	}
 	const TexturePart part = part_of(style_.outline_texture);
 	const bool is_tiled = style_.outline_texture_mode == SkinStyle::OutlineTextureMode::TILE;
-	// A whole number of tiles, so that the last one ends where the first begins.
+	// A whole number of tiles, so that the last tile ends where the first begins.
 	const Real tile = width * Real(part.size.x / part.size.y);
 	const Real tiles = is_tiled ? std::max(Real(1), std::round(way.back() / tile)) : Real(1);
 	std::vector<Vector2> uvs(outline_.vertex_count());

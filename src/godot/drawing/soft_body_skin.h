@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a body looks like: two meshes whose vertices follow its points.
+// The looks of a body: two meshes whose vertices follow its points.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -18,11 +18,11 @@
 
 namespace softbody {
 
-/// Triangles, texture coordinates and colors are made from the rest shape and the style, once. A frame only writes
-/// where the vertices lie into the buffers of the meshes: the draw commands of the canvas item stay as they are, so
-/// that nothing else on the item is touched, and no buffer is made anew. All in the node's coordinates.
+/// Triangles, texture coordinates and colors are made from the rest shape and the style, once. A frame only writes the
+/// places of the vertices into the buffers of the meshes: the draw commands of the canvas item stay, so nothing else on
+/// the item is touched, and no buffer is made anew. All in the node's coordinates.
 ///
-/// Lives on the main thread. Owns what it makes in the rendering server.
+/// Lives on the main thread. Owns its objects in the rendering server.
 class SoftBodySkin {
 public:
 	SoftBodySkin() = default;
@@ -31,26 +31,26 @@ public:
 	~SoftBodySkin();
 
 	const SkinStyle &style() const { return style_; }
-	/// To change the style; the meshes are made anew when they are needed next.
+	/// The style, to change it; the meshes are made anew on next use.
 	SkinStyle &change_style() {
 		is_stale_ = true;
 		return style_;
 	}
-	/// All points of the body at rest, the hull first, in the order of the core; `is_reversed` if that is not the order of
-	/// the user's hull. One pixel is `pixel` long there.
+	/// Sets all points of the body at rest, the hull first, in the order of the core; `is_reversed` if the user's hull
+	/// has the other order. One pixel is `pixel` long there.
 	void set_rest(std::vector<Vec2> rest, std::size_t hull_count, bool is_reversed, Real pixel);
 
 	std::span<const Vec2> rest() const { return rest_; }
 
 	/// Adds the commands that draw the meshes to a canvas item.
 	void draw(const godot::RID &item);
-	/// Moves the meshes to where the points are now, in the order of `set_rest`. O(vertices).
+	/// Moves the meshes to the present points, in the order of `set_rest`. O(vertices).
 	void update(std::span<const Vec2> points);
-	/// Box around what `update` placed last.
+	/// Box around the vertices of the last `update`.
 	const Aabb &bounds() const { return bounds_; }
 
 private:
-	/// A mesh in the rendering server, and its vertices as that reads them: pairs of float.
+	/// A mesh in the rendering server, and its vertices as pairs of float.
 	struct Mesh {
 		godot::RID rid;
 		godot::PackedByteArray bytes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A world of its own in which copies of SoftBody2D nodes move, for the editor's live preview.
+// A separate world in which copies of SoftBody2D nodes move, for the editor's live preview.
 #include "godot/editor/soft_body_preview_2d.h"
 
 #include "godot/convert.h"
@@ -17,7 +17,7 @@ namespace godot {
 
 namespace {
 
-// How far a grabbed point may lag behind the mouse before it is drawn along [px/s]: a jump of the mouse tears at no body.
+// Largest speed of a grabbed point [px/s]: a jump of the mouse does not tear at the body.
 constexpr double GRAB_SPEED = 3000;
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A world of its own in which copies of SoftBody2D nodes move, for the editor's live preview.
+// A separate world in which copies of SoftBody2D nodes move, for the editor's live preview.
 #pragma once
 
 #include "core/dynamics/simulator.h"
@@ -17,7 +17,7 @@ namespace godot {
 class SoftBody2D;
 
 /// See doc_classes/SoftBodyPreview2D.xml. Nodes give copies of their bodies and are not touched after that; a point is
-/// grabbed by pinning it, which no stiffness can make unstable.
+/// grabbed by pinning it, which is stable at any stiffness.
 class SoftBodyPreview2D : public RefCounted {
 	GDCLASS(SoftBodyPreview2D, RefCounted)
 
@@ -42,7 +42,7 @@ protected:
 private:
 	struct Copy {
 		softbody::BodyId id;
-		bool is_reversed = false; ///< whether the core holds the hull the other way round
+		bool is_reversed = false; ///< whether the core holds the hull in reverse order
 	};
 	const softbody::SoftBodyData *find(int p_index) const;
 	void pull_grabbed_point(double p_delta);

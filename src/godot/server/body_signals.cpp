@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step has to tell scripts, kept until every node is up to date.
+// Signals of a step, kept until every node is up to date.
 #include "godot/server/body_signals.h"
 
 #include "godot/nodes/soft_body_2d.h"
@@ -26,7 +26,7 @@ void BodySignals::emit() {
 	if (pending_.empty()) {
 		return;
 	}
-	// What a listener does may step nothing, but it may add to this list one day: it works on a list of its own.
+	// A listener must not step anything, but it may add to this list: the loop works on a list of its own.
 	std::vector<Pending> now = std::exchange(pending_, {});
 	for (const Pending &each : now) {
 		if (each.kind == Kind::SLEEP_CHANGED || each.kind == Kind::FAILED) {
@@ -48,7 +48,7 @@ void BodySignals::emit() {
 		}
 		body->watch_collider(collider, each.kind == Kind::ENTERED);
 		body->emit_signal(each.kind == Kind::ENTERED ? "body_entered" : "body_exited", collider);
-		// A listener of the first may have freed either.
+		// A listener of the first signal may have freed either.
 		body = find<SoftBody2D>(each.body);
 		collider = find<Node>(each.collider);
 		if (each.kind == Kind::ENTERED && body != nullptr && collider != nullptr) {

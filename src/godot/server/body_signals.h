@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step has to tell scripts, kept until every node is up to date.
+// Signals of a step, kept until every node is up to date.
 #pragma once
 
 #include <godot_cpp/variant/vector2.hpp>
@@ -9,14 +9,14 @@
 
 namespace softbody {
 
-/// Signals of one step. Whoever listens to one may free any node, change any property, add and remove bodies: nodes are
-/// known by instance id, and looked up only when their turn has come.
+/// Signals of one step. A listener may free any node, change any property, add and remove bodies: nodes are known by
+/// instance id, and looked up only when their signal is emitted.
 class BodySignals {
 public:
-	/// Where and how hard two pressed on each other when they met.
+	/// Place and strength of a contact when two things met.
 	struct Impact {
 		godot::Vector2 point; ///< in the world [px]
-		godot::Vector2 normal; ///< unit, towards the body that is told
+		godot::Vector2 normal; ///< unit, towards the body that gets the signal
 		double impulse = 0; ///< [kg·px/s]
 	};
 
@@ -28,8 +28,7 @@ public:
 	void add_failed(uint64_t p_body) { pending_.push_back({ Kind::FAILED, p_body, 0, {} }); }
 	void add_sleep_changed(uint64_t p_body) { pending_.push_back({ Kind::SLEEP_CHANGED, p_body, 0, {} }); }
 
-	/// Emits them in the order in which they were added; those of a node that is gone are dropped, and so are those about a
-	/// collider that is gone.
+	/// Emits the signals in the order in which they were added. Signals of, or about, a node that is gone are dropped.
 	void emit();
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies made alike share one shape.
+// Shares one shape among like bodies.
 #include "godot/server/shape_cache.h"
 
 #include <algorithm>
@@ -17,14 +17,14 @@ struct Known {
 	std::vector<Vec2> hull;
 	StructureOptions options;
 	std::weak_ptr<const SoftBodyShape> shape;
-	std::shared_ptr<const SoftBodyShape> unit = nullptr; ///< of an elastic shape: the one of mass 1 that it was made from
+	std::shared_ptr<const SoftBodyShape> unit = nullptr; ///< of an elastic shape: the shape of mass 1 that it was made from
 };
 
 struct Cache {
 	std::mutex mutex;
 	std::unordered_multimap<std::uint64_t, Known> known;
 	std::int64_t built = 0; ///< shapes in all
-	std::size_t next_sweep = 64; ///< entries at which those that nobody holds any more are dropped
+	std::size_t next_sweep = 64; ///< number of entries at which entries without users are dropped
 };
 
 Cache &cache() {
@@ -90,8 +90,8 @@ std::shared_ptr<const SoftBodyShape> find_shape(const Cache &all, std::uint64_t 
 	return nullptr;
 }
 
-// The modes of an outline take some milliseconds and do not depend on its mass: a shape of another mass is always made from
-// that of mass 1, so that its bits do not depend on what was there before.
+// The modes of an outline take some milliseconds and do not depend on its mass. A shape of another mass is always made
+// from that of mass 1, so its bits do not depend on earlier shapes.
 Result<std::shared_ptr<const SoftBodyShape>> find_or_create(Cache &all, const std::vector<Vec2> &hull, const StructureOptions &options) {
 	const std::uint64_t hash = hash_of(hull, options);
 	if (std::shared_ptr<const SoftBodyShape> shape = find_shape(all, hash, hull, options)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies made alike share one shape.
+// Shares one shape among like bodies.
 #pragma once
 
 #include "core/base/error.h"
@@ -11,11 +11,11 @@
 
 namespace softbody {
 
-/// `SoftBodyCreator::create_polygon`, or what it returned for the same values while some body still holds that: the core
-/// steps bodies of one shape side by side, and a thousand nodes that share a material need one shape when it changes. May
-/// be called from any thread. O(hull + springs) where the shape is known.
+/// `SoftBodyCreator::create_polygon`, or its earlier result for these values while some body still holds it. The core
+/// steps bodies of one shape side by side, and a thousand nodes that share a material need one shape when it changes.
+/// May be called from any thread. O(hull + springs) for a known shape.
 Result<std::shared_ptr<const SoftBodyShape>> find_or_create_shape(std::span<const Vec2> hull, const StructureOptions &options);
-/// How many shapes were built, not found, since the extension was loaded. One with elastic modes takes some milliseconds.
+/// Number of shapes built, not found, since the extension was loaded.
 std::int64_t built_shape_count();
 
 } // namespace softbody

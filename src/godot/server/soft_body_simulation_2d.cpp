@@ -24,7 +24,7 @@ namespace {
 
 SoftBodySimulation2D *singleton = nullptr;
 
-// In the debugger's list of monitors.
+// Name in the debugger's list of monitors.
 const char *const AWAKE_MONITOR = "SoftBody2D/Awake Bodies";
 const char *const CONTACT_MONITOR = "SoftBody2D/Contacts";
 const char *const STEP_MONITOR = "SoftBody2D/Step (usec)";
@@ -54,7 +54,7 @@ SoftBodySimulation2D::~SoftBodySimulation2D() {
 	}
 }
 
-// The space of the node's World2D, made when it is asked for first.
+// The space of the node's World2D, made on first use.
 softbody::SoftBodySpace2D &SoftBodySimulation2D::space_of(const CanvasItem *p_node) {
 	watch(p_node->get_tree());
 	if (!settings_known_) {
@@ -129,7 +129,7 @@ void SoftBodySimulation2D::watch(SceneTree *p_tree) {
 	p_tree->connect("physics_frame", callable_mp(this, &SoftBodySimulation2D::step));
 	add_monitors();
 	p_tree->connect("process_frame", callable_mp(this, &SoftBodySimulation2D::draw_idle_frame));
-	// After every _process, so that bodies are drawn where this frame has put them.
+	// After every _process, so that bodies are drawn at their places in this frame.
 	RenderingServer *rendering = RenderingServer::get_singleton();
 	const Callable draw = callable_mp(this, &SoftBodySimulation2D::draw_frame);
 	if (!rendering->is_connected("frame_pre_draw", draw)) {
@@ -152,13 +152,13 @@ void SoftBodySimulation2D::step() {
 	total_step_usec_ += last_step_usec_;
 	counted_steps_++;
 	tick_count_++;
-	signals_.emit(); // last: who listens may free nodes, and with them spaces
+	signals_.emit(); // last: listeners may free nodes, and with them spaces
 }
 
-// Nodes that are moved along run code of the user, who may do anything: add nodes, free them, in other spaces too.
+// Moving nodes runs code of the user, which may add nodes or free them, in other spaces too.
 void SoftBodySimulation2D::step_spaces(double p_delta) {
 	stepping_ = true;
-	const size_t count = spaces_.size(); // what comes meanwhile waits for the next tick
+	const size_t count = spaces_.size(); // spaces added meanwhile wait for the next tick
 	for (size_t i = 0; i < count; i++) {
 		softbody::SoftBodySpace2D &content = *spaces_[i].content;
 		content.step(p_delta, signals_);
@@ -178,7 +178,7 @@ void SoftBodySimulation2D::draw_frame() {
 	last_drawn_count_ = 0;
 	for (Space &space : spaces_) {
 		for (SoftBody2D *node : space.content->nodes()) {
-			if (node != nullptr) { // as those are that have left during a step that draws
+			if (node != nullptr) { // null for a node that has left during a step that draws
 				last_drawn_count_ += node->draw_frame(drawing_);
 			}
 		}
@@ -186,7 +186,7 @@ void SoftBodySimulation2D::draw_frame() {
 	last_drawing_usec_ = double(Time::get_singleton()->get_ticks_usec() - start);
 }
 
-// In low-processor mode the engine draws a frame only when something has asked for it.
+// In low-processor mode the engine draws a frame only on request.
 void SoftBodySimulation2D::draw_idle_frame() {
 	if (OS::get_singleton()->is_in_low_processor_usage_mode()) {
 		draw_frame();

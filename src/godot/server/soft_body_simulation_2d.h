@@ -20,9 +20,9 @@
 
 namespace godot {
 
-/// Owns one `SoftBodySpace2D` for each `World2D` in use. It steps on the scene tree's
-/// `physics_frame` signal: after Godot's own physics of the previous tick has been read back and
-/// before any `_physics_process`, which is when a RigidBody2D's new transform appears, too.
+/// Owns one `SoftBodySpace2D` for each `World2D` in use. It steps on the scene tree's `physics_frame` signal: after
+/// Godot's own physics of the previous tick has been read back and before any `_physics_process`, when a RigidBody2D's
+/// new transform appears, too.
 class SoftBodySimulation2D : public Object {
 	GDCLASS(SoftBodySimulation2D, Object)
 
@@ -38,9 +38,9 @@ public:
 	softbody::SoftBodySpace2D *add_joint(SoftBodyJoint2D *p_node);
 	void remove_joint(SoftBodyJoint2D *p_node);
 
-	/// What holds for every body of the project, as it was when it was last read.
+	/// Settings of the project's soft bodies, as last read.
 	const softbody::StepSettings &settings() const { return settings_; }
-	/// What the nodes need for being drawn.
+	/// The state of the frame that nodes need for drawing.
 	softbody::DrawingFrame &drawing() { return drawing_; }
 	const softbody::DrawingFrame &drawing() const { return drawing_; }
 

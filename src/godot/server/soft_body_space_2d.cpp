@@ -21,10 +21,10 @@ namespace softbody {
 
 namespace {
 
-// How many bodies with dents are shown to the engine as they are without need. The others are shown without their dents.
+// Most bodies with dents that are shown to the engine with them without need. The others are shown without dents.
 constexpr int MAX_DETAILED_PROXIES = 16;
 
-// Time since it was made or last asked [µs].
+// Time since creation or the last query [µs].
 class Stopwatch {
 public:
 	double lap() {
@@ -50,7 +50,7 @@ StepProfile &StepProfile::operator+=(const StepProfile &p_other) {
 SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for) :
 		space_(p_space), simulator_(world_, std::move(p_parallel_for)), reader_(p_space) {
 	world_.set_length_unit(PIXELS_PER_METER); // tolerances of the core scale with it
-	read_gravity(); // a first step that brought it would wake those who start asleep
+	read_gravity(); // a first step that brought it would wake bodies that start asleep
 }
 
 void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
@@ -68,7 +68,7 @@ void SoftBodySpace2D::add(SoftBody2D *p_node) {
 	body_count_++;
 }
 
-// During a step the others keep their places.
+// During a step the other nodes keep their places.
 void SoftBodySpace2D::remove(SoftBody2D *p_node) {
 	const size_t index = p_node->get_space_index();
 	if (index >= nodes_.size() || nodes_[index] != p_node) {

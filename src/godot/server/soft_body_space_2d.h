@@ -21,10 +21,10 @@ namespace softbody {
 
 class BodySignals;
 
-/// Where the time of a step goes [µs].
+/// Time of the parts of a step [µs].
 struct StepProfile {
-	double prepare = 0; ///< taking over what users changed
-	double surroundings = 0; ///< reading what is near
+	double prepare = 0; ///< taking over changes of users
+	double surroundings = 0; ///< reading the environment near bodies
 	double simulate = 0; ///< in the core
 	double finish = 0; ///< moving nodes along
 	double proxies = 0; ///< showing the hulls to the engine
@@ -32,11 +32,10 @@ struct StepProfile {
 	StepProfile &operator+=(const StepProfile &p_other);
 };
 
-/// Joins the core's world of one `World2D` with the nodes that stand for its bodies.
+/// Joins the core's world of one `World2D` with the nodes of its bodies.
 class SoftBodySpace2D {
 public:
-	/// `p_space` is the space of a `World2D` and must outlive this object.
-	/// `p_parallel_for` divides the work of a step.
+	/// `p_space` is the space of a `World2D` and must outlive this object. `p_parallel_for` divides the work of a step.
 	SoftBodySpace2D(const godot::RID &p_space, ParallelFor p_parallel_for);
 
 	WorldData &world() { return world_; }
@@ -45,26 +44,26 @@ public:
 	void apply_settings(const StepSettings &p_settings);
 	bool is_empty() const { return body_count_ == 0 && joints_.empty(); }
 	int64_t body_count() const { return body_count_; }
-	/// Null where a node has left during the present step.
+	/// An entry is null if its node has left during the present step.
 	const std::vector<godot::SoftBody2D *> &nodes() const { return nodes_; }
 
-	/// Bodies that the last step found neither asleep nor out of process.
+	/// Number of bodies that were neither asleep nor disabled in the last step.
 	int64_t awake_body_count() const { return awake_body_count_; }
-	/// Contacts that the last step answered, counted in every substep.
+	/// Contacts solved in the last step, counted in every substep.
 	int64_t contact_count() const { return contact_count_; }
-	/// Of the last step.
+	/// Times of the last step.
 	const StepProfile &profile() const { return profile_; }
 
 	void add(godot::SoftBody2D *p_node);
 	void remove(godot::SoftBody2D *p_node);
 	void add_joint(godot::SoftBodyJoint2D *p_node);
 	void remove_joint(godot::SoftBodyJoint2D *p_node);
-	/// Reads gravity and surroundings, steps the core by `p_delta` [s], hands the result to the nodes and to the rigid
-	/// bodies of the engine. What is to be told of it is added to the signals.
+	/// Reads gravity and environment, steps the core by `p_delta` [s], and hands the result to the nodes and to the
+	/// rigid bodies of the engine. Adds the signals of the step to `r_signals`.
 	void step(double p_delta, BodySignals &r_signals);
 
 private:
-	/// Calls `p_work(node)` for the nodes that are there now; those that it removes are left out, those that it adds wait.
+	/// Calls `p_work(node)` for the present nodes. Nodes that it removes are skipped; nodes that it adds wait.
 	template <class Work>
 	void for_nodes(const Work &p_work) {
 		const size_t count = nodes_.size();
@@ -88,7 +87,7 @@ private:
 	WorldData world_;
 	Simulator simulator_;
 	EnvironmentReader reader_;
-	AreaEffects space_effects_; ///< where no area is
+	AreaEffects space_effects_; ///< outside all areas
 	std::vector<godot::RID> joined_; ///< bodies of the engine at the ends of joints
 	uint64_t tick_ = 0;
 	std::vector<godot::SoftBody2D *> nodes_;

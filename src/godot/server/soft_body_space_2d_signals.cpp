@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step of a space has to tell: who touches whom, who sleeps.
+// Signals of a space's step: touches and sleep.
 #include "godot/server/soft_body_space_2d.h"
 
 #include "godot/nodes/soft_body_2d.h"
@@ -17,7 +17,7 @@ namespace softbody {
 
 namespace {
 
-/// Nodes by the slots of their bodies. Moving nodes along may have brought other bodies into the slots since the step.
+/// Nodes by the slots of their bodies. Moving nodes may have brought other bodies into the slots since the step.
 class NodeIds {
 public:
 	explicit NodeIds(const std::vector<SoftBody2D *> &p_nodes) {
@@ -30,7 +30,7 @@ public:
 		}
 	}
 
-	/// Instance id, 0 for what belongs to no object.
+	/// Instance id, 0 for a surface without an object.
 	uint64_t find(const ContactOther &p_other) const {
 		if (p_other.kind != ContactOther::Kind::SOFT_BODY) {
 			return p_other.tag;
@@ -47,7 +47,7 @@ private:
 	std::vector<Entry> entries_;
 };
 
-// Those of one body, of a list that is sorted by bodies.
+// Records of one body, in a list that is sorted by bodies.
 template <class Record>
 std::span<const Record> of_body(std::span<const Record> p_list, BodyId p_body) {
 	const auto found = std::ranges::equal_range(p_list, p_body.index, {}, [](const Record &p_record) { return p_record.body.index; });

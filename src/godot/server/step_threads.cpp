@@ -15,7 +15,7 @@ namespace softbody {
 
 namespace {
 
-// Beyond these a step of a few milliseconds gains little, and the rest of the game wants threads, too.
+// Most threads by default: more gain little for a step of a few milliseconds, and the game needs threads too.
 constexpr int MAX_AUTOMATIC = 8;
 
 } // namespace
@@ -35,7 +35,7 @@ StepThreads::~StepThreads() {
 
 void StepThreads::set_thread_count(int p_count) {
 	const OS *os = OS::get_singleton();
-	// Without threads the pool runs a task at once and within the call: a helper would wait for its own leader.
+	// Without threads the pool runs a task at once within the call: a helper would wait for its own leader.
 	if (os->has_feature("nothreads")) {
 		thread_count_ = 1;
 		return;
@@ -58,7 +58,7 @@ void StepThreads::ask_for_helpers() {
 	asked_ = true;
 	shared_->team.open();
 	forget_finished(false);
-	// Helpers of earlier steps that have not come yet are still on their way.
+	// Helpers of earlier steps that have not begun yet are still queued.
 	while (int(tasks_.size()) < thread_count_ - 1) {
 		auto *lent = new std::shared_ptr<Shared>(shared_);
 		tasks_.push_back(WorkerThreadPool::get_singleton()->add_native_task(
@@ -77,7 +77,7 @@ void StepThreads::end_step() {
 	}
 }
 
-// The pool keeps a task until somebody has waited for it.
+// The pool keeps a task until its end is awaited.
 void StepThreads::forget_finished(bool p_wait) {
 	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
 	std::erase_if(tasks_, [&](int64_t p_task) {

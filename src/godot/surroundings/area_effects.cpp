@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What areas do to a soft body.
+// Effects of areas on a soft body.
 #include "godot/surroundings/area_effects.h"
 
 #include "godot/convert.h"
@@ -15,8 +15,7 @@ namespace softbody {
 
 namespace {
 
-// Which part of gravity may change unnoticed. A point of gravity pulls another way whenever a body moves, and a change
-// of what acts on it keeps a body awake.
+// Share of gravity that may change unnoticed: point gravity changes with every move, and a change keeps a body awake.
 constexpr Real GRAVITY_TOLERANCE = Real(1e-3);
 
 } // namespace

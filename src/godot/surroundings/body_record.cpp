@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body of the engine as it was last read, with its shapes in the core's terms.
+// A body of the engine as it was last read, with its shapes translated for the core.
 #include "godot/surroundings/body_record.h"
 
 #include "godot/convert.h"
@@ -19,36 +19,36 @@ namespace softbody {
 
 namespace {
 
-// Faster than this [px/s], a body that is driven by the game was put elsewhere rather than moved there. Larger: what
-// is teleported a short way hits like a hammer. Smaller: fast pistons pass through.
+// Speed [px/s] above which a body moved by the game counts as teleported. Larger: a short teleport hits like a hammer.
+// Smaller: fast pistons pass through.
 constexpr double TELEPORT_SPEED = 6000;
 
-// Ticks after which a driven body that stands still is handed over as a collider that stands still, which costs the core
-// nothing as long as nothing comes near. Shorter: one that stops and goes makes the core's lists anew.
+// Ticks after which a driven body at rest becomes a static collider, which costs the core nothing as long as nothing
+// comes near. Shorter: a body that stops and goes makes the core's lists anew.
 constexpr int TICKS_TO_SETTLE = 60;
 
-// Cosine of the angle to the weight's opposite up to which what holds a body is taken for a support [1].
+// Least cosine of the angle between a support and the direction against the weight [1].
 constexpr double LEAST_SUPPORT = 0.2;
 
-// A sleeping body is woken when what acts on it would have given it this speed [px/s] or spin [rad/s]: those below which the
-// engine lets bodies sleep by default. Larger: it stays where it is for longer when what it lies on gives way. Smaller:
-// trembling soft bodies wake it.
+// A sleeping body is woken when its load would have given it this speed [px/s] or spin [rad/s], below which the engine
+// lets bodies sleep by default. Larger: it stays in place longer when its support gives way. Smaller: trembling soft
+// bodies wake it.
 constexpr Real WAKING_SPEED = 2;
 constexpr Real WAKING_SPIN = Real(0.14);
 
-// How much less or more than the weight of a sleeping body soft bodies may carry without waking it, as a part of that. Larger:
-// it hangs in the air when what it lies on gives way little by little. Smaller: bodies that fell asleep on soft ones are woken
-// by what was left of their motion.
+// Tolerance for the load that soft bodies carry of a sleeping body without waking it, as a share of its weight. Larger:
+// it hangs in the air when its support gives way slowly. Smaller: the remaining motion of soft bodies wakes bodies that
+// fell asleep on them.
 constexpr Real BALANCE_TOLERANCE = Real(0.25);
-constexpr Real SIDEWAYS_TOLERANCE = Real(0.2); // of that
+constexpr Real SIDEWAYS_TOLERANCE = Real(0.2); // of BALANCE_TOLERANCE, for loads across the weight
 
-// Turning by soft bodies [rad/s²] below which nothing can be learnt from how the body answers.
+// Angular acceleration by soft bodies [rad/s²] below which a support against turning is not estimated.
 constexpr Real LEAST_TURN = Real(0.1);
 
 // Farther than anything [px]: where the bounds of a border end.
 constexpr Real EVERYWHERE = Real(1e15);
 
-// Ticks for which a shape counts that no query has found since: those of sleeping bodies come every second tick.
+// Ticks for which a shape counts after the last query that found it: queries of sleeping bodies come every second tick.
 constexpr int64_t SEEN_TICKS = 3;
 
 bool is_same_scale(const Transform2D &p_a, const Transform2D &p_b) {
@@ -84,7 +84,7 @@ Transform2D BodyRecord::frame() const {
 	return has_rigid_body() ? transform_ * scale_.affine_inverse() : Transform2D();
 }
 
-// What surface_in_motion says of a collider, for a plane.
+// Counterpart of surface_in_motion for a plane.
 Border BodyRecord::border_in_world(const Plane &p_border, double p_delta) const {
 	if (!has_rigid_body()) {
 		return { p_border, surface_ };
@@ -131,8 +131,8 @@ bool BodyRecord::read_surface() {
 	surface.rough = friction < 0;
 	surface.restitution = Real(std::clamp(Math::abs(bounce), 0.0, 1.0));
 	surface.absorbent = bounce < 0;
-	// How the surface moves while the body stays in place. The server adds the body's own motion to it where that is
-	// driven, so there the node is asked.
+	// Motion of the surface while the body stays in place. The server adds the motion of a driven body to it, so there
+	// the node is asked.
 	surface.linear_velocity = {};
 	surface.angular_velocity = 0;
 	if (StaticBody2D *node = Object::cast_to<StaticBody2D>(ObjectDB::get_instance(object_id_))) {
@@ -151,7 +151,7 @@ bool BodyRecord::is_enabled(const ShapeRecord &p_shape, int64_t p_tick) const {
 	return is_told_by_node_ ? !p_shape.traits.disabled : p_tick - p_shape.seen <= SEEN_TICKS;
 }
 
-// Up is out of the side of a one-way shape that holds, by its own transform.
+// The up direction of a one-way shape, out of its holding side, by its own transform.
 void BodyRecord::translate(ShapeRecord &r_shape) const {
 	const Transform2D to_frame = (has_rigid_body() ? scale_ : transform_) * r_shape.transform;
 	r_shape.translated = r_shape.traits.disabled ? TranslatedShape() : translate_shape(r_shape.type, r_shape.data, to_frame);
@@ -275,7 +275,7 @@ BodyChange BodyRecord::poll(double p_delta) {
 		mode_ = mode;
 		const bool had_rigid_body = has_rigid_body();
 		is_rigid_ = mode >= PhysicsServer2D::BODY_MODE_RIGID;
-		is_mover_ = !is_rigid_ && had_rigid_body; // what is frozen in flight may be moved on
+		is_mover_ = !is_rigid_ && had_rigid_body; // a body frozen in flight may be moved on
 		still_ticks_ = 0;
 		last_reaction_ = {};
 		was_rigid_ = false;
@@ -311,8 +311,8 @@ BodyChange BodyRecord::settle() {
 	return BodyChange::REBUILT;
 }
 
-// The engine moves a driven body within its own step, which comes after ours: where it is now is where that step left it.
-// So its way in our step is the one that it has just gone, one tick late, and at the end it is where everybody sees it.
+// The engine moves a driven body within its own step, which comes after ours. Its way in our step is the one that it
+// has just gone, one tick late, and ends where the body is visible.
 BodyChange BodyRecord::poll_driven(const Transform2D &p_transform, double p_delta) {
 	const Pose from = to_core_pose(transform_);
 	const Pose to = to_core_pose(p_transform);
@@ -322,7 +322,7 @@ BodyChange BodyRecord::poll_driven(const Transform2D &p_transform, double p_delt
 	is_mover_ = was_mover || !is_jump;
 	const bool is_retranslated = take_transform(p_transform) || !was_mover;
 	if (is_retranslated && is_mover_ && !was_mover) {
-		translate_all(); // from the world's frame into its own
+		translate_all(); // from the world's frame into the body's
 	}
 	if (is_jump) {
 		rigid_body_ = {};
@@ -345,10 +345,10 @@ void BodyRecord::poll_rigid(PhysicsDirectBodyState2D *p_state, double p_delta) {
 	body.acceleration = weight_;
 	is_sleeping_ = p_state->is_sleeping();
 	body.asleep = is_sleeping_;
-	if (is_sleeping_ && was_rigid_) { // held by what held it when it fell asleep
+	if (is_sleeping_ && was_rigid_) { // its support is the one with which it fell asleep
 		body.support = rigid_body_.support;
 		body.turn_support = rigid_body_.turn_support;
-	} else if (is_sleeping_) { // it would fall if nothing held it
+	} else if (is_sleeping_) { // without support it would fall
 		const Real pull = length(weight_);
 		body.support = pull > 0 ? weight_ * (-1 / pull) : Vec2{};
 		body.turn_support = pull > 0 ? Real(1) : Real(0);
@@ -359,7 +359,7 @@ void BodyRecord::poll_rigid(PhysicsDirectBodyState2D *p_state, double p_delta) {
 			estimate_support(p_state, p_delta, body);
 		}
 	}
-	// What the support takes of its weight; the rest makes it fall.
+	// The support's share of its weight; the rest makes it fall.
 	const Real share = length(body.support);
 	if (share > 0) {
 		body.acceleration -= body.support * (std::min(dot(body.acceleration, body.support), Real(0)) / share);
@@ -385,7 +385,7 @@ Reaction BodyRecord::take_reaction(const Reaction &p_reaction, double p_delta) {
 		load -= rigid_body_.support * (std::min(dot(load, rigid_body_.support), Real(0)) / share);
 	}
 	Real turn = p_reaction.angular_impulse * (1 - rigid_body_.turn_support);
-	// It fell asleep slow, not in balance to the last bit.
+	// It fell asleep slow, not in perfect balance.
 	const Real tolerance = BALANCE_TOLERANCE * length(weight_) * Real(p_delta) / rigid_body_.inverse_mass;
 	const Real pull = length(weight_);
 	const Vec2 down = pull > 0 ? weight_ * (1 / pull) : Vec2{};
@@ -403,14 +403,14 @@ Reaction BodyRecord::take_reaction(const Reaction &p_reaction, double p_delta) {
 			std::abs(withheld_.angular_impulse) * rigid_body_.inverse_inertia < WAKING_SPIN) {
 		return {};
 	}
-	// Awake again, it feels its weight and its support in the engine's step.
+	// After waking, its weight and support act in the engine's step.
 	withheld_ = {};
 	is_sleeping_ = false;
 	PhysicsServer2D::get_singleton()->body_set_state(rid_, PhysicsServer2D::BODY_STATE_SLEEPING, false);
 	return { before.impulse + p_reaction.impulse, before.angular_impulse + p_reaction.angular_impulse };
 }
 
-// The engine wakes what is near a body whose shapes change, though the two do not collide.
+// The engine wakes bodies near a body whose shapes change, though the two do not collide.
 void BodyRecord::keep_asleep() {
 	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
 	if (is_sleeping_ && is_there() && !bool(server->body_get_state(rid_, PhysicsServer2D::BODY_STATE_SLEEPING))) {
@@ -425,10 +425,10 @@ void BodyRecord::let_go() {
 	}
 }
 
-// The engine does not tell what a body rests on. But what it should have gained in the last tick by its weight and by soft
-// bodies is known, and what it has gained; the difference is what something else did. As far as that cancels the load, it is
-// taken for a support that will do so again. Only what holds against the weight counts: a second crate on top of
-// one that lies on a soft body presses too, and is no support.
+// The engine does not tell what a body rests on. But the expected gain of velocity in the last tick by its weight and
+// by soft bodies is known, and so is the actual gain; the difference is the work of others. As far as it cancels the
+// load, it is taken for a support that will do so again. Only the part against the weight counts: a second crate on top
+// of one that lies on a soft body presses too, and is no support.
 void BodyRecord::estimate_support(PhysicsDirectBodyState2D *p_state, double p_delta, RigidBody &r_body) const {
 	const Real delta = Real(p_delta);
 	const Vec2 weight = r_body.acceleration * delta;
@@ -448,7 +448,7 @@ void BodyRecord::estimate_support(PhysicsDirectBodyState2D *p_state, double p_de
 	}
 	const Real share = std::min(strength / pressing, Real(1));
 	r_body.support = direction * share;
-	// Of its turning the same, where soft bodies have tried to turn it; else it is held in this too until that is seen.
+	// Support against turning, where soft bodies have tried to turn it; until then it is assumed.
 	const Real turn = last_reaction_.angular_impulse * r_body.inverse_inertia;
 	r_body.turn_support = share;
 	if (std::abs(turn) > LEAST_TURN * delta) {

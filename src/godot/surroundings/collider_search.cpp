@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the engine's bodies near soft bodies that are not known yet.
+// Finds bodies of the engine near soft bodies that are not known yet.
 #include "godot/surroundings/collider_search.h"
 
 #include "core/collision/environment_contact_solver.h"
@@ -18,38 +18,38 @@ namespace softbody {
 
 namespace {
 
-// Bodies in a group. More: the rectangles of neighbors overlap less, but each is farther from the shape of what it holds.
+// Bodies in a group. More: the rectangles of neighbors overlap less, but each fits its bodies less closely.
 constexpr std::size_t GROUP_SIZE = 64;
 
-// Width up to which bodies are one group, whatever is between them [px]. Larger: more is read that nothing touches. Smaller:
-// few bodies in a wide level cost a query each.
+// Width up to which bodies are one group, whatever is between them [px]. Larger: more is read that nothing touches.
+// Smaller: few bodies in a wide level cost a query each.
 constexpr Real GROUP_WIDTH = 2048;
 
 // A group is not divided below this width [px].
 constexpr Real LEAST_WIDTH = 16;
 
-// How far beyond its group's bodies a query sees [px]: what flies at up to 60 times this a second is known before it hits,
-// half of that if all bodies of the group sleep.
+// Distance beyond its group's bodies that a query covers [px]: bodies that fly at up to 60 times this a second are
+// known before they hit, half of that if all bodies of the group sleep.
 constexpr Real MARGIN = 128;
 
-// What is farther from all groups than this beyond their margins is forgotten [px]. Smaller: bodies that go to and fro are
-// read again and again.
+// Distance from all groups, beyond their margins, at which a body is forgotten [px]. Smaller: bodies that go to and fro
+// are read again and again.
 constexpr Real NEAR_MARGIN = 512;
 
 // Ticks after which groups are made anew as their bodies have moved apart.
 constexpr int64_t REGROUP_INTERVAL = 16;
 
-// What is found needlessly costs about so many times what a body on the list costs.
+// Cost of a needless answer over that of a body on the list.
 constexpr int64_t NEEDLESS_COST = 6;
 
-// The engine looks at 2048 shapes in a query. So many known ones a query are left room to find others.
+// The engine tests 2048 shapes in a query. At most this many known shapes leave room to find others.
 constexpr int64_t KNOWN_SHAPES = 1024;
 constexpr int32_t FEW_RESULTS = 32;
 constexpr int32_t MANY_RESULTS = 1024;
 constexpr int MAX_SPLITS = 4;
 
-// How far a body may get in one step [px]: its fastest point plus what gravity adds, and a margin for points that the
-// springs throw ahead.
+// The box that a body may reach in one step [px]: its fastest point plus gravity, and a margin for points that springs
+// accelerate.
 Aabb reach_of(const SoftBodyData &p_body, Vec2 p_gravity, Real p_delta) {
 	const Aabb box = sweep_box(p_body.hull(), p_body.velocities(), p_delta);
 	return box.grown(length(p_gravity) * p_delta * p_delta + p_body.shape().radius() / 2);
@@ -89,7 +89,7 @@ void ColliderSearch::follow(const WorldData &p_world, double p_delta) {
 		}
 		followed.asleep = body.is_asleep();
 		const Aabb reach = reach_of(body, p_world.gravity(), Real(p_delta));
-		if (is_finite(reach.max - reach.min)) { // or else the step resets it, about where it was
+		if (is_finite(reach.max - reach.min)) { // otherwise the step resets the body, near its place
 			followed.reach = reach;
 		}
 		is_moving |= !followed.asleep;
@@ -116,7 +116,7 @@ void ColliderSearch::regroup() {
 	divide(0, order_.size());
 }
 
-// Halves of the longer side, so that what lies apart soon comes apart.
+// Halves the longer side, so that distant bodies are soon separated.
 void ColliderSearch::divide(std::size_t p_begin, std::size_t p_end) {
 	if (p_begin == p_end) {
 		return;
@@ -134,7 +134,7 @@ void ColliderSearch::divide(std::size_t p_begin, std::size_t p_end) {
 		const auto half = std::partition(begin + std::ptrdiff_t(p_begin), begin + std::ptrdiff_t(p_end),
 				[&](const auto &p_body) { return (along_x ? p_body.first.x : p_body.first.y) < middle; });
 		const std::size_t split = std::size_t(half - begin);
-		if (split > p_begin && split < p_end) { // where numbers are too coarse to tell
+		if (split > p_begin && split < p_end) { // false where coordinates are too coarse to separate
 			divide(p_begin, split);
 			divide(split, p_end);
 			return;

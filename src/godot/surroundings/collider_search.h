@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the engine's bodies near soft bodies that are not known yet.
+// Finds bodies of the engine near soft bodies that are not known yet.
 #pragma once
 
 #include "core/geometry/aabb.h"
@@ -23,13 +23,10 @@ struct FoundShape {
 	int32_t shape = 0;
 };
 
-/// Soft bodies that are close together form a group, and the engine is asked by one rectangle around each group: about a
-/// microsecond, and some 40 ns for each of the engine's shapes in there. What it answers costs 1.5 µs a shape. So bodies
-/// that are known (those of the list given to `exclude`, and proxies) are left out of the answers; the list takes 0.2 µs a
-/// body to hand over, and is handed over again when what it would have spared comes to as much. Groups of sleeping bodies
-/// are asked every second tick. The engine looks at 2048 shapes at most in one query and does not say when there were
-/// more; rectangles with many known shapes are asked in pieces, so that only more than a thousand shapes of areas, or of
-/// bodies that soft bodies do not collide with, in one place could hide something.
+/// Asks the engine by one rectangle around each group of close soft bodies. Known bodies (the list of `exclude`, and
+/// proxies) are left out of the answers. Groups of sleeping bodies are asked every second tick. The engine tests at
+/// most 2048 shapes in one query and does not report more, so rectangles with many known shapes are asked in pieces.
+/// See docs/decisions/reading-the-engine.md.
 class ColliderSearch {
 public:
 	ColliderSearch();
@@ -37,38 +34,38 @@ public:
 	ColliderSearch(const ColliderSearch &) = delete;
 	ColliderSearch &operator=(const ColliderSearch &) = delete;
 
-	/// Takes note of where soft bodies are, and how far each may get in a step of `p_delta` [s]. O(bodies), with a sort once
-	/// in REGROUP_INTERVAL ticks.
+	/// Updates places and reach of soft bodies for a step of `p_delta` [s]. O(bodies), sorted once in REGROUP_INTERVAL
+	/// ticks.
 	void follow(const WorldData &p_world, double p_delta);
-	/// Adds shapes that overlap a group, on layers that its bodies collide with. May name some again that are known.
+	/// Adds shapes that overlap a group, on layers that its bodies collide with. May repeat known shapes.
 	void find(godot::PhysicsDirectSpaceState2D *p_state, std::vector<FoundShape> &r_found);
 
-	/// How many of those found last were known already.
+	/// Counts answers of the last `find` that were known already.
 	void note_needless(int64_t p_count) { needless_ += p_count; }
 	/// Whether it is time to call `exclude`, with `p_known` bodies known.
 	bool is_list_due(int64_t p_known) const;
 	/// The known bodies, to which all proxies are added.
 	void exclude(const std::vector<godot::RID> &p_known);
-	/// Some of the known are not any more: they must be found again.
+	/// Marks some known bodies as unknown: they must be found again.
 	void forget_list() { is_list_valid_ = false; }
 
-	/// Whether the groups are others than in the last tick.
+	/// Whether the groups differ from those of the last tick.
 	bool is_regrouped() const { return is_regrouped_; }
 	void clear_counts();
-	/// There are that many known shapes in the box.
+	/// Reports the number of known shapes in the box.
 	void count_shapes(const Aabb &p_box, int64_t p_count);
 
-	/// Whether any group is there or near.
+	/// Whether any group is in or near the box.
 	bool is_near(const Aabb &p_box) const;
 	std::size_t group_count() const { return groups_.size(); }
-	/// Around the bodies of a group, with a margin for what comes fast.
+	/// Box around the bodies of a group, with a margin for fast bodies.
 	const Aabb &group_box(std::size_t p_group) const { return groups_[p_group].box; }
 
-	/// Of the body stored at `p_row`: its group, or NO_GROUP if it collides with nothing.
+	/// Group of the body stored at `p_row`, or NO_GROUP if it collides with nothing.
 	uint32_t group_of(std::size_t p_row) const { return followed_[p_row].group; }
-	/// Layers that it collides with.
+	/// Layers that the body collides with.
 	uint32_t mask(std::size_t p_row) const { return followed_[p_row].mask; }
-	/// How far it may get in the coming step [px].
+	/// Box that the body may reach in the coming step [px].
 	const Aabb &reach(std::size_t p_row) const { return followed_[p_row].reach; }
 
 	static constexpr uint32_t NO_GROUP = UINT32_MAX;
@@ -79,13 +76,13 @@ private:
 		Aabb reach;
 		uint32_t mask = 0;
 		uint32_t group = NO_GROUP;
-		bool asleep = false; ///< and `reach` is that of a body at rest
+		bool asleep = false; ///< `reach` is that of a body at rest
 	};
 	struct Group {
 		std::size_t begin = 0, end = 0; ///< in `order_`
 		Aabb box;
 		uint32_t mask = 0;
-		int64_t shapes = 0; ///< known ones, proxies aside
+		int64_t shapes = 0; ///< known shapes, without proxies
 		bool asleep = true;
 	};
 
@@ -98,14 +95,14 @@ private:
 	godot::RID query_shape_;
 	godot::Ref<godot::PhysicsShapeQueryParameters2D> query_;
 	std::vector<Followed> followed_; ///< one a body of the world, in its order
-	std::vector<std::pair<Vec2, uint32_t>> order_; ///< middles and rows of those that collide, group by group
+	std::vector<std::pair<Vec2, uint32_t>> order_; ///< centers and rows of bodies that collide, group by group
 	std::vector<Group> groups_;
 	bool is_regrouped_ = false;
 	int64_t tick_ = 0;
-	int64_t regrouped_ = 0; ///< when
+	int64_t regrouped_ = 0; ///< tick of the last regrouping
 
 	int64_t needless_ = 0; ///< since the list was handed over
-	uint64_t listed_proxies_ = 0; ///< how many there had been then
+	uint64_t listed_proxies_ = 0; ///< number of proxies at that time
 	bool is_list_valid_ = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hands the bodies of Godot's physics server to the core, and what soft bodies did to them back.
+// Hands bodies of Godot's physics server to the core, and impulses of soft bodies back.
 #include "godot/surroundings/environment_reader.h"
 
 #include "core/model/internal_edges.h"
@@ -22,18 +22,17 @@ namespace {
 // are noticed sooner, for about a microsecond each.
 constexpr int REREAD_SHAPES = 16;
 
-// Bodies that are looked at each tick, to notice that one of them is gone or has other shapes. More: that is noticed sooner,
-// for a fifth of a microsecond each.
+// Bodies checked each tick for changes. More: changes are noticed sooner, for a fifth of a microsecond each.
 constexpr int LOOKS = 160;
 
-// Ticks after which bodies that are no longer near are forgotten. Shorter: what goes to and fro is read again and again.
+// Ticks after which distant bodies are forgotten. Shorter: bodies that go to and fro are read again and again.
 constexpr int64_t FORGET_INTERVAL = 64;
 
-// Bodies that are gone, but may come back, are asked every tick. More of them than this are forgotten.
+// Most bodies kept that are gone but may come back; each is asked for every tick.
 constexpr std::size_t MAX_MISSING = 64;
 
-// How far the corners of two tiles may be apart that lie edge to edge [px]. Larger: gaps are closed that can be seen.
-// Smaller: roundings far from the origin open seams.
+// Largest distance between corners of two tiles that lie edge to edge [px]. Larger: visible gaps are closed. Smaller:
+// rounding far from the origin opens seams.
 constexpr Real SEAM_TOLERANCE = Real(1) / 16;
 
 } // namespace
@@ -75,7 +74,7 @@ void EnvironmentReader::list_known() {
 	missing_.clear();
 }
 
-// True if it was not known.
+// True if the body was not known.
 bool EnvironmentReader::add(const RID &p_body) {
 	if (!bodies_.try_emplace(p_body.get_id(), p_body, space_, tick_).second) {
 		return false;
@@ -112,7 +111,7 @@ void EnvironmentReader::take_new(PhysicsDirectSpaceState2D *p_state) {
 	search_.note_needless(needless);
 }
 
-// A body on the list of the known is not found. One that left the space may come back before there is another list.
+// A body on the list of known bodies is not found. A body that left the space may come back before the list is renewed.
 void EnvironmentReader::take_back() {
 	for (std::size_t i = 0; i < missing_.size();) {
 		PhysicsServer2D *server = PhysicsServer2D::get_singleton();
@@ -172,7 +171,7 @@ void EnvironmentReader::list_bodies() {
 	are_bodies_listed_ = true;
 }
 
-// Those of one TileMapLayer come and go together, most of the time.
+// Bodies of one TileMapLayer usually come and go together.
 void EnvironmentReader::look_at_some() {
 	const std::size_t count = std::min<std::size_t>(bodies_.size(), LOOKS);
 	auto next = bodies_.lower_bound(look_from_);
@@ -197,7 +196,7 @@ void EnvironmentReader::drop_gone() {
 		bodies_.erase(body.get_id());
 		missing_.push_back(body);
 		are_bodies_listed_ = false;
-		is_handed_over_ = false; // `movers_` is made anew then
+		is_handed_over_ = false; // `movers_` is then made anew
 	}
 	gone_.clear();
 	if (missing_.size() > MAX_MISSING) {
@@ -252,7 +251,7 @@ void EnvironmentReader::poll(double p_delta, WorldData &r_world) {
 		list_bodies();
 	}
 	if (!is_handed_over_) {
-		return; // all of them are handed over anyway
+		return; // all of them are handed over in any case
 	}
 	for (const BodyRecord *body : movers_) {
 		r_world.set_rigid_body(body->rigid_index, body->rigid_body());

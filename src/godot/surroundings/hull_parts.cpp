@@ -17,11 +17,11 @@ namespace softbody {
 
 namespace {
 
-// A part that is longer than this many times its width is cut: what is long bends, and the convex hull of a bent bar
+// Largest length of a part over its width; longer parts are cut. Long parts bend, and the convex hull of a bent bar
 // would fill the inside of the bend.
 constexpr Real LONGEST_PART = Real(2.5);
 
-// Wedges of a hull that is all one part. More follow a dent more exactly and cost as much each.
+// Wedges of a hull that is one part. More follow a dent more exactly, at proportional cost.
 constexpr std::size_t WEDGES = 16;
 
 using Part = std::vector<std::uint32_t>;
@@ -49,7 +49,7 @@ std::vector<Part> divide_convex(std::span<const Vec2> hull) {
 	if (is_convex(hull)) {
 		return { whole };
 	}
-	// The engine's decomposition adds no points, so each corner is one of ours.
+	// The engine's decomposition adds no points, so each corner is a hull point.
 	std::vector<Part> parts;
 	const godot::TypedArray<godot::PackedVector2Array> polygons =
 			godot::Geometry2D::get_singleton()->decompose_polygon_in_convex(to_godot(hull));
@@ -68,7 +68,7 @@ std::vector<Part> divide_convex(std::span<const Vec2> hull) {
 	return parts.empty() ? std::vector<Part>{ whole } : parts;
 }
 
-// Cuts a long part across its middle, between the two corners nearest to it on either side.
+// Cuts a long part across its middle, between the two nearest corners on either side.
 void cut_long(std::span<const Vec2> hull, Part part, std::vector<Part> &r_parts) {
 	const std::size_t count = part.size();
 	std::size_t from = 0;
@@ -118,7 +118,7 @@ void cut_long(std::span<const Vec2> hull, Part part, std::vector<Part> &r_parts)
 		halves[1].push_back(part[i % count]);
 	}
 	for (Part &half : halves) {
-		// A piece that is no shorter than what it came from would be cut for ever.
+		// A piece as long as the whole would be cut forever.
 		if (half.size() < count) {
 			cut_long(hull, std::move(half), r_parts);
 		} else {

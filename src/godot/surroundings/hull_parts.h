@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Divides a hull into convex parts by point index, so that the parts follow the points wherever they go.
+// Divides a hull into convex parts by point index, so that the parts follow the points.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -12,12 +12,12 @@ namespace softbody {
 
 /// Two divisions of one hull. Each lists point indices in the order of the part's outline.
 struct HullParts {
-	/// As few as possible, convex and compact at rest: one for a ball, three for a long bar (which may bend).
+	/// As few parts as possible, convex and compact at rest: one for a ball, three for a long bar (which may bend).
 	std::vector<std::vector<std::uint32_t>> convex;
-	/// For a hull with dents: runs of an outline of `convex`, each of which makes a wedge with the middle of its part.
+	/// For a hull with dents: runs of an outline of `convex`, each of which forms a wedge with the middle of its part.
 	struct Wedge {
 		std::uint32_t part = 0; ///< index into `convex`
-		std::uint32_t first = 0; ///< place in the part's list at which the run starts; it may go over the list's end
+		std::uint32_t first = 0; ///< index in the part's list at which the run starts; it may wrap around
 		std::uint32_t count = 0; ///< points of the run, >= 2
 	};
 	std::vector<Wedge> wedges; ///< at least as many as `convex`
@@ -27,12 +27,12 @@ struct HullParts {
 HullParts divide_hull(std::span<const Vec2> rest_hull);
 
 /// Writes the convex hull of a part's points, of positive winding, into `r_outline`; nothing for points in line.
-/// `workspace` is the caller's to keep, so that it grows once. O(n), O(n log n) where the points are not convex.
-/// Returns how far the deepest point lies inside its part's convex hull: the depth of a dent [length].
+/// `r_workspace` is kept by the caller, so that it grows once. Returns the depth of the deepest dent: how far a point
+/// lies inside its part's convex hull [length]. O(n), O(n log n) where the points are not convex.
 Real gather_part(std::span<const Vec2> hull, const std::vector<std::uint32_t> &part, std::vector<Vec2> &r_workspace,
 		std::vector<Vec2> &r_outline);
 
-/// The same for a wedge.
+/// Writes the convex hull of a wedge.
 void gather_wedge(std::span<const Vec2> hull, const HullParts &parts, const HullParts::Wedge &wedge,
 		std::vector<Vec2> &r_workspace, std::vector<Vec2> &r_outline);
 

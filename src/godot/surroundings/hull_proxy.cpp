@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body of Godot's physics server that lies where a soft body lies.
+// A body of Godot's physics server in the place of a soft body.
 #include "godot/surroundings/hull_proxy.h"
 
 #include "godot/convert.h"
@@ -16,21 +16,21 @@ namespace softbody {
 
 namespace {
 
-// How far the polygons may be from the hull [px]. Smaller moves are not worth telling the engine.
+// Largest distance of the polygons from the hull [px]. The engine is not told of smaller moves.
 constexpr Real OUTLINE_TOLERANCE = Real(0.05);
 
-// How far the origin of the engine's body may be from the center of mass [px]: what areas with point gravity pull at.
+// Largest distance of the engine body's origin, at which areas with point gravity pull, from the center of mass [px].
 constexpr Real ORIGIN_TOLERANCE = Real(0.5);
 
-// From what depth on a dent is shown, in parts of the body's radius, and at least in px.
+// Depth from which on a dent is shown, as a share of the body's radius, and at least in px.
 constexpr Real DENT_TOLERANCE = Real(0.03);
 constexpr Real LEAST_DENT_TOLERANCE = 1;
 
-// For how many ticks a hull has no deep dent before it is shown in one piece again.
+// Ticks without a deep dent before a hull is shown in one piece again.
 constexpr int SMOOTH_FOLLOWS = 30;
 
-// Speeds below which the engine's body counts as still [px/s, rad/s]. A character is carried by what it stands on, and by
-// friction carries that in turn: with the tremor of a pressed jelly passed on, the two wander off together.
+// Speeds below which the engine's body counts as still [px/s, rad/s]. A floor carries a character, and the character
+// moves the floor by friction: with the tremor of a pressed jelly passed on, the two wander off together.
 constexpr Real SPEED_TOLERANCE = 3;
 constexpr Real SPIN_TOLERANCE = Real(0.05);
 
@@ -46,7 +46,7 @@ std::vector<Vec2> corner_normals(std::span<const Vec2> hull) {
 		const Vec2 after = hull[(i + 1) % count] - hull[i];
 		const Vec2 along = before * (1 / length(before)) + after * (1 / length(after));
 		const Real size = length(along);
-		// A hull that turns back at a spike has the direction of the spike.
+		// At a spike that turns back, the normal is the direction of the spike.
 		normals[i] = size > Real(1e-3) ? Vec2{ along.y, -along.x } * (1 / size) : before * (1 / length(before));
 	}
 	return normals;
@@ -72,8 +72,8 @@ std::uint64_t hull_proxies_made() {
 	return made;
 }
 
-// Exchanged shapes wait in a list that the engine goes through before it steps or moves a body, but not before it is
-// asked by a ray. Turning by nothing has it go through the list.
+// Exchanged shapes wait in a list that the engine processes before it steps or moves a body, but not before a ray
+// query. Turning a body by nothing makes the engine process it.
 void flush_hull_proxies(const RID &any) {
 	PhysicsServer2D::get_singleton()->body_apply_torque_impulse(any, 0);
 }
@@ -126,7 +126,7 @@ void HullProxy::leave() {
 	end_near();
 }
 
-// Slots that are there already are kept, so that areas do not see the body leave and come back as it changes its size.
+// Existing slots are kept, so that areas do not see the body leave and come back as its size changes.
 void HullProxy::divide(const SoftBodyData &body) {
 	parts_ = divide_hull(body.shape().rest_hull());
 	polygons_.resize(parts_.convex.size());
@@ -136,7 +136,7 @@ void HullProxy::divide(const SoftBodyData &body) {
 	drop_slots(parts_.convex.size());
 }
 
-// The outline to be shown: the hull, but drawn in where a kinematic body may come.
+// The outline to be shown: the hull, drawn in where a kinematic body may come.
 void HullProxy::trace(const SoftBodyData &body, const BodyFrame &frame, Real inset) {
 	const std::span<const Vec2> hull = body.hull();
 	outline_.assign(hull.begin(), hull.end());
@@ -151,8 +151,8 @@ void HullProxy::trace(const SoftBodyData &body, const BodyFrame &frame, Real ins
 	}
 }
 
-// A kinematic body takes a transform over at the end of the engine's step, but its first one at once, and the first after
-// it was of another mode counts as that.
+// The engine takes a kinematic body's transform over at the end of its step, but its first one at once, and the first
+// one after another mode counts as that.
 bool HullProxy::place(const BodyFrame &frame, bool exactly) {
 	const Real tolerance = exactly ? OUTLINE_TOLERANCE : ORIGIN_TOLERANCE;
 	if (placed_ && length_squared(frame.center - origin_) <= tolerance * tolerance) {
@@ -174,7 +174,7 @@ void HullProxy::show_slot(std::size_t index, const std::vector<Vec2> &outline) {
 	if (index == slots_.size()) {
 		slots_.push_back({ server->convex_polygon_shape_create(), RID() });
 		PackedVector2Array points = to_godot(std::span<const Vec2>(outline));
-		if (outline.size() < 3) { // A shape must be something: until the part has an area, a speck in the middle.
+		if (outline.size() < 3) { // a shape must not be empty: until the part has an area, a speck in the middle
 			points = { Vector2(), Vector2(OUTLINE_TOLERANCE, 0), Vector2(0, OUTLINE_TOLERANCE) };
 		}
 		server->shape_set_data(slots_[index].shape, points);
@@ -182,7 +182,7 @@ void HullProxy::show_slot(std::size_t index, const std::vector<Vec2> &outline) {
 		return;
 	}
 	if (outline.size() < 3) {
-		return; // Pressed flat: what was shown last stays.
+		return; // pressed flat: the last polygon stays
 	}
 	const PackedVector2Array points = to_godot(std::span<const Vec2>(outline));
 	Slot &slot = slots_[index];
@@ -217,8 +217,8 @@ bool HullProxy::has_moved(const std::vector<std::uint32_t> &part, std::size_t fi
 	return false;
 }
 
-// Wedges come a tick before the convex parts go, and go a tick after those have come back: no area sees the body leave in
-// between. The first slots show either, those behind them are there for wedges only.
+// Wedges come a tick before the convex parts go, and go a tick after those have come back: no area sees the body leave
+// in between. The first slots show either; the slots behind them are for wedges only.
 void HullProxy::show(bool may_detail) {
 	const std::size_t part_count = parts_.convex.size();
 	Real radius = 0;
@@ -308,7 +308,7 @@ bool HullProxy::follow(const SoftBodyData &body, Real inset, bool may_detail) {
 	}
 	send_velocity(frame, asleep);
 	if (!asleep && !is_placed) {
-		stir(); // The engine looks at areas for bodies that it believes to move.
+		stir(); // the engine updates areas for bodies that seem to move
 	}
 	still_ = asleep && (!is_detailed() || (wedged_ && smooth_follows_ == 0));
 	return slots_.size() > 1;

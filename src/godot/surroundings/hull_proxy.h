@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body of Godot's physics server that lies where a soft body lies, so that the engine's own queries find it.
+// A body of Godot's physics server in the place of a soft body, so that the engine's own queries find it.
 #pragma once
 
 #include "core/model/body_frame.h"
@@ -16,26 +16,12 @@
 
 namespace softbody {
 
-/// What rays, shape queries, areas and the motion of characters see of a soft body: a kinematic body of convex polygons
-/// that follow the hull. It has no mask, so it looks for nothing itself; areas look for it, and as it is kinematic, the
-/// engine works out their gravity and damping for it (`read_area_effects`).
-///
-/// Its place and its polygons change at once, not with the engine's next step as is usual for kinematic bodies: what a
-/// script asks in `_physics_process` is answered by the hull as it is. Polygons are within OUTLINE_TOLERANCE of the
-/// hull, but dents: a part (`HullParts::convex`) is shown as its convex hull until a dent in it is deeper than
-/// DENT_TOLERANCE; then the hull is shown in wedges, until it has been smooth for a while. Wedges cost many times as
-/// much, and in a pile nearly all bodies are dented by their neighbors. So the caller says which may have them; one
-/// with a kinematic body near has them anyway, as a character in a dent that is filled would be stuck.
-///
-/// **Characters.** A kinematic character would be stopped at the hull and so never press it. Where the near ones are
-/// known (`begin_near`), the outline is drawn in by `inset`: they come that far in, the core's contact presses the hull
-/// under them by as much, and further they do not get. The depth counts from the rest shape fitted to the body, or
-/// the outline would give way again and again to who stands on it.
-///
-/// **Rigid bodies** that the soft body meets are the core's to answer. The engine is kept from answering them as well by
-/// collision exceptions with those that are near.
-///
-/// A body that sleeps costs nothing. RIDs stay the same for the life of the proxy.
+/// The soft body as rays, shape queries, areas and the motion of characters see it: a kinematic body without mask, of
+/// convex polygons that follow the hull at once, within OUTLINE_TOLERANCE. A part with a dent (`HullParts::convex`) is
+/// shown as its convex hull; a dent deeper than DENT_TOLERANCE is shown in wedges, at many times the cost, if the
+/// caller allows it or a kinematic body is near. Near kinematic bodies (`begin_near`) the outline is drawn in by
+/// `inset`, so that they press the hull. Collision exceptions leave near rigid bodies to the core. A sleeping body
+/// costs nothing. RIDs stay constant for the life of the proxy. See docs/decisions/engine-proxy.md.
 class HullProxy {
 public:
 	HullProxy() = default;
@@ -47,23 +33,23 @@ public:
 	godot::RID rid();
 	bool is_in_space() const { return in_space_; }
 
-	/// What queries find: instance id of the node.
+	/// Sets the instance id of the node, which queries return.
 	void set_collider(std::uint64_t instance_id);
 	void set_layer(std::uint32_t layer);
-	/// Shows itself in `space`, where the body is now.
+	/// Adds the proxy to `space`, at the body's present place.
 	void enter(const godot::RID &space, const SoftBodyData &body, Real inset);
 	void leave();
-	/// The body has another hull: the next `follow` divides it anew.
+	/// Called after the body got another hull: the next `follow` divides it anew.
 	void forget_shape() { parts_ = {}; }
-	/// Has the engine work out anew what areas do to a body that sleeps.
+	/// Makes the engine work out anew the effects of areas on a sleeping body.
 	void stir();
-	/// After a step. `inset` >= 0 [px], of which at most a quarter of the body's width is used.
-	/// If it returns true, `flush_hull_proxies` must be called before anybody asks.
+	/// Called after a step. `inset` >= 0 [px], limited to a quarter of the body's width. If it returns true,
+	/// `flush_hull_proxies` must be called before any query.
 	bool follow(const SoftBodyData &body, Real inset, bool may_detail);
 	/// Whether it is shown in wedges.
 	bool is_detailed() const { return !parts_.convex.empty() && slots_.size() > parts_.convex.size(); }
 
-	/// Around what the surroundings reader found near the body: who is not noted between the two is no longer near.
+	/// Encloses the reports of bodies near this one; a body not reported in between is no longer near.
 	void begin_near();
 	void note_near(const godot::RID &body, godot::PhysicsServer2D::BodyMode mode);
 	void end_near();
@@ -72,8 +58,9 @@ public:
 	void remove_exception(const godot::RID &body);
 
 private:
-	/// One shape of the engine's body. A shape that is alone is changed where it is. Of several each change would make the
-	/// engine look at all, so the next polygon goes into a spare shape, and those are exchanged, which it notes for later.
+	/// One shape of the engine's body. A single shape is changed in place. Of several, each change would make the
+	/// engine process all, so the next polygon goes into a spare shape, and the two are exchanged, which the engine
+	/// processes later.
 	struct Slot {
 		godot::RID shape;
 		godot::RID spare;
@@ -94,16 +81,16 @@ private:
 	std::vector<Vec2> rest_normals_; ///< outward, one a hull point
 
 	std::vector<Vec2> outline_; ///< to be shown, relative to the origin
-	std::vector<Vec2> shown_; ///< where each point was when it was last shown
-	std::vector<bool> moved_; ///< which are elsewhere now
+	std::vector<Vec2> shown_; ///< place of each point when it was last shown
+	std::vector<bool> moved_; ///< points that are elsewhere now
 	Vec2 origin_;
 	Vec2 velocity_;
 	Real angular_velocity_ = 0;
 	Real inset_ = 0;
 	bool in_space_ = false;
-	bool still_ = false; ///< the body sleeps, and all that has been shown
+	bool still_ = false; ///< the body sleeps, and all of it has been shown
 	bool wedged_ = false; ///< the first slots show wedges
-	int smooth_follows_ = 0; ///< for how long no dent was deep
+	int smooth_follows_ = 0; ///< ticks without a deep dent
 	bool placed_ = false;
 
 	bool pressed_ = false; ///< a kinematic body is near
@@ -116,15 +103,15 @@ private:
 	std::vector<Vec2> polygon_;
 };
 
-/// Whether this body of the physics server is a soft body's proxy: who reads surroundings leaves it out.
+/// Whether this body of the physics server is a soft body's proxy. The environment reader leaves proxies out.
 bool is_hull_proxy(const godot::RID &body);
-/// How many there are, and all of them.
+/// Number of proxies, and all of them.
 std::size_t hull_proxy_count();
 void append_hull_proxies(godot::TypedArray<godot::RID> &list);
-/// How many there have ever been.
+/// Number of proxies ever made.
 std::uint64_t hull_proxies_made();
 
-/// Has the engine take note of all polygons changed since. `any` is the RID of any proxy.
+/// Makes the engine process all polygons changed since the last call. `any` is the RID of any proxy.
 void flush_hull_proxies(const godot::RID &any);
 
 } // namespace softbody

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the physics server does not tell of a shape, but its node does.
+// Traits of a shape that its node tells and the physics server does not.
 #include "godot/surroundings/shape_traits.h"
 
 #include <godot_cpp/classes/collision_object2d.hpp>
@@ -48,9 +48,9 @@ uint64_t describe_shape_owners(Object *p_owner) {
 	return hash;
 }
 
-// One body may hold several tiles, and a tile several polygons; the engine puts no ordinary polygons into a body of one-way
-// ones, and tells bodies of one layer of the tile set apart by nothing else that can be read. So the tile in the middle of
-// the shape decides, by the polygons that it has on layers like the body's.
+// One body may hold several tiles, and a tile several polygons. The engine does not mix ordinary and one-way polygons
+// in a body, and nothing else that can be read separates bodies of one layer of the tile set. So the tile in the middle
+// of the shape decides, by its polygons on layers like the body's.
 std::optional<double> find_tile_margin(Object *p_layer, const RID &p_body, const Vector2 &p_middle) {
 	TileMapLayer *map = Object::cast_to<TileMapLayer>(p_layer);
 	if (map == nullptr) {

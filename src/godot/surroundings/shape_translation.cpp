@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a shape of Godot's physics server is to the core.
+// Translates shapes of Godot's physics server for the core.
 #include "godot/surroundings/shape_translation.h"
 
 #include "core/geometry/polygon.h"
@@ -22,7 +22,7 @@ namespace softbody {
 
 namespace {
 
-// Points of a half circle where a circle is squeezed by a scale that differs along x and y.
+// Points of a half circle, where a circle is squeezed by a scale that differs along x and y.
 constexpr int ARC_POINTS = 16;
 
 void add_outline(const std::vector<Vector2> &p_points, const Transform2D &p_to_frame, Real p_radius, TranslatedShape &r_shape) {
@@ -94,8 +94,8 @@ void add_boundary(const Vector2 &p_normal, real_t p_distance, const Transform2D 
 	r_shape.border = border.plane;
 }
 
-// Where exactly two segments share an end, each knows where the other goes on. Ends are compared as they were given, so that
-// no rounding of the transform parts them.
+// Where exactly two segments share an end, each knows where the other goes on. Ends are compared as given, so that
+// rounding of the transform does not separate them.
 void add_segments(const PackedVector2Array &p_ends, const Transform2D &p_to_frame, TranslatedShape &r_shape) {
 	using Place = std::pair<real_t, real_t>;
 	const auto place_of = [&](int64_t p_end) { return Place(p_ends[p_end].x, p_ends[p_end].y); };
@@ -144,8 +144,8 @@ TranslatedShape translate_shape(PhysicsServer2D::ShapeType p_type, const Variant
 			add_round(p_data, 0, p_to_frame, shape);
 		} break;
 		case PhysicsServer2D::SHAPE_CAPSULE: {
-			// Godot's own server takes (radius, height) and returns (height, radius). The height includes
-			// both caps, so it is never the smaller of the two, whatever the order.
+			// Godot's own server takes (radius, height) and returns (height, radius). The height includes both caps, so
+			// it is never the smaller of the two, whatever the order.
 			const Vector2 size = p_data;
 			const real_t radius = Math::min(size.x, size.y);
 			const real_t height = Math::max(size.x, size.y);

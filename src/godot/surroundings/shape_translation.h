@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a shape of Godot's physics server is to the core.
+// Translates shapes of Godot's physics server for the core.
 #pragma once
 
 #include "core/geometry/plane.h"
@@ -14,17 +14,17 @@
 
 namespace softbody {
 
-/// A shape in the core's terms, without a surface.
+/// A shape as colliders of the core, without a surface.
 struct TranslatedShape {
 	std::vector<Collider> colliders;
 	std::optional<Plane> border; ///< of a world boundary
 };
 
-/// Translates a shape of any kind, with any transform: turned, scaled, skewed, mirrored. `p_data` is what
-/// `PhysicsServer2D.shape_get_data()` gives, `p_to_frame` leads from the shape to the frame of the result. Round shapes stay
-/// round under a uniform scale, and become polygons under another. Segments of a concave shape that share an end with one
-/// other are joined as a chain. A separation ray has no surface and gives nothing; what the core refuses is left out with an
-/// error.
+/// Translates a shape of any kind, with any transform: turned, scaled, skewed, mirrored. `p_data` is the result of
+/// `PhysicsServer2D.shape_get_data()`; `p_to_frame` maps from the shape to the frame of the result. Round shapes stay
+/// round under a uniform scale, and become polygons under another. Segments of a concave shape that share an end with
+/// one other segment are joined as a chain. A separation ray has no surface and gives nothing. Shapes that the core
+/// refuses are left out with an error.
 TranslatedShape translate_shape(godot::PhysicsServer2D::ShapeType p_type, const godot::Variant &p_data,
 		const godot::Transform2D &p_to_frame);
 

@@ -117,7 +117,7 @@ StressScene funnel(const StressSetup &setup, double gap) {
 	StressScene scene(scene_name("load/funnel", gap), pixel_world());
 	for (const Real side : { Real(-1), Real(1) }) {
 		Collider wall;
-		wall.radius = 2; // see docs/architecture.md for lines without thickness
+		wall.radius = 2; // see docs/decisions/environment-contacts.md for lines without thickness
 		wall.surface.friction = Real(0.2);
 		const Real lip = side * Real(gap * JELLY_RADIUS + 2);
 		const std::vector<Vec2> points = { { lip, 0 }, { lip + side * 200, -200 }, { lip + side * 200, -800 } };

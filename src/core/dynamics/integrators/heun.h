@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Heun's method: what the thesis's "midpoint" formulas mean.
+// Heun's method: the intended meaning of the thesis's "midpoint" formulas.
 #pragma once
 
 #include "core/dynamics/integrators/integrator_step.h"

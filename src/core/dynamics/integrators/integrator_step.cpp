@@ -10,7 +10,7 @@
 
 namespace softbody {
 
-// For whoever calls them by name.
+// For tests and benches that call them by name.
 template void step_explicit_euler(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
 template void step_semi_implicit_euler(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);
 template void step_midpoint(const BodyLanes<Real> &, const SubstepInput &, IntegratorWorkspace &);

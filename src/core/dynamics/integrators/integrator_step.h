@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one interface behind which all integrators stand.
+// The common interface of all integrators.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -12,7 +12,7 @@
 
 namespace softbody {
 
-/// What acts on a body during one substep.
+/// Loads on a body during one substep.
 template <class T>
 struct BasicSubstepInput {
 	Vec2 gravity; ///< [length/s²]
@@ -29,8 +29,8 @@ struct BasicWorkspace {
 	std::vector<BasicVec2<T>> stage_velocities;
 	std::vector<BasicVec2<T>> position_slopes;
 	std::vector<BasicVec2<T>> velocity_slopes;
-	/// Whether `forces` still belongs to the body's present state, so that velocity Verlet need not
-	/// evaluate it again. Whoever changes the state in between (a contact) sets it to false, lane by lane.
+	/// Whether `forces` still belongs to the body's present state, so that velocity Verlet need not evaluate it again.
+	/// Code that changes the state in between (a contact) sets it to false, lane by lane.
 	MaskOf<T> forces_are_current = T(0) < T(0);
 
 	/// Makes room for `count` points and forgets the last body.
@@ -64,28 +64,28 @@ void step_runge_kutta_4(const BodyLanes<T> &body, const BasicSubstepInput<T> &in
 template <class T>
 void step_velocity_verlet(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
 
-/// Advances one body; XPBD, whose passes end at different times for different bodies, exists only so.
+/// Advances one body. XPBD exists only in this form, as its passes end at different times for different bodies.
 using IntegratorStep = void (*)(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
 void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
 
-/// What is known of an integrator before it runs.
+/// Properties of an integrator.
 struct IntegratorTraits {
-	const char *name; ///< as benches and charts spell it
+	const char *name; ///< name in benches and charts
 	int order; ///< of the error over a fixed time as h goes to 0
 	int evaluations; ///< force evaluations a substep
 	/// Largest stable hω of the undamped oscillator; 0 when every step gains energy, infinite for XPBD.
 	double undamped_limit;
-	/// Whether the velocity after a substep is ahead of the way just gone: it holds the forces of the whole substep, the
-	/// way only those of a part, or none.
+	/// Whether the velocity after a substep is ahead of the way just gone: it holds the forces of the whole substep,
+	/// the way only those of a part, or none.
 	bool velocity_leads;
-	/// Whether a substep goes by nothing but the state at its start, so that a step may be divided anywhere without a change
-	/// of a bit. Velocity Verlet hands on its forces, XPBD its energy.
+	/// Whether a substep depends on nothing but the state at its start, so that a step may be divided anywhere without
+	/// changing a bit. Velocity Verlet passes on its forces, XPBD its energy.
 	bool hands_nothing_on;
 	IntegratorStep step;
-	LaneStep<RealPack> step_side_by_side; ///< the same for several bodies at once, with the same result; null for XPBD
+	LaneStep<RealPack> step_side_by_side; ///< for several bodies side by side, with equal bits; null for XPBD
 };
 
-/// Precondition: `integrator` is not AUTOMATIC, which is a choice and no method.
+/// Precondition: `integrator` is not AUTOMATIC, which is not a method.
 const IntegratorTraits &integrator_traits(Integrator integrator);
 
 } // namespace softbody

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which function steps bodies by which method, for any scalar type: included where they are instantiated.
+// Maps integrators to their step functions, for any scalar type: included where they are instantiated.
 #pragma once
 
 #include "core/dynamics/integrators/explicit_euler.h"
@@ -12,7 +12,7 @@
 
 namespace softbody {
 
-/// Null for XPBD, and for AUTOMATIC, which is no method.
+/// The step function of a method. Null for XPBD, and for AUTOMATIC, which is not a method.
 template <class T>
 LaneStep<T> lane_step(Integrator integrator) {
 	switch (integrator) {

@@ -17,12 +17,11 @@ namespace softbody {
 
 namespace {
 
-// One spring as the constraint C = |d| - l with compliance 1/k and damping c (Macklin, Müller,
-// Chentanez 2016, eq. 18 and 26, from a zero multiplier). Written with k h² and c h multiplied
-// through, so that k = 0 and c = 0 need no special case:
+// One spring as the constraint C = |d| - l with compliance 1/k and damping c (Macklin, Müller, Chentanez 2016, eq. 18
+// and 26, from a zero multiplier). Multiplied through with k h² and c h, so that k = 0 and c = 0 need no special case:
 //   λ = -(k h² C + c h ∇C·(x - x_before)) / (1 + (k h² + c h) (w_a + w_b)).
-// The denominator exceeds the numerator's gain for every k, c and h: one spring alone is stable with all of them.
-// Many springs at once are not, see balance_energy.
+// The denominator exceeds the numerator's gain for every k, c and h: one spring alone is always stable. Many springs at
+// once are not, see balance_energy.
 void solve_springs(const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x) {
 	if (!body.settings().has_springs()) {
 		return;
@@ -64,9 +63,9 @@ void solve_pressure(const SoftBodyData &body, Real h, std::span<Vec2> x, std::sp
 	}
 }
 
-// Shape matching by an implicit step of each point towards its goal, damping relative to the rigid
-// part of the motion. Goals and rigid motion are those of the predicted positions, and the weights
-// are masses, so the corrections sum to zero momentum and spin, but for rounding.
+// Shape matching by an implicit step of each point towards its goal, with damping relative to the rigid part of the
+// motion. Goals and rigid motion are those of the predicted positions, and the weights are masses, so the corrections
+// sum to zero momentum and spin, up to rounding.
 void solve_shape(SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x, std::span<Vec2> velocities) {
 	const SoftBodyShape &shape = body.shape();
 	for (std::size_t i = 0; i < x.size(); ++i) {
@@ -88,8 +87,8 @@ void solve_shape(SoftBodyData &body, std::span<const Vec2> before, Real h, std::
 	}
 }
 
-// Elastic modes by an implicit step of each along itself, and of what is in no mode: they are independent oscillators, so
-// this is exact for all of them at once but for the turn of the body within the substep.
+// Elastic modes, and deformation in no mode, by an implicit step of each. They are independent oscillators, so this is
+// exact for all at once, except for the turn of the body within the substep.
 void solve_modes(const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x, std::span<Vec2> scratch) {
 	const SoftBodyShape &shape = body.shape();
 	const ElasticModes &modes = *shape.modes();
@@ -134,8 +133,9 @@ void solve_modes(const SoftBodyData &body, std::span<const Vec2> before, Real h,
 	}
 }
 
-// The shear of a triangle as two constraints u = 0 and v = 0 of compliance 1/(μ A0), see triangle_lanes.h. They are linear,
-// and their gradients are orthogonal and of one length at each corner, so that both have one inverse_mass and are solved at once.
+// The shear of a triangle as two constraints u = 0 and v = 0 of compliance 1/(μ A0), see triangle_lanes.h. They are
+// linear, and their gradients are orthogonal and of one length at each corner, so both have one effective mass and are
+// solved at once.
 void solve_shear(const ElasticTriangle &triangle, const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x) {
 	const std::span<const Real> w = body.inverse_masses();
 	const auto [a, b, c] = triangle.corners;
@@ -156,7 +156,7 @@ void solve_shear(const ElasticTriangle &triangle, const SoftBodyData &body, std:
 	x[c] -= on_c * w[c];
 }
 
-// Its area as the constraint C of compliance 1/(K A0), where h is quadratic; beyond, with the pressure that it has there.
+// The area of a triangle as the constraint C of compliance 1/(K A0) where h is quadratic; beyond, by its pressure.
 void solve_dilation(const ElasticTriangle &triangle, const SoftBodyData &body, Real h, std::span<Vec2> x) {
 	const BodySettings &settings = body.settings();
 	const std::span<const Real> w = body.inverse_masses();
@@ -171,7 +171,7 @@ void solve_dilation(const ElasticTriangle &triangle, const SoftBodyData &body, R
 	const Vec2 on_b = shear_derivative<Real>(stress, triangle.gradients[0]) - perpendicular(e2) * (dilation.pressure / 2);
 	const Vec2 on_c = shear_derivative<Real>(stress, triangle.gradients[1]) + perpendicular(e1) * (dilation.pressure / 2);
 	const Real inverse_mass = w[a] * length_squared(on_b + on_c) + w[b] * length_squared(on_b) + w[c] * length_squared(on_c);
-	// These are K A0 h'(C) ∂C/∂x, and the constraint's gradient is that without K A0 h'(C).
+	// These are K A0 h'(C) ∂C/∂x; the constraint's gradient lacks the factor K A0 h'(C).
 	const Real scale = settings.area_stiffness * triangle.area * dilation.slope * dilation.slope;
 	const Real share = scale > 0 ? h * h / (1 + h * h * inverse_mass / scale) : Real(0);
 	x[a] += (on_b + on_c) * (share * w[a]);
@@ -186,13 +186,10 @@ void solve_triangles(const SoftBodyData &body, std::span<const Vec2> before, Rea
 	}
 }
 
-// One pass over many constraints that pull the same way can add up to more speed than their energy pays
-// for: each is solved as if the others had not just moved the point. Crumpled stiff bodies gained a hundred
-// times their energy so. What exceeds the books is taken from the motion relative to the rigid one; where
-// the new shape alone exceeds them (a constraint overshot along its curved path), the deformation of this
-// substep is halved until it does not. Momentum stays, and spin to first order in h. Sweeping the springs forth and
-// back with half of k and c each does not replace this: without the books, 4 of 1200 crumpled bodies passed twice
-// their energy, one eighty times; with them, it gains nothing for half as much time again.
+// One pass over many constraints that pull one way can add more speed than their energy pays for: each is solved as if
+// the others had not just moved the point. The excess over `allowed` is taken from the motion relative to the rigid
+// one. Where the new shape alone exceeds it (a constraint overshot along its curved path), the deformation of this
+// substep is halved until it does not. Momentum stays, and spin to first order in h. See docs/decisions/xpbd.md.
 void balance_energy(SoftBodyData &body, double allowed, const SubstepInput &input, std::span<const Vec2> before) {
 	constexpr int HALVINGS = 24;
 	const std::span<Vec2> x = body.mutable_positions();
@@ -202,7 +199,7 @@ void balance_energy(SoftBodyData &body, double allowed, const SubstepInput &inpu
 		if (!(excess > 0)) {
 			return;
 		}
-		// The way of the rigid motion over h, turned in earnest: along its tangent a fast spin would stretch the body.
+		// The way of the rigid motion over h, as a rotation: along its tangent a fast spin would stretch the body.
 		const BodyFrame frame = measure_frame(body, before, v);
 		const Rotation turn = Rotation::from_angle(frame.angular_velocity * input.h);
 		const auto rigid = [&](std::size_t i) {
@@ -231,9 +228,8 @@ void balance_energy(SoftBodyData &body, double allowed, const SubstepInput &inpu
 	}
 }
 
-// What pins that move have done to the body on the ways that they went within the substep: against the forces on them at
-// its start and at its end, each for half of it. Without it in the books, balance_energy would hold a body back from the
-// pins that carry it. `forces` is overwritten.
+// Work of moving pins on the body within the substep: against the forces at its start and at its end, each for half of
+// the way. Without it balance_energy would hold a body back from its pins. `forces` is overwritten.
 double work_of_pins(const SoftBodyData &body, std::span<const Vec2> before, std::span<const Vec2> x, std::span<const Vec2> v,
 		std::span<Vec2> forces) {
 	double work = 0;
@@ -248,7 +244,7 @@ double work_of_pins(const SoftBodyData &body, std::span<const Vec2> before, std:
 	return work;
 }
 
-// The rigid motion that a substep without contacts cannot change but from outside.
+// The rigid motion, which a substep without contacts can change only through external loads.
 struct RigidMotion {
 	Vec2 center;
 	Vec2 velocity;
@@ -277,15 +273,13 @@ RigidMotion rigid_motion_of(const SoftBodyData &body) {
 	return motion;
 }
 
-// Each correction acts along a line between two points, but as they are by then, moved by the corrections before it:
-// momentum is kept, spin is not. A stiff body let go stretched began to turn by itself (1.7 rad/s at k = 1e6), and a
-// turning one lost a sixth of its spin in ten seconds. And while momentum is kept in the sum, the last digit of a
-// position over h is a speed: a turning body in float strayed by 4 cm in ten seconds. What is missing of either is
-// given back as a rigid motion.
+// Each correction acts along a line between two points as they are by then, moved by earlier corrections: momentum is
+// kept, spin is not. And while the sum of momentum is kept, the last digit of a position over h is a speed. The missing
+// momentum and spin are restored as a rigid motion. See docs/decisions/xpbd.md.
 void restore_rigid_motion(SoftBodyData &body, const RigidMotion &wanted) {
 	const RigidMotion found = rigid_motion_of(body);
 	const Vec2 push = wanted.velocity - found.velocity;
-	// Gathered in a point, no turn of it would make up for anything.
+	// Points that coincide cannot make up for spin by turning.
 	const bool can_turn = found.inertia > DEGENERATE_LENGTH * body.shape().rest_inertia();
 	const auto turn = Real(can_turn ? (wanted.spin - found.spin) / found.inertia : 0.0);
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
@@ -295,8 +289,8 @@ void restore_rigid_motion(SoftBodyData &body, const RigidMotion &wanted) {
 
 } // namespace
 
-// Predict, correct, and let the corrections change the velocity. One pass a substep, as many small
-// substeps beat few with many passes (Macklin et al. 2019).
+// Predict, correct, and let the corrections change the velocity. One pass a substep: many small substeps are better
+// than few with many passes (Macklin et al. 2019).
 void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace) {
 	const std::span<Vec2> x = body.mutable_positions();
 	const std::span<Vec2> v = body.mutable_velocities();
@@ -306,8 +300,8 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 	const std::span<Vec2> predicted(workspace.stage_velocities.data(), x.size());
 	const std::span<Vec2> scratch(workspace.forces.data(), x.size());
 	const Vec2 acceleration = input.gravity * body.settings().gravity_scale;
-	// Relative to a point of the body: far from the origin, what springs do in a substep is less than the distance between two
-	// numbers, and lost if it is a change of a place.
+	// Relative to a point of the body: far from the origin, the effect of springs in a substep is smaller than the
+	// distance between two floats, and would be lost as a change of a position.
 	const Vec2 base = is_finite(x[0]) ? x[0] : Vec2{};
 	const std::span<Vec2> places(workspace.position_slopes.data(), x.size());
 	for (std::size_t i = 0; i < x.size(); ++i) {
@@ -315,7 +309,7 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 		x[i] -= base;
 	}
 	double allowed = measure_energy(body, input.gravity).total();
-	const bool is_free = std::ranges::find(w, Real(0)) == w.end(); // a pin takes up what it likes
+	const bool is_free = std::ranges::find(w, Real(0)) == w.end(); // pins absorb any momentum
 	RigidMotion rigid = rigid_motion_of(body);
 	rigid.velocity += acceleration * input.h;
 	for (std::size_t i = 0; i < x.size(); ++i) {
@@ -338,7 +332,7 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 		solve_triangles(body, before, input.h, x);
 	}
 	for (std::size_t i = 0; i < x.size(); ++i) {
-		// Not (x - before)/h: at small h that is the rounding of x, magnified, even where nothing was corrected.
+		// Not (x - before)/h: at small h that is the magnified rounding of x, even without corrections.
 		v[i] += (x[i] - predicted[i]) * (1 / input.h);
 		allowed += dot(input.external[i], x[i] - before[i]);
 		rigid.velocity += input.external[i] * (input.h / body.shape().total_mass());
@@ -357,7 +351,7 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 		restore_rigid_motion(body, rigid);
 	}
 	for (std::size_t i = 0; i < x.size(); ++i) {
-		x[i] = w[i] == 0 ? places[i] + v[i] * input.h : x[i] + base; // a pin is where it was sent, to the bit
+		x[i] = w[i] == 0 ? places[i] + v[i] * input.h : x[i] + base; // a pin is at its target, to the bit
 	}
 }
 

@@ -18,7 +18,7 @@ T zero_if_finite(BasicVec2<T> x, BasicVec2<T> v) {
 /// size long before it overflows: by then rounding has swamped the body's center. A sum of zeros is zero unless one of
 /// them came from what is not finite: one test instead of four a point. O(points).
 template <class T>
-MaskOf<T> is_sound(std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities, Real reach) {
+MaskOf<T> is_finite_within(std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities, Real reach) {
 	T sum = T(0);
 	T farthest = T(0);
 	for (std::size_t i = 0; i < positions.size(); ++i) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Bodies that are stepped side by side in SIMD lanes.
+#pragma once
+
+#include "core/base/pack.h"
+#include "core/dynamics/substep_plan.h"
+#include "core/model/body_settings.h"
+#include "core/model/soft_body_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace softbody {
+
+/// Number of bodies that a register of 32 bytes holds.
+inline constexpr std::size_t WIDE_WIDTH = 2 * PACK_WIDTH;
+
+/// Bodies of one shape, equal settings and one plan: WIDE_WIDTH or PACK_WIDTH of them, or a single body. A batch is a view of
+/// the active bodies, made for one call.
+struct Batch {
+	const SoftBodyShape *shape = nullptr;
+	const BodySettings *settings = nullptr;
+	const SubstepPlan *plan = nullptr;
+	std::uint32_t count = 0; ///< WIDE_WIDTH, PACK_WIDTH or 1
+	std::array<std::uint32_t, WIDE_WIDTH> active_indices; ///< of the first `count` lanes, as the next two
+	std::array<std::uint32_t, WIDE_WIDTH> body_indices; ///< in `WorldData::soft_bodies()`
+	std::array<Vec2 *, WIDE_WIDTH> states; ///< positions of all points; velocities follow them, and the rotation memory those
+
+	/// Velocities of a lane's points.
+	Vec2 *velocities(std::size_t lane) const { return states[lane] + shape->point_count(); }
+	/// As `SoftBodyData::rotation_memory`.
+	Rotation rotation_memory(std::size_t lane) const {
+		const Vec2 memory = states[lane][2 * shape->point_count()];
+		return { memory.x, memory.y };
+	}
+	/// PACK_WIDTH of WIDE_WIDTH lanes, from the lane `first` on.
+	Batch half(std::size_t first) const {
+		Batch part = *this;
+		part.count = PACK_WIDTH;
+		std::copy_n(active_indices.begin() + first, PACK_WIDTH, part.active_indices.begin());
+		std::copy_n(body_indices.begin() + first, PACK_WIDTH, part.body_indices.begin());
+		std::copy_n(states.begin() + first, PACK_WIDTH, part.states.begin());
+		return part;
+	}
+};
+
+} // namespace softbody
