@@ -133,9 +133,9 @@ void SoftBody2D::leave_space() {
 	interpolation_.end();
 	SoftBodySimulation2D::get_singleton()->drawing().remove(view_);
 	view_ = nullptr;
-	unseen_frames_ = 0; // whoever comes in is shown to a frame first
+	unseen_frames_ = 0; // a body that comes in is shown to a frame first
 	debug_drawing_.reset();
-	contacts_.clear(); // whom it touched it remembers: it may come back
+	contacts_.clear(); // `touched_` is kept: the body may come back
 	// Last: the simulation drops a space that has no nodes left.
 	SoftBodySimulation2D::get_singleton()->remove_body(this);
 }
@@ -221,8 +221,7 @@ void SoftBody2D::take_over_transform() {
 	area_checked_ = false;
 }
 
-// The engine reports a changed transform at the end of the frame; whoever asks earlier gets the body
-// where the node has been put.
+// The engine reports a changed transform at the end of the frame. A caller before that gets the body at the node's new place.
 const softbody::SoftBodyData *SoftBody2D::followed_body() const {
 	const_cast<SoftBody2D *>(this)->take_over_transform();
 	return body();

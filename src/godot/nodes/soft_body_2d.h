@@ -367,8 +367,8 @@ public:
 	bool draw_frame(const softbody::DrawingFrame &p_frame);
 	/// Whether it monitors contacts, or has signals about former ones to emit.
 	bool watches_contacts() const { return contact_monitor_; }
-	/// After the step: contacts and touches of this body, whom they are with by instance id (0 for nobody), and where to
-	/// put what is to be told. Nothing is emitted before all nodes are up to date.
+	/// After the step: takes the contacts and touches of this body. `p_colliders` has the instance id of the other side of
+	/// each contact, 0 for none. Signals go to `r_signals`: none is emitted before all nodes are up to date.
 	void take_contacts(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders,
 			std::vector<uint64_t> p_touched, softbody::BodySignals &r_signals);
 	void take_sleep(softbody::BodySignals &r_signals);
@@ -379,7 +379,8 @@ public:
 	/// After the step: moves the proxy along. True when `flush_hull_proxies` must follow.
 	bool follow_with_proxy(bool p_may_detail);
 	softbody::HullProxy &proxy() { return proxy_; }
-	/// For joints: it passes through what has this instance id, which is no soft body, until it is removed as often.
+	/// For joints: the body passes through the object of this instance id, which is no soft body, until the id has been
+	/// removed as often as it was added.
 	void add_joined(uint64_t p_id);
 	void remove_joined(uint64_t p_id);
 
@@ -469,8 +470,8 @@ private:
 		uint64_t collider = 0; ///< instance id
 	};
 
-	/// Of a bound method of this node, for whoever keeps it beyond the call: by name, as the node outlives the code that it
-	/// runs when the editor reloads the extension, and a `callable_mp` points into that code.
+	/// A callable of a bound method of this node that may be kept beyond the call. It is by name: the node outlives its code
+	/// when the editor reloads the extension, and a `callable_mp` points into that code.
 	Callable own_callable(const char *p_method) { return Callable(this, p_method); }
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
 	bool accept_shape(const StringName &p_property);
@@ -586,7 +587,7 @@ private:
 	double least_area_ = 0.5;
 	double least_stretch_ = 0.2;
 	double most_stretch_ = 3;
-	bool density_decides_ = false; ///< whose density makes the mass
+	bool density_decides_ = false; ///< whether the density of the material makes the mass
 	double gravity_scale_ = 1;
 	Vector2 first_linear_velocity_; ///< of a body that is still to be made
 	double first_angular_velocity_ = 0;
@@ -619,7 +620,7 @@ private:
 
 	PackedInt32Array pinned_points_;
 	TypedArray<NodePath> pin_targets_; ///< one a pinned point; missing ones are the world
-	std::vector<Pin> pins_; ///< likewise
+	std::vector<Pin> pins_; ///< one a pinned point
 	uint64_t rest_version_ = 0;
 
 	softbody::SoftBodySpace2D *space_ = nullptr;
@@ -644,7 +645,7 @@ private:
 	std::unique_ptr<softbody::DebugDrawing> debug_drawing_; ///< while collision shapes are visible
 	softbody::BodyView *view_ = nullptr; ///< while in a space
 	bool settled_ = false; ///< whether what is drawn holds until the body moves again
-	bool area_checked_ = false; ///< since the last tick, of a body that nobody sees
+	bool area_checked_ = false; ///< since the last tick, of a body that no camera sees
 	bool item_displaced_ = false; ///< whether the canvas item stands where the body is drawn, not where the node is
 	bool on_screen_ = false; ///< as the rendering server saw it last
 	int unseen_frames_ = 0; ///< in a row, counted no further than needed

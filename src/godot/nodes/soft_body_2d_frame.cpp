@@ -95,8 +95,7 @@ void SoftBody2D::draw() {
 	update_seen_area();
 }
 
-// While nobody sees the body, its skin stays as it was seen last. All that has to be known then is whether it might
-// grow into view.
+// While no camera sees the body, its skin stays as it was drawn last, and only its area is followed: it may grow into view.
 bool SoftBody2D::draw_frame(const softbody::DrawingFrame &p_frame) {
 	unseen_frames_ = on_screen_ ? 0 : MIN(unseen_frames_ + 1, UNSEEN_FRAMES);
 	if (settled_) {

@@ -40,7 +40,7 @@ Error SoftBody2D::set_state(const PackedByteArray &p_state) {
 	return OK;
 }
 
-// The state knows which points are pinned, and not at whom: a pin that goes on keeps its target.
+// The state holds which points are pinned, but not their targets: a point that stays pinned keeps its target.
 void SoftBody2D::take_over_pins() {
 	const softbody::SoftBodyData &data = *body();
 	PackedInt32Array points;

@@ -14,15 +14,14 @@
 
 namespace softbody {
 
-/// The engine drops values of properties that a class does not have without a word, and makes an empty array of what is no
-/// array; whoever then saves the scene has lost what was there.
+/// Values that the engine would drop or change in silence: it ignores properties that a class does not have, and turns a value
+/// of a wrong type into an empty array. Saving the scene then loses them.
 ///
-/// - **Unknown names.** In the editor their values are kept, shown as warnings and saved again, so that a scene of a newer
-///   version survives an older one. A game saves no scenes: there it is as the engine has it. So it is for an object with
-///   a script, as what nobody knows was then a variable of its script once.
-/// - **Wrong types.** Said by name, in debug builds; the old value stays.
-///
-/// - **Former names.** The class takes such a value over itself and has a warning printed here.
+/// - **Unknown names.** The editor keeps their values, shows them as warnings and saves them again, so that a scene of a newer
+///   version survives an older one. A game saves no scenes and ignores them. They are ignored, too, for an object with a
+///   script, where an unknown name was a variable of the script once.
+/// - **Wrong types.** A message of debug builds names the property; the old value stays.
+/// - **Former names.** The class takes such a value over itself; this class prints a warning.
 ///
 /// Each class of ours hands its `_set`, `_get` and `_get_property_list` on to one of these. Release builds ask nothing.
 class UnfitValues {

@@ -39,7 +39,7 @@ func follow_bodies() -> void:
 	pass
 
 
-## What is said to whom asks for a change and has nothing selected.
+## The request that is shown when a change needs a selection and nothing is selected.
 func selection_request() -> String:
 	return ""
 
