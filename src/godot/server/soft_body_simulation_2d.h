@@ -86,7 +86,7 @@ private:
 	uint64_t watched_tree_ = 0; ///< instance id of the tree whose ticks step the spaces
 	int64_t tick_count_ = 0;
 	double last_step_usec_ = 0;
-	softbody::StepProfile profile_; ///< summed since the last reset
+	softbody::TickProfile profile_; ///< summed since the last reset
 	double total_step_usec_ = 0;
 	int64_t counted_steps_ = 0;
 	softbody::DrawingFrame drawing_;

@@ -38,7 +38,7 @@ private:
 
 } // namespace
 
-StepProfile &StepProfile::operator+=(const StepProfile &p_other) {
+TickProfile &TickProfile::operator+=(const TickProfile &p_other) {
 	prepare += p_other.prepare;
 	surroundings += p_other.surroundings;
 	simulate += p_other.simulate;
