@@ -12,7 +12,7 @@ extends SceneTree
 const FOLDER := "res://tests"
 const SUITE_BASE := "res://tests/support/suite.gd"
 const ERROR_LOG := "res://tests/support/error_log.gd"
-const REQUIRED: Array[StringName] = [&"SoftBody2D", &"SoftBodyServer2D"]
+const REQUIRED: Array[StringName] = [&"SoftBody2D", &"SoftBodySimulation2D"]
 
 var _filters := PackedStringArray()
 var _without := ""

@@ -200,8 +200,8 @@ func on_screen(place: Vector2, of: SoftBody2D = body) -> Vector2:
 	return plugin.canvas.to_screen(of) * place
 
 
-func hull_on_screen(index: int, of: SoftBody2D = body) -> Vector2:
-	return on_screen(of.hull[index], of)
+func polygon_on_screen(index: int, of: SoftBody2D = body) -> Vector2:
+	return on_screen(of.polygon[index], of)
 
 
 func move(place: Vector2, shift := false) -> void:

@@ -50,8 +50,8 @@ func tear_down() -> void:
 		await tree.process_frame
 	for error in take_errors():
 		_note_failure("unexpected " + error)
-	if SoftBodyServer2D.get_body_count() != 0:
-		_note_failure("%d soft bodies stayed in the server" % SoftBodyServer2D.get_body_count())
+	if SoftBodySimulation2D.get_body_count() != 0:
+		_note_failure("%d soft bodies stayed in the simulation" % SoftBodySimulation2D.get_body_count())
 	var orphans := Performance.get_monitor(Performance.OBJECT_ORPHAN_NODE_COUNT) - _orphans_before
 	if orphans > 0:
 		_note_failure("%d nodes stayed outside the tree" % orphans)
@@ -177,6 +177,14 @@ func add_solid(shape: Shape2D, transform := Transform2D.IDENTITY, parent: Node =
 
 
 ## A wide rectangle whose top is at `y`.
+## The surface of a body: without values that of one that has no material.
+func surface(friction := 0.4, bounce := 0.0) -> PhysicsMaterial:
+	var material := PhysicsMaterial.new()
+	material.friction = friction
+	material.bounce = bounce
+	return material
+
+
 func add_floor(y: float, parent: Node = null) -> StaticBody2D:
 	return add_solid(rectangle(2000, 100), Transform2D(0, Vector2(0, y + 50)), parent)
 
@@ -205,8 +213,8 @@ func circle(radius: float) -> CircleShape2D:
 
 # Measures.
 
-func hull_of(body: SoftBody2D) -> PackedVector2Array:
-	return body.get_point_positions().slice(0, body.hull.size())
+func polygon_of(body: SoftBody2D) -> PackedVector2Array:
+	return body.get_point_positions().slice(0, body.polygon.size())
 
 
 func bounds_of(points: PackedVector2Array) -> Rect2:
