@@ -5,7 +5,7 @@ extends EditorPlugin
 
 const BodyCanvas := preload("editor/canvas/body_canvas.gd")
 const EditedBodies := preload("editor/ui/edited_bodies.gd")
-const HullMode := preload("editor/canvas/hull_mode.gd")
+const PolygonMode := preload("editor/canvas/polygon_mode.gd")
 const LivePreview := preload("editor/preview/live_preview.gd")
 const Mode := preload("editor/canvas/mode.gd")
 const PinsMode := preload("editor/canvas/pins_mode.gd")
@@ -18,7 +18,7 @@ const Toolbar := preload("editor/ui/toolbar.gd")
 const Words := preload("editor/logic/words.gd")
 
 var canvas: BodyCanvas
-var hull_mode: HullMode
+var polygon_mode: PolygonMode
 var springs_mode: SpringsMode
 var pins_mode: PinsMode
 var preview: LivePreview
@@ -28,13 +28,13 @@ var pins_panel: PinsPanel
 var shapes: ShapeCommands
 var inspector: StabilityInspector
 
-var _mode := Toolbar.Mode.HULL
+var _mode := Toolbar.Mode.POLYGON
 
 
 func _enter_tree() -> void:
 	Words.load_translations()
 	canvas = BodyCanvas.new(self)
-	hull_mode = HullMode.new(canvas)
+	polygon_mode = PolygonMode.new(canvas)
 	springs_mode = SpringsMode.new(canvas)
 	pins_mode = PinsMode.new(canvas)
 	preview = LivePreview.new(canvas)
@@ -43,7 +43,7 @@ func _enter_tree() -> void:
 	toolbar = Toolbar.new()
 	add_control_to_container(CONTAINER_CANVAS_EDITOR_MENU, toolbar)
 	toolbar.mode_chosen.connect(set_mode)
-	toolbar.create_toggled.connect(hull_mode.set_creating)
+	toolbar.create_toggled.connect(polygon_mode.set_creating)
 	toolbar.preset_chosen.connect(_on_preset_chosen)
 	toolbar.preview_toggled.connect(set_preview)
 	toolbar.help_wanted.connect(_show_help)
@@ -72,7 +72,7 @@ func _enter_tree() -> void:
 
 func _exit_tree() -> void:
 	preview.stop()
-	hull_mode.cancel()
+	polygon_mode.cancel()
 	springs_mode.cancel()
 	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
 	get_undo_redo().version_changed.disconnect(_on_version_changed)
@@ -161,8 +161,8 @@ func _current() -> Mode:
 	if preview.is_playing():
 		return preview
 	match _mode:
-		Toolbar.Mode.HULL:
-			return hull_mode
+		Toolbar.Mode.POLYGON:
+			return polygon_mode
 		Toolbar.Mode.SPRINGS:
 			return springs_mode
 		Toolbar.Mode.PINS:
@@ -180,7 +180,7 @@ func _set_bodies(bodies: Array[SoftBody2D]) -> void:
 		return
 	_current_cancel()
 	canvas.bodies = bodies
-	hull_mode.set_creating(false)
+	polygon_mode.set_creating(false)
 	_on_changed()
 	update_overlays()
 
@@ -199,9 +199,9 @@ func _on_version_changed() -> void:
 
 func _on_changed() -> void:
 	canvas.bodies = canvas.bodies.filter(func(body: SoftBody2D) -> bool: return is_instance_valid(body))
-	for each: Mode in [hull_mode, springs_mode, pins_mode]:
+	for each: Mode in [polygon_mode, springs_mode, pins_mode]:
 		each.follow_bodies()
-	toolbar.show_creating(hull_mode.is_creating)
+	toolbar.show_creating(polygon_mode.is_creating)
 	toolbar.show_preview(preview.is_playing())
 	springs_panel.show_selection()
 	pins_panel.show_selection()
@@ -227,8 +227,9 @@ func _on_preset_chosen(preset: int) -> void:
 # A preset sets several values, which the inspector would not put back.
 func _add_undo_of_preset(undo_redo: Object, object: Object, property: String, _value: Variant) -> void:
 	if property == "preset" and (object is SoftBody2D or object is SoftBodyMaterial2D):
-		for value: StringName in [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"friction", &"bounce",
-				&"rolling_resistance"]:
+		var values: Array[StringName] = [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"rolling_resistance"]
+		values.append_array([&"physics_material_override"] if object is SoftBody2D else [&"friction", &"bounce"])
+		for value in values:
 			(undo_redo as EditorUndoRedoManager).add_undo_property(object, value, object.get(value))
 
 

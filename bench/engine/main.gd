@@ -99,7 +99,7 @@ func _measure(load_name: String, count: int) -> Dictionary:
 	var settle := SETTLE_TICKS if load_name != "soft_asleep" else 20 * SETTLE_TICKS
 	for i in settle:
 		await get_tree().physics_frame
-	SoftBodyServer2D.reset_statistics()
+	SoftBodySimulation2D.reset_statistics()
 	var times := PackedInt64Array()
 	var last := Time.get_ticks_usec()
 	for i in TIMED_TICKS:
@@ -109,9 +109,9 @@ func _measure(load_name: String, count: int) -> Dictionary:
 		last = now
 	times.sort()
 	@warning_ignore("integer_division")
-	var result := { "tick": times[TIMED_TICKS / 2], "step": SoftBodyServer2D.get_mean_step_usec(),
-		"awake": SoftBodyServer2D.get_awake_body_count(), "threads": SoftBodyServer2D.get_thread_count() }
-	result.merge(SoftBodyServer2D.get_step_profile())
+	var result := { "tick": times[TIMED_TICKS / 2], "step": SoftBodySimulation2D.get_mean_step_usec(),
+		"awake": SoftBodySimulation2D.get_awake_body_count(), "threads": SoftBodySimulation2D.get_thread_count() }
+	result.merge(SoftBodySimulation2D.get_step_profile())
 	pile.remove()
 	await get_tree().process_frame
 	return result

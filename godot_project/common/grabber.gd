@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends Node2D
-## Lets the mouse pull soft bodies: the left button grabs the nearest one by a patch of its hull, at the rim
+## Lets the mouse pull soft bodies: the left button grabs the nearest one by a patch of its polygon, at the rim
 ## by a few points, in the middle by all around.
 ##
 ## A spring pulls the patch towards the mouse. Its strength is stated as a frequency and multiplied by the
@@ -12,7 +12,7 @@ extends Node2D
 @export_range(1, 30, 0.1, "or_greater") var frequency := 13.0
 ## Brake on the body's motion while it is held; 1 follows without swinging.
 @export_range(0, 2, 0.01, "or_greater") var damping_ratio := 0.6
-## Hull points that are farther from the mouse than the nearest one by no more than this are pulled, in pixels.
+## Polygon points that are farther from the mouse than the nearest one by no more than this are pulled, in pixels.
 @export var patch_depth := 26.0
 ## A click this far outside a body still grabs it, in pixels.
 @export var reach := 24.0
@@ -59,13 +59,13 @@ func grab(place: Vector2) -> bool:
 			_body = body
 	if _body == null:
 		return false
-	# The hull only: points inside touch nothing, and could be pulled through a wall.
-	var hull := _body.get_point_positions().slice(0, _body.hull.size())
+	# The polygon only: points inside touch nothing, and could be pulled through a wall.
+	var polygon := _body.get_point_positions().slice(0, _body.polygon.size())
 	var first := INF
-	for point in hull:
+	for point in polygon:
 		first = minf(first, point.distance_to(place))
-	for i in hull.size():
-		if hull[i].distance_to(place) <= first + patch_depth:
+	for i in polygon.size():
+		if polygon[i].distance_to(place) <= first + patch_depth:
 			_points.append(i)
 	target = place
 	return true

@@ -5,7 +5,7 @@ extends Node2D
 const FONT_SIZE := 15
 const PADDING := Vector2(9, 4)
 
-## Space between the top of the hull and the tag, in pixels.
+## Space between the top of the polygon and the tag, in pixels.
 @export var gap := 10.0
 ## Shown instead of the stiffness when not empty.
 @export var text := ""
@@ -20,11 +20,11 @@ func _ready() -> void:
 
 
 func _process(_delta: float) -> void:
-	var hull := _body.get_interpolated_hull()
-	if hull.is_empty():
+	var polygon := _body.get_interpolated_polygon()
+	if polygon.is_empty():
 		return
-	var box := Rect2(hull[0], Vector2.ZERO)
-	for point in hull:
+	var box := Rect2(polygon[0], Vector2.ZERO)
+	for point in polygon:
 		box = box.expand(point)
 	global_transform = Transform2D(0, Vector2(box.get_center().x, box.position.y - gap))
 	queue_redraw()

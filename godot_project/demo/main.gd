@@ -31,7 +31,7 @@ func _ready() -> void:
 		var body := node as SoftBody2D
 		_bodies.append(body)
 		_starts.append(body.global_transform)
-	SoftBodyServer2D.reset_statistics()
+	SoftBodySimulation2D.reset_statistics()
 
 
 func _notification(what: int) -> void:
@@ -68,8 +68,8 @@ func _process(delta: float) -> void:
 		return
 	_status_age = 0
 	_status.text = "tick %d µs (mean %d µs)   ·   %d bodies   ·   %d FPS" % [
-		roundi(SoftBodyServer2D.get_last_step_usec()), roundi(SoftBodyServer2D.get_mean_step_usec()),
-		SoftBodyServer2D.get_body_count(), roundi(Engine.get_frames_per_second()),
+		roundi(SoftBodySimulation2D.get_last_step_usec()), roundi(SoftBodySimulation2D.get_mean_step_usec()),
+		SoftBodySimulation2D.get_body_count(), roundi(Engine.get_frames_per_second()),
 	]
 
 

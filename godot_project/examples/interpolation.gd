@@ -30,6 +30,6 @@ func _process(_delta: float) -> void:
 
 
 func _draw() -> void:
-	var outline := _body.get_interpolated_hull(1)
+	var outline := _body.get_interpolated_polygon(1)
 	outline.append(outline[0])
 	draw_polyline(outline, Color(1, 1, 1, 0.75), 2, true)

@@ -35,7 +35,7 @@ func _crawl() -> void:
 
 
 func _rest_place(index: int) -> Vector2:
-	return _worm.hull[index] if index < _worm.hull.size() else _worm.inner_points[index - _worm.hull.size()]
+	return _worm.polygon[index] if index < _worm.polygon.size() else _worm.inner_points[index - _worm.polygon.size()]
 
 
 func _beat() -> void:

@@ -13,12 +13,15 @@ var _age := 0.0
 
 
 func _ready() -> void:
+	var rubber := PhysicsMaterial.new()
+	rubber.friction = 0.4
+	rubber.bounce = 0.92
 	for i in COUNT:
 		var body := SoftBody2D.new()
-		body.hull = SoftBody2D.make_circle_hull(34, 14)
+		body.polygon = SoftBody2D.make_circle_polygon(34, 14)
 		body.position = Vector2(80 + SPACING * i, 250 + 90 * (i % 3))
 		body.stiffness = 180
-		body.bounce = 0.92
+		body.physics_material_override = rubber
 		body.can_sleep = false
 		body.simulate_off_screen = false
 		body.color = Color.from_hsv(fmod(i * 0.07, 1), 0.5, 0.95)
@@ -33,4 +36,4 @@ func _physics_process(delta: float) -> void:
 	_age += delta
 	_camera.position.x = 640 + (COUNT * SPACING - 1280) * (0.5 - 0.5 * cos(TAU * _age / PERIOD))
 	_status.text = "%d of %d bodies simulated, %d µs a step" % [
-		SoftBodyServer2D.get_awake_body_count(), COUNT, roundi(SoftBodyServer2D.get_last_step_usec())]
+		SoftBodySimulation2D.get_awake_body_count(), COUNT, roundi(SoftBodySimulation2D.get_last_step_usec())]

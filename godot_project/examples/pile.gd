@@ -28,11 +28,11 @@ func _add(place: Vector2) -> void:
 	var body := SoftBody2D.new()
 	match _count % 3:
 		0:
-			body.hull = SoftBody2D.make_circle_hull(38, 12)
+			body.polygon = SoftBody2D.make_circle_polygon(38, 12)
 		1:
-			body.hull = SoftBody2D.make_box_hull(Vector2(66, 66), 24)
+			body.polygon = SoftBody2D.make_box_polygon(Vector2(66, 66), 24)
 		2:
-			body.hull = SoftBody2D.make_circle_hull(42, 6)
+			body.polygon = SoftBody2D.make_circle_polygon(42, 6)
 	body.stiffness = 400
 	body.damping = 0.3
 	body.color = COLORS[_count % COLORS.size()]

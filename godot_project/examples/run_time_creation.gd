@@ -25,7 +25,7 @@ func _physics_process(delta: float) -> void:
 	if _age >= INTERVAL:
 		_age -= INTERVAL
 		_make_one()
-	(%Status as Label).text = "%d made, %d in the scene" % [_made, SoftBodyServer2D.get_body_count()]
+	(%Status as Label).text = "%d made, %d in the scene" % [_made, SoftBodySimulation2D.get_body_count()]
 
 
 func _make_one() -> void:
@@ -33,7 +33,7 @@ func _make_one() -> void:
 	if _in_lane[lane] != null:
 		_in_lane[lane].queue_free()
 	var body := SoftBody2D.new()
-	body.hull = _make_hull(_made % 4)
+	body.polygon = _make_polygon(_made % 4)
 	body.stiffness = [20.0, 60.0, 200.0][_made % 3]
 	body.color = COLORS[_made * 5 % COLORS.size()]
 	body.position = Vector2(640 + (lane - (LANES - 1) / 2.0) * LANE_WIDTH, 200)
@@ -44,14 +44,14 @@ func _make_one() -> void:
 	_made += 1
 
 
-func _make_hull(kind: int) -> PackedVector2Array:
+func _make_polygon(kind: int) -> PackedVector2Array:
 	match kind:
 		0:
-			return SoftBody2D.make_circle_hull(60, 28)
+			return SoftBody2D.make_circle_polygon(60, 28)
 		1:
-			return SoftBody2D.make_box_hull(Vector2(110, 90), 15)
+			return SoftBody2D.make_box_polygon(Vector2(110, 90), 15)
 		2:
-			return SoftBody2D.make_capsule_hull(36, 150, 13)
+			return SoftBody2D.make_capsule_polygon(36, 150, 13)
 	var star := PackedVector2Array()
 	for i in 40:
 		star.append(Vector2.from_angle(TAU * i / 40) * (52 + 18 * cos(TAU * i / 8)))

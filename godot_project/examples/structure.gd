@@ -19,7 +19,7 @@ func _ready() -> void:
 
 
 func _rest_place(pad: SoftBody2D, index: int) -> Vector2:
-	return pad.hull[index] if index < pad.hull.size() else pad.inner_points[index - pad.hull.size()]
+	return pad.polygon[index] if index < pad.polygon.size() else pad.inner_points[index - pad.polygon.size()]
 
 
 func _process(_delta: float) -> void:

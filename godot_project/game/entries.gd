@@ -17,7 +17,7 @@ const SCENES: Array[Dictionary] = [
 	{"title": "Contact signals", "path": "res://examples/contact_signals.tscn", "about": "What bodies tell of touches"},
 	{"title": "Characters and areas", "path": "res://examples/character_and_area.tscn", "about": "What the engine sees"},
 	{"title": "Textures", "path": "res://examples/textured_body.tscn", "about": "A picture sticks to the flesh"},
-	{"title": "Hulls with dents", "path": "res://examples/concave_hull.tscn", "about": "Any outline will do"},
+	{"title": "Polygons with dents", "path": "res://examples/concave_polygon.tscn", "about": "Any outline will do"},
 	{"title": "Shape matching", "path": "res://examples/shape_matching.tscn", "about": "Who finds back into shape"},
 	{"title": "Forces", "path": "res://examples/grab_and_forces.tscn", "about": "Wind, kicks, and the mouse"},
 	{"title": "One material for many", "path": "res://examples/shared_material.tscn", "about": "A change reaches all of them"},

@@ -96,7 +96,7 @@ func _build_lanes() -> void:
 
 func _add_body(row: int, index: int, place: Vector2, radius: float) -> void:
 	var body := SoftBody2D.new()
-	body.hull = SoftBody2D.make_circle_hull(radius, 16)
+	body.polygon = SoftBody2D.make_circle_polygon(radius, 16)
 	body.position = place
 	body.soft_body_material = SoftBodyMaterial2D.new()
 	body.color = COLORS[index]

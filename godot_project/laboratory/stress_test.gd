@@ -38,7 +38,7 @@ var count := 0
 
 var _bodies: Node2D
 var _substance := SoftBodyMaterial2D.new()
-var _hull := SoftBody2D.make_circle_hull(RADIUS, 8)
+var _polygon := SoftBody2D.make_circle_polygon(RADIUS, 8)
 var _smooth := 0.0 # µs
 var _watched := 0 # ticks since the budget was first reached
 var _mean_count := 0.0
@@ -85,7 +85,7 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func _physics_process(_delta: float) -> void:
-	var last := SoftBodyServer2D.get_last_step_usec()
+	var last := SoftBodySimulation2D.get_last_step_usec()
 	_smooth = last if _smooth == 0 else lerpf(_smooth, last, SMOOTHING)
 	_curve.add(PackedFloat32Array([_smooth / 1000, budget / 1000]))
 	if _smooth > budget:
@@ -111,7 +111,7 @@ func _add_some() -> void:
 
 func _add_body() -> void:
 	var body := SoftBody2D.new()
-	body.hull = _hull
+	body.polygon = _polygon
 	body.soft_body_material = _substance
 	body.mass = 0.03
 	# The thesis's bodies have a radius of half a meter; a meter is 22 px here, not 100.
@@ -154,7 +154,7 @@ func _watch() -> void:
 
 func _tell() -> void:
 	_status.text = "%d bodies · %.1f of %.1f ms a step · %d contacts" % [
-		count, _smooth / 1000, budget / 1000, SoftBodyServer2D.get_contact_count()]
+		count, _smooth / 1000, budget / 1000, SoftBodySimulation2D.get_contact_count()]
 	if found > 0:
 		_status.text += "\nA frame's worth: %d bodies." % found if found < most_bodies \
 				else "\nThe basin is full before the frame: %d." % found

@@ -4,7 +4,7 @@ extends Node2D
 ##
 ## SoftBody2D is elastic: whatever dents it, it springs back. Here a script makes the dents stay. Where a point of
 ## the body has been pushed farther from its place in the rest shape than [constant YIELD], its place follows: a new
-## `hull` and new `inner_points` are a new rest shape, and with the state put back the body goes on as it lies.
+## `polygon` and new `inner_points` are a new rest shape, and with the state put back the body goes on as it lies.
 
 ## How far a point may be pushed and still spring back [px].
 const YIELD := 5.0
@@ -50,7 +50,7 @@ func _init(tint := Color.WHITE, p_direction := 1.0) -> void:
 func _add_body(tint: Color) -> void:
 	var outline := _divide(OUTLINE)
 	body.name = "Body"
-	body.hull = outline
+	body.polygon = outline
 	body.center_point = false
 	body.inner_points = PackedVector2Array([
 		AXLES[0], AXLES[1], Vector2(-86, 2), Vector2(-34, 4), Vector2(0, 4), Vector2(32, 4), Vector2(86, 8),
@@ -66,8 +66,9 @@ func _add_body(tint: Color) -> void:
 		if ends.y in [outline.size(), outline.size() + 1] or ends.x in [outline.size(), outline.size() + 1]:
 			body.set_spring_stiffness_scale(i, 6)
 	body.shape_matching = 0.2
-	body.shape_damping = 0.5
-	body.friction = 0.3
+	body.shape_damping_ratio = 0.5
+	body.physics_material_override = PhysicsMaterial.new()
+	body.physics_material_override.friction = 0.3
 	body.texture = preload("res://textures/car.svg")
 	body.uv = _texture_coordinates(outline)
 	body.color = tint
@@ -84,13 +85,13 @@ func _add_body(tint: Color) -> void:
 
 func _add_wheel(place: Vector2) -> void:
 	var wheel := SoftBody2D.new()
-	wheel.hull = SoftBody2D.make_circle_hull(WHEEL_RADIUS, 18)
+	wheel.polygon = SoftBody2D.make_circle_polygon(WHEEL_RADIUS, 18)
 	wheel.position = place * Vector2(direction, 1)
 	wheel.mass = 0.9
 	wheel.stiffness = 420
 	wheel.damping = 0.5
 	wheel.pressure = 300
-	wheel.friction = 1
+	wheel.physics_material_override = PhysicsMaterial.new() # of friction 1
 	# Wheels meet roads, walls and bodies, but not each other.
 	wheel.collision_layer = 2
 	wheel.color = Color("30324a")
@@ -147,7 +148,7 @@ func _physics_process(_delta: float) -> void:
 
 
 func _keep_dents() -> void:
-	var rest := body.hull + body.inner_points
+	var rest := body.polygon + body.inner_points
 	var points := body.get_point_positions()
 	var changed := false
 	for i in rest.size():
@@ -156,7 +157,7 @@ func _keep_dents() -> void:
 			var place := rest[i] + off.limit_length(off.length() - YIELD) * FLOW
 			rest[i] = _first[i] + (place - _first[i]).clamp(-DEEPEST, DEEPEST)
 			changed = true
-	var outline := rest.slice(0, body.hull.size())
+	var outline := rest.slice(0, body.polygon.size())
 	if not changed or not _is_simple(outline):
 		return
 	var middle := rest[outline.size() + MIDDLE]
@@ -166,12 +167,12 @@ func _keep_dents() -> void:
 			if not Geometry2D.is_point_in_polygon(rest[i], outline):
 				return
 	var state := body.get_state()
-	body.hull = outline
+	body.polygon = outline
 	body.inner_points = rest.slice(outline.size())
 	body.set_state(state)
 
 
-## Whether no two edges meet, which a hull must not.
+## Whether no two edges meet, which a polygon must not.
 static func _is_simple(polygon: PackedVector2Array) -> bool:
 	var count := polygon.size()
 	for i in count:

@@ -2,11 +2,11 @@
 extends SoftBody2D
 ## A cell of the petri dish: a membrane under pressure, without springs inside, that swallows smaller ones.
 ##
-## It grows by a larger `hull`. A new hull builds the body anew in its rest shape; putting the state back lets it
+## It grows by a larger `polygon`. A new polygon builds the body anew in its rest shape; putting the state back lets it
 ## go on as it was deformed, and the pressure blows it up to its new size.
 
 const POINTS := 24
-## Ticks between two changes of a hull: each makes another shape.
+## Ticks between two changes of a polygon: each makes another shape.
 const FEEDING_INTERVAL := 4
 ## What a swallowed cell loses at a time, as a share of what it had.
 const BITE := 1.0 / 8
@@ -31,7 +31,7 @@ var _tick := 0
 
 
 func _init(radius := 34.0, tint := Color.WHITE, substance: SoftBodyMaterial2D = null) -> void:
-	hull = make_circle_hull(radius, POINTS)
+	polygon = make_circle_polygon(radius, POINTS)
 	center_point = false
 	soft_body_material = substance
 	gravity_scale = 0
@@ -126,7 +126,7 @@ func _sink() -> void:
 
 func _resize(area: float) -> void:
 	var state := get_state()
-	hull = Transform2D.IDENTITY.scaled(Vector2.ONE * sqrt(area / get_rest_area())) * hull
+	polygon = Transform2D.IDENTITY.scaled(Vector2.ONE * sqrt(area / get_rest_area())) * polygon
 	set_state(state)
 
 

@@ -12,7 +12,7 @@ const WALL_PARTS := 64
 const OTHERS := 13
 const CRUMBS := 70
 const CRUMB_AREA := 110.0 # px²
-const SIGHT := 260.0 # px, between the hulls
+const SIGHT := 260.0 # px, between the polygons
 const PLAYER_RADIUS := 34.0
 const TINTS: Array[Color] = [
 	Color("ff6b6b"), Color("ffb347"), Color("b388eb"), Color("5aa9e6"), Color("ffd93d"), Color("f78fb3"),
@@ -34,7 +34,7 @@ func _init() -> void:
 	_substance.damping = 0.25
 	_substance.pressure = 70
 	_substance.shape_matching = 0.15
-	_substance.shape_damping = 0.6
+	_substance.shape_damping_ratio = 0.6
 	_substance.friction = 0.05
 	_substance.density = 0.9
 

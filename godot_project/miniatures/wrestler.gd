@@ -38,12 +38,12 @@ var _mass := 0.0
 
 func _init(tint := Color.WHITE, direction := 1.0) -> void:
 	facing = direction
-	var leg := SoftBody2D.make_capsule_hull(15, 76, 13)
-	var arm := SoftBody2D.make_capsule_hull(12, 76, 12)
+	var leg := SoftBody2D.make_capsule_polygon(15, 76, 13)
+	var arm := SoftBody2D.make_capsule_polygon(12, 76, 12)
 	_legs.append(_add_part("BackLeg", leg, Vector2(12, 74), tint.darkened(0.25), 0.7))
 	_arms.append(_add_part("BackArm", arm, Vector2(18, -6), tint.darkened(0.25), 0.4))
-	torso = _add_part("Torso", SoftBody2D.make_capsule_hull(34, 112, 16), Vector2.ZERO, tint, 2.0)
-	_head = _add_part("Head", SoftBody2D.make_circle_hull(31, 16), Vector2(0, -80), tint.lightened(0.15), 0.7)
+	torso = _add_part("Torso", SoftBody2D.make_capsule_polygon(34, 112, 16), Vector2.ZERO, tint, 2.0)
+	_head = _add_part("Head", SoftBody2D.make_circle_polygon(31, 16), Vector2(0, -80), tint.lightened(0.15), 0.7)
 	_legs.append(_add_part("FrontLeg", leg, Vector2(-12, 74), tint.darkened(0.12), 0.7))
 	_arms.append(_add_part("FrontArm", arm, Vector2(-18, -6), tint.darkened(0.12), 0.4))
 	for part in parts:
@@ -53,6 +53,7 @@ func _init(tint := Color.WHITE, direction := 1.0) -> void:
 				part.add_collision_exception_with(other)
 	for part in _legs:
 		part.contact_monitor = true
+		part.physics_material_override = PhysicsMaterial.new()
 	var eyes := Node2D.new()
 	eyes.set_script(preload("res://demo/eyes.gd"))
 	var attachment := SoftBodyAttachment2D.new()
@@ -71,7 +72,7 @@ func _add_part(part_name: String, outline: PackedVector2Array, place: Vector2, t
 		part_mass: float) -> SoftBody2D:
 	var part := SoftBody2D.new()
 	part.name = part_name
-	part.hull = outline
+	part.polygon = outline
 	part.position = place
 	part.mass = part_mass
 	part.stiffness = 420 * part_mass
@@ -125,7 +126,9 @@ func _physics_process(delta: float) -> void:
 	for i in 2:
 		_turn(_legs[i], 0.5 * absf(walk) * sin(_stride + PI * i), 4.0 if stands else 1.0)
 		# Who walks lifts the feet.
-		_legs[i].friction = 0.9 if absf(walk) < 0.1 else 0.25
+		var grip := 0.9 if absf(walk) < 0.1 else 0.25
+		if not is_equal_approx(_legs[i].physics_material_override.friction, grip):
+			_legs[i].physics_material_override.friction = grip
 	_move_arms()
 	if stands:
 		# All parts alike, or the legs would stay behind.

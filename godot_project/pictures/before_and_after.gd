@@ -120,13 +120,13 @@ func add_box(side: int, box: Rect2) -> void:
 	sides[side].add_child(solid)
 
 
-static func hull_of(body: SoftBody2D) -> PackedVector2Array:
-	return body.get_point_positions().slice(0, body.hull.size())
+static func polygon_of(body: SoftBody2D) -> PackedVector2Array:
+	return body.get_point_positions().slice(0, body.polygon.size())
 
 
 ## Width and height of a body over those of its rest shape. No body turns in the scenes that ask.
 static func size_of(body: SoftBody2D) -> Vector2:
-	return _bounds_of(hull_of(body)).size / _bounds_of(body.hull).size
+	return _bounds_of(polygon_of(body)).size / _bounds_of(body.polygon).size
 
 
 static func area_of(body: SoftBody2D) -> float:
@@ -136,11 +136,11 @@ static func area_of(body: SoftBody2D) -> float:
 static func is_folded(body: SoftBody2D) -> bool:
 	if area_of(body) < LEAST_AREA:
 		return true
-	var hull := hull_of(body)
-	for i in hull.size():
-		for k in range(i + 2, hull.size()):
-			var next := (k + 1) % hull.size()
-			if next != i and Geometry2D.segment_intersects_segment(hull[i], hull[i + 1], hull[k], hull[next]) != null:
+	var polygon := polygon_of(body)
+	for i in polygon.size():
+		for k in range(i + 2, polygon.size()):
+			var next := (k + 1) % polygon.size()
+			if next != i and Geometry2D.segment_intersects_segment(polygon[i], polygon[i + 1], polygon[k], polygon[next]) != null:
 				return true
 	return false
 

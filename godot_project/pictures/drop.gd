@@ -30,7 +30,7 @@ func _move(_age_of_scene: float) -> void:
 		var body: SoftBody2D = bodies[side][0]
 		var size := size_of(body)
 		if size.y < minf(SQUASHED, squashed_size[side].y):
-			squashed[side] = hull_of(body)
+			squashed[side] = polygon_of(body)
 			squashed_size[side] = size
 			squashed_area[side] = area_of(body)
 

@@ -33,7 +33,8 @@ func _build(side: int) -> void:
 		_plates.append(plate)
 	var body := add_body(side, Vector2.ZERO, COLORS[side])
 	body.gravity_scale = 0
-	body.friction = 0
+	body.physics_material_override = PhysicsMaterial.new()
+	body.physics_material_override.friction = 0
 
 
 func _move(age: float) -> void:

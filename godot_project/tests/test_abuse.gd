@@ -6,12 +6,12 @@ const MANY := 10000
 
 ## Where a number that is one larger, or the other boolean, is no value to try.
 var other_values := {
-	"hull": SoftBody2D.make_box_hull(Vector2(120, 70), 25), "inner_points": PackedVector2Array([Vector2(10, 5), Vector2(-20, 0)]),
+	"polygon": SoftBody2D.make_box_polygon(Vector2(120, 70), 25), "inner_points": PackedVector2Array([Vector2(10, 5), Vector2(-20, 0)]),
 	"springs": PackedInt32Array([0, 1, 1, 2, 2, 3, 0, 8, 16, 5]), "spring_stiffness_scales": _scales(2), "spring_damping_scales": _scales(3),
 	"spring_length_scales": _scales(0.9), "pinned_points": PackedInt32Array([0, 3]), "pin_targets": [^".."] as Array[NodePath],
 	"poisson_ratio": 0.25, "vertex_colors": PackedColorArray([Color.RED]), "uv": PackedVector2Array([Vector2.ONE]), "texture": PlaceholderTexture2D.new(),
 	"outline_texture": PlaceholderTexture2D.new(), "soft_body_material": SoftBodyMaterial2D.new(), "material": CanvasItemMaterial.new(),
-	"integrator": SoftBody2D.INTEGRATOR_XPBD, "bounce": 0.3,
+	"integrator": SoftBody2D.INTEGRATOR_XPBD, "physics_material_override": PhysicsMaterial.new(),
 }
 ## Bodies whose script does something while the step moves them along.
 class Moved extends SoftBody2D:
@@ -194,7 +194,7 @@ func test_a_joint_may_leave_when_it_breaks_and_take_its_bodies_along() -> void:
 		stage.remove_child(ends[1]))
 	await ticks(60)
 	check(not is_instance_valid(joint), "the joint has left")
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies left")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies left")
 	ends[1].free()
 
 
@@ -207,11 +207,11 @@ func test_ten_thousand_bodies_come_and_go_in_one_frame() -> void:
 			body.position = Vector2(150 * (i % 100), 150 * floorf(i / 100.0))
 			holder.add_child(body)
 		stage.add_child(holder)
-		check_equal(SoftBodyServer2D.get_body_count(), MANY, "bodies")
+		check_equal(SoftBodySimulation2D.get_body_count(), MANY, "bodies")
 		if round > 0:
 			await ticks(1)
 		holder.free()
-		check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies left")
+		check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies left")
 		await ticks(2)
 		memory.append(OS.get_static_memory_usage())
 	# What the first rounds made is used again: lists that have grown once, pools of the engine.
@@ -234,7 +234,7 @@ func test_scenes_change_while_bodies_move() -> void:
 		else:
 			scene.queue_free()
 	await ticks(2)
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies left")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies left")
 
 
 ## A scene of that many bodies over a floor.
@@ -243,7 +243,7 @@ static func _pack_scene(count: int) -> PackedScene:
 	for i in count:
 		var body := SoftBody2D.new()
 		body.position = Vector2(90 * (i % 10), -95 * floorf(i / 10.0))
-		body.hull = SoftBody2D.make_circle_hull(40, 12 + i % 5)
+		body.polygon = SoftBody2D.make_circle_polygon(40, 12 + i % 5)
 		body.contact_monitor = true
 		root.add_child(body)
 		body.owner = root
@@ -253,7 +253,7 @@ static func _pack_scene(count: int) -> PackedScene:
 	return packed
 
 
-# While the server's threads step the bodies of one scene, two threads of a game build others; the scene is changed from
+# While the simulation's threads step the bodies of one scene, two threads of a game build others; the scene is changed from
 # `_physics_process`, from a signal of a body, and from a thread by way of a deferred call.
 func test_scenes_change_while_threads_run() -> void:
 	const SETTING := "physics/soft_body_2d/solver/threads"
@@ -270,7 +270,7 @@ func test_scenes_change_while_threads_run() -> void:
 			while go_on[0]:
 				var scene := _pack_scene(15).instantiate()
 				for body: SoftBody2D in scene.get_children():
-					if body.hull.size() < 12 or body.get_point_count() != body.hull.size() + 1:
+					if body.polygon.size() < 12 or body.get_point_count() != body.polygon.size() + 1:
 						go_on[0] = false
 				scene.free()
 				built[i] += 1)
@@ -292,7 +292,7 @@ func test_scenes_change_while_threads_run() -> void:
 				thread.start(func() -> void: change.call_deferred())
 				thread.wait_to_finish()
 		await ticks(20)
-		check_equal(SoftBodyServer2D.get_body_count(), 40 + stage.find_children("*", "SoftBody2D", true, false).size(),
+		check_equal(SoftBodySimulation2D.get_body_count(), 40 + stage.find_children("*", "SoftBody2D", true, false).size(),
 				"bodies after change %d" % round)
 	check(go_on[0], "what a thread built was whole")
 	go_on[0] = false
@@ -301,7 +301,7 @@ func test_scenes_change_while_threads_run() -> void:
 	check(mini(built[0], built[1]) > 0, "threads built scenes meanwhile: %s" % [built])
 	check_equal(changes[0], 12, "changes of scene")
 	if OS.get_processor_count() > 1:
-		check_above(SoftBodyServer2D.get_thread_count(), 1, "threads of the server")
+		check_above(SoftBodySimulation2D.get_thread_count(), 1, "threads of the simulation")
 	tree.unload_current_scene()
 	DirAccess.remove_absolute(path)
 	ProjectSettings.set_setting(SETTING, 0)
@@ -327,6 +327,8 @@ func test_a_body_that_fails_is_named_and_reset_or_frozen_and_no_other_moves_diff
 			add_floor(100)
 			var failing := add_body(Vector2(-400, 0), { "failure_mode": mode, "name": "Doomed" })
 			var other := add_body(Vector2(100, 0))
+			var told: Array[bool] = []
+			failing.failed.connect(func() -> void: told.append(failing.freeze))
 			await ticks(10)
 			take_errors()
 			if fails:
@@ -334,6 +336,10 @@ func test_a_body_that_fails_is_named_and_reset_or_frozen_and_no_other_moves_diff
 			await ticks(1)
 			var errors := take_errors()
 			ways.append(other.get_point_positions())
+			var expected: Array[bool] = []
+			if fails:
+				expected.append(mode == SoftBody2D.FAILURE_MODE_FREEZE)
+			check_equal(told, expected, "signals, and whether the body was frozen when they came")
 			if fails:
 				check_equal(errors.size(), 1, "number of messages")
 				check("Doomed" in errors[0], "the message names the body: %s" % errors)

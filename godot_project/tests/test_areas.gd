@@ -275,9 +275,9 @@ func test_a_body_at_rest_in_an_area_of_other_gravity_falls_asleep_and_wakes_when
 			"gravity_space_override": Area2D.SPACE_OVERRIDE_REPLACE })
 	var body := add_body(Vector2(0, 45), { "collision_mask": 2 })
 	await seconds(8)
-	var hull := hull_of(body)
+	var polygon := polygon_of(body)
 	await seconds(1)
-	check_equal(hull_of(body), hull, "the hull a second later, so that it sleeps")
+	check_equal(polygon_of(body), polygon, "the polygon a second later, so that it sleeps")
 	area.gravity_direction = Vector2.UP
 	await seconds(1.5)
 	check_below(body.get_center_of_mass_position().y, 0, "y of the body after gravity has turned")

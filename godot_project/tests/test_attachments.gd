@@ -22,10 +22,10 @@ func test_an_attachment_goes_with_a_body_that_flies_and_spins() -> void:
 	check_near(eye.global_rotation, body.global_rotation, 0.02, "rotation of the eye")
 
 
-func test_an_attachment_at_a_hull_point_stays_on_it_however_the_body_deforms() -> void:
+func test_an_attachment_at_a_polygon_point_stays_on_it_however_the_body_deforms() -> void:
 	add_floor(0)
 	var body := add_body(Vector2(0, -120))
-	var dot := attach(body, body.hull[4]) # the lowest point, which hits the floor
+	var dot := attach(body, body.polygon[4]) # the lowest point, which hits the floor
 	for i in 90:
 		await ticks(1)
 		await tree.process_frame # before the frame is drawn, the dot is where the tick left its point
@@ -37,8 +37,8 @@ func test_an_attachment_sinks_with_the_flesh_under_a_load() -> void:
 	var body := add_body(Vector2(0, -51), {"stiffness": 60.0})
 	var top := attach(body, Vector2(0, -50))
 	await seconds(3)
-	var hull := hull_of(body)
-	check_near(top.global_position, hull[12], 0.5, "the attachment on the highest point")
+	var polygon := polygon_of(body)
+	check_near(top.global_position, polygon[12], 0.5, "the attachment on the highest point")
 	check_above(top.global_position.y - body.global_position.y, -49.9, "how far the top has sunk")
 
 
@@ -71,10 +71,10 @@ func test_an_attachment_outside_of_a_body_says_so() -> void:
 	check_equal(lost.position, Vector2.ZERO, "position")
 
 
-func test_a_new_hull_takes_the_attachment_along() -> void:
+func test_a_new_polygon_takes_the_attachment_along() -> void:
 	var body := add_weightless_body()
 	var eye := attach(body, Vector2(10, 0))
 	await ticks(2)
-	body.hull = SoftBody2D.make_circle_hull(30, 24)
+	body.polygon = SoftBody2D.make_circle_polygon(30, 24)
 	await ticks(2)
-	check_near(eye.position, Vector2(10, 0), 0.05, "place on the new hull")
+	check_near(eye.position, Vector2(10, 0), 0.05, "place on the new polygon")

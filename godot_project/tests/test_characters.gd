@@ -66,7 +66,7 @@ func test_a_character_stands_on_a_jelly_and_presses_it_in() -> void:
 	add_floor(100)
 	var body := add_body(Vector2(0, 50))
 	await seconds(3)
-	var top := bounds_of(hull_of(body)).position.y
+	var top := bounds_of(polygon_of(body)).position.y
 	for round: bool in [false, true]:
 		var walker := _add_capsule(Vector2(0, top - 60)) if round else _add_walker(Vector2(0, top - 60))
 		await seconds(2)
@@ -76,7 +76,7 @@ func test_a_character_stands_on_a_jelly_and_presses_it_in() -> void:
 		check_below(body.get_area() / body.get_rest_area(), 0.999, "area over rest area under the character")
 		walker.free()
 		await seconds(3)
-		check_near(bounds_of(hull_of(body)).position.y, top, 0.7, "top of the body after the character has gone")
+		check_near(bounds_of(polygon_of(body)).position.y, top, 0.7, "top of the body after the character has gone")
 
 
 func test_a_character_stands_on_jellies_of_all_kinds() -> void:
@@ -86,7 +86,7 @@ func test_a_character_stands_on_jellies_of_all_kinds() -> void:
 		"stiff": { "stiffness": 1000.0 },
 		"heavy": { "mass": 10.0, "stiffness": 1000.0 },
 		"balloon": { "stiffness": 20.0, "pressure": 300.0, "center_point": false },
-		"box": { "hull": SoftBody2D.make_box_hull(Vector2(160, 60), 20) },
+		"box": { "polygon": SoftBody2D.make_box_polygon(Vector2(160, 60), 20) },
 	}
 	var x := -800.0
 	for kind: String in kinds:
@@ -96,7 +96,7 @@ func test_a_character_stands_on_jellies_of_all_kinds() -> void:
 	await seconds(3)
 	var walkers := {}
 	for body: SoftBody2D in stage.find_children("*", "SoftBody2D", true, false):
-		walkers[body] = _add_walker(Vector2(body.position.x, bounds_of(hull_of(body)).position.y - 40))
+		walkers[body] = _add_walker(Vector2(body.position.x, bounds_of(polygon_of(body)).position.y - 40))
 	await seconds(3)
 	for body: SoftBody2D in walkers:
 		await _check_stands(walkers[body], body, "on a %s body" % body.name)
@@ -174,7 +174,7 @@ func test_a_character_under_a_heavy_jelly_walks_out() -> void:
 	add_floor(100)
 	var walker := _add_walker(Vector2(0, 74))
 	await seconds(1)
-	add_body(Vector2(0, -40), { "mass": 5.0, "stiffness": 200.0, "hull": SoftBody2D.make_circle_hull(80, 24) })
+	add_body(Vector2(0, -40), { "mass": 5.0, "stiffness": 200.0, "polygon": SoftBody2D.make_circle_polygon(80, 24) })
 	await seconds(2)
 	walker.walk = 150
 	await seconds(3)
@@ -184,7 +184,7 @@ func test_a_character_under_a_heavy_jelly_walks_out() -> void:
 
 func test_a_character_is_carried_by_a_moving_jelly() -> void:
 	add_floor(100)
-	var body := add_body(Vector2(0, 70), { "hull": SoftBody2D.make_box_hull(Vector2(200, 60), 20), "friction": 0.0 })
+	var body := add_body(Vector2(0, 70), { "polygon": SoftBody2D.make_box_polygon(Vector2(200, 60), 20), "physics_material_override": surface(0.0) })
 	var walker := _add_walker(Vector2(0, 10))
 	await seconds(2)
 	body.apply_central_impulse(Vector2(80, 0) * body.mass - body.mass * body.get_linear_velocity())
@@ -200,7 +200,7 @@ func test_a_margin_of_zero_is_a_hard_surface() -> void:
 	add_floor(100)
 	var body := add_body(Vector2(0, 50), { "collision_proxy_margin": 0.0 })
 	await seconds(3)
-	var top := bounds_of(hull_of(body)).position.y
+	var top := bounds_of(polygon_of(body)).position.y
 	var walker := _add_walker(Vector2(0, top - 40))
 	await seconds(2)
 	check_near(walker.position.y + 25, top, 1.5, "y of the soles")
@@ -210,9 +210,9 @@ func test_a_margin_of_zero_is_a_hard_surface() -> void:
 func test_a_deep_margin_lets_a_character_sink_in_so_far() -> void:
 	add_floor(100)
 	var body := add_body(Vector2(0, 50), { "collision_proxy_margin": 10.0,
-			"hull": SoftBody2D.make_box_hull(Vector2(120, 80), 20), "stiffness": 400.0 })
+			"polygon": SoftBody2D.make_box_polygon(Vector2(120, 80), 20), "stiffness": 400.0 })
 	await seconds(3)
-	var top := bounds_of(hull_of(body)).position.y
+	var top := bounds_of(polygon_of(body)).position.y
 	var walker := _add_walker(Vector2(0, top - 40))
 	await seconds(6) # the body gives way sideways for some seconds
 	check_near(walker.position.y + 25, top + 12, 8, "y of the soles")

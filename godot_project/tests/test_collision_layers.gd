@@ -38,7 +38,7 @@ func test_a_body_ignores_one_floor_and_rests_on_the_next() -> void:
 	add_floor(400)
 	var body := add_body()
 	await seconds(4)
-	check_near(bounds_of(hull_of(body)).end.y, 400.0, 1, "height of the lowest point")
+	check_near(bounds_of(polygon_of(body)).end.y, 400.0, 1, "height of the lowest point")
 
 
 func test_two_bodies_of_different_masks_see_different_floors() -> void:
@@ -47,8 +47,8 @@ func test_two_bodies_of_different_masks_see_different_floors() -> void:
 	var upper := add_body(Vector2(-100, 0), { "collision_mask": 2 })
 	var lower := add_body(Vector2(100, 0), { "collision_mask": 4 })
 	await seconds(4)
-	check_near(bounds_of(hull_of(upper)).end.y, 100.0, 1, "lowest point of the body that sees the upper floor")
-	check_near(bounds_of(hull_of(lower)).end.y, 400.0, 1, "lowest point of the body that sees the lower floor")
+	check_near(bounds_of(polygon_of(upper)).end.y, 100.0, 1, "lowest point of the body that sees the upper floor")
+	check_near(bounds_of(polygon_of(lower)).end.y, 400.0, 1, "lowest point of the body that sees the lower floor")
 
 
 func test_a_mask_changed_while_resting_lets_go() -> void:
@@ -72,3 +72,24 @@ func test_areas_and_disabled_shapes_are_no_surroundings() -> void:
 	var body := add_body()
 	await seconds(2)
 	check_above(body.get_center_of_mass_position().y, 300, "y of the body")
+
+
+func test_layers_and_masks_are_set_by_number_as_those_of_other_bodies() -> void:
+	var body := add_weightless_body()
+	var like := StaticBody2D.new()
+	stage.add_child(like)
+	for change: Array in [[1, false], [3, true], [32, true], [3, false], [17, true]]:
+		for node: Node2D in [body, like]:
+			node.call(&"set_collision_layer_value", change[0], change[1])
+			node.call(&"set_collision_mask_value", change[0], not change[1])
+		check_equal([body.collision_layer, body.collision_mask], [like.collision_layer, like.collision_mask], "bits after %s" % [change])
+		for number in range(1, 33):
+			check(body.get_collision_layer_value(number) == like.get_collision_layer_value(number)
+					and body.get_collision_mask_value(number) == like.get_collision_mask_value(number), "bit %d after %s" % [number, change])
+	var before := [body.collision_layer, body.collision_mask]
+	for number: int in [0, 33, -1]:
+		check_refused(func() -> void: body.set_collision_layer_value(number, true), ["layer", "between 1 and 32"], "layer %d" % number)
+		check_refused(func() -> void: body.set_collision_mask_value(number, true), ["mask", "between 1 and 32"], "mask %d" % number)
+		check_refused(func() -> void: check_equal(body.get_collision_layer_value(number), false, "value of none"),
+				["layer", "between 1 and 32"], "value of layer %d" % number)
+	check_equal([body.collision_layer, body.collision_mask], before, "bits after numbers that there are not")

@@ -199,7 +199,7 @@ func test_a_listener_may_free_whom_it_is_told_of() -> void:
 		await ticks(20)
 		check_equal(entered[0], 1, "how often it was told before %s went" % what)
 		if what == "all others":
-			check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies of the server")
+			check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies of the simulation")
 		else:
 			check_near(bystander.global_position.x, 300.0, 5, "the bystander while %s goes" % what)
 		for child in stage.get_children():
@@ -211,7 +211,7 @@ func test_a_listener_may_change_anything() -> void:
 	var body := _add_watcher(Vector2(0, 40))
 	var made: Array[SoftBody2D] = []
 	body.body_entered.connect(func(_other: Node) -> void:
-		body.hull = SoftBody2D.make_circle_hull(30, 12)
+		body.polygon = SoftBody2D.make_circle_polygon(30, 12)
 		body.center_point = false
 		body.contact_monitor = false
 		body.scale = Vector2(1.5, 1.5)
@@ -220,9 +220,9 @@ func test_a_listener_may_change_anything() -> void:
 		made.append(_add_watcher(Vector2(0, -100))))
 	await ticks(60)
 	check_equal(made.size(), 1, "bodies made by the listener")
-	check_equal(body.hull.size(), 12, "hull points")
+	check_equal(body.polygon.size(), 12, "polygon points")
 	check(all_finite(body.get_point_positions()), "a point is not finite")
-	check_equal(SoftBodyServer2D.get_body_count(), 2, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 2, "bodies of the simulation")
 
 
 func test_a_body_that_leaves_the_tree_and_comes_back_is_told_of_no_touch_twice() -> void:
@@ -264,18 +264,18 @@ func test_contacts_do_not_change_the_motion() -> void:
 
 func test_a_body_folds_onto_itself_instead_of_through_itself() -> void:
 	# A flat strip that is closed like a book.
-	var hull := SoftBody2D.make_box_hull(Vector2(200, 16), 10)
+	var polygon := SoftBody2D.make_box_polygon(Vector2(200, 16), 10)
 	var crossings: Array[bool] = []
 	for self_collision: int in [SoftBody2D.SELF_COLLISION_OFF, SoftBody2D.SELF_COLLISION_ON]:
-		var body := add_weightless_body(Vector2.ZERO, {"hull": hull, "center_point": false, "shape_matching": 0.0,
+		var body := add_weightless_body(Vector2.ZERO, {"polygon": polygon, "center_point": false, "shape_matching": 0.0,
 				"stiffness": 60.0, "self_collision": self_collision, "least_area": 0.0})
 		var crossed := false
 		for i in 60:
-			for j in hull.size():
-				body.apply_point_force(j, Vector2(0, -6) if absf(hull[j].x) > 60 else Vector2(0, 6))
-				body.apply_point_force(j, Vector2(-0.15 * hull[j].x, 0))
+			for j in polygon.size():
+				body.apply_point_force(j, Vector2(0, -6) if absf(polygon[j].x) > 60 else Vector2(0, 6))
+				body.apply_point_force(j, Vector2(-0.15 * polygon[j].x, 0))
 			await ticks(1)
-			crossed = crossed or Geometry2D.triangulate_polygon(hull_of(body)).is_empty()
+			crossed = crossed or Geometry2D.triangulate_polygon(polygon_of(body)).is_empty()
 		crossings.append(crossed)
 		check(all_finite(body.get_point_positions()), "a point is not finite")
 		body.free()
@@ -286,19 +286,19 @@ func test_a_body_folds_onto_itself_instead_of_through_itself() -> void:
 func test_a_body_with_deep_dents_does_not_pass_through_itself_at_default_values() -> void:
 	check_equal(add_weightless_body().has_self_collision(), false, "self-collision of a circle")
 	add_floor(100)
-	var hull := PackedVector2Array([Vector2(-40, -40), Vector2(-14, -40), Vector2(-14, -14), Vector2(-14, 12), Vector2(14, 12),
+	var polygon := PackedVector2Array([Vector2(-40, -40), Vector2(-14, -40), Vector2(-14, -14), Vector2(-14, 12), Vector2(14, 12),
 			Vector2(14, -14), Vector2(14, -40), Vector2(40, -40), Vector2(40, 0), Vector2(40, 40), Vector2(0, 40), Vector2(-40, 40),
 			Vector2(-40, 0)])
 	for mode: int in [SoftBody2D.SELF_COLLISION_OFF, SoftBody2D.SELF_COLLISION_AUTOMATIC]:
 		var pile: Array[SoftBody2D] = []
 		for i in 5:
-			pile.append(add_body(Vector2(500 * mode + 3 * i, 50 - 90 * i), {"hull": hull, "self_collision": mode}))
+			pile.append(add_body(Vector2(500 * mode + 3 * i, 50 - 90 * i), {"polygon": polygon, "self_collision": mode}))
 		check_equal(pile[0].has_self_collision(), mode == SoftBody2D.SELF_COLLISION_AUTOMATIC, "self-collision of a U")
 		var crossed := 0
 		for i in 180:
 			await ticks(1)
 			for body in pile:
-				crossed += 1 if Geometry2D.triangulate_polygon(hull_of(body)).is_empty() else 0
+				crossed += 1 if Geometry2D.triangulate_polygon(polygon_of(body)).is_empty() else 0
 		if mode == SoftBody2D.SELF_COLLISION_OFF:
 			check(crossed > 0, "without self-collision no arms cross, so this shows nothing")
 		else:

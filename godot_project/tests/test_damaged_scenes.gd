@@ -22,11 +22,11 @@ func _scene_of(lines: String) -> SoftBody2D:
 
 
 func test_a_scene_of_a_newer_version_opens_with_what_is_known() -> void:
-	var body := _scene_of("stiffness = 77.0\nsome_future_property = Vector3(1, 2, 3)\nfriction = 0.25")
+	var body := _scene_of("stiffness = 77.0\nsome_future_property = Vector3(1, 2, 3)\npoisson_ratio = 0.25")
 	if not check(body != null, "the scene opens"):
 		return
 	check_equal(body.stiffness, 77.0, "stiffness")
-	check_equal(body.friction, 0.25, "friction")
+	check_equal(body.poisson_ratio, 0.25, "poisson_ratio")
 	stage.add_child(body)
 	await ticks(5)
 	_check_sound(body, "the body of the newer scene")
@@ -34,7 +34,7 @@ func test_a_scene_of_a_newer_version_opens_with_what_is_known() -> void:
 
 ## All arrays that are stored of a body; of those whose length must fit the rest, one that does not.
 const ARRAYS := {
-	"hull": 2, "inner_points": -1, "springs": 3, "spring_stiffness_scales": 3, "spring_damping_scales": 3,
+	"polygon": 2, "inner_points": -1, "springs": 3, "spring_stiffness_scales": 3, "spring_damping_scales": 3,
 	"spring_length_scales": 3, "pinned_points": -1, "pin_targets": 3, "vertex_colors": 3, "uv": 3,
 }
 
@@ -53,13 +53,13 @@ func _text_of(type: int, count: int, odd := "1") -> String:
 # What is wrong is said at once, or, if it may still be put right by another property, as a warning of the node.
 func _check_damage(line: String, name: String) -> void:
 	take_errors()
-	var body := _scene_of("stiffness = 77.0\n" + line + "\nfriction = 0.25")
+	var body := _scene_of("stiffness = 77.0\n" + line + "\npoisson_ratio = 0.25")
 	if not check(body != null, "the scene with %s opens" % line.left(80)):
 		return
 	stage.add_child(body)
 	await ticks(3)
 	check_equal(body.stiffness, 77.0, "stiffness beside " + line.left(80))
-	check_equal(body.friction, 0.25, "friction beside " + line.left(80))
+	check_equal(body.poisson_ratio, 0.25, "poisson_ratio beside " + line.left(80))
 	_check_sound(body, "the body with " + line.left(80))
 	var said := " ".join(take_errors()) + " ".join(body.get_warnings())
 	# A pixel or a color that is huge harms nothing.
@@ -97,9 +97,9 @@ func test_a_value_of_a_wrong_type_is_named() -> void:
 
 func test_damaged_arrays_in_a_scene_are_named_and_the_rest_is_kept() -> void:
 	var damages := {
-		"hull = PackedVector2Array(0, 0, nan, 5, 10, 10, 0, 10)": "hull",
-		"hull = PackedVector2Array(0, 0, 10, 0)": "hull",
-		"hull = PackedVector2Array(0, 0, 10, 10, 10, 0, 0, 10)": "hull",
+		"polygon = PackedVector2Array(0, 0, nan, 5, 10, 10, 0, 10)": "polygon",
+		"polygon = PackedVector2Array(0, 0, 10, 0)": "polygon",
+		"polygon = PackedVector2Array(0, 0, 10, 10, 10, 0, 0, 10)": "polygon",
 		"inner_points = PackedVector2Array(inf, 0)": "inner_points",
 		"springs = PackedInt32Array(0, 1, 2)": "springs",
 		"springs = PackedInt32Array(0, -1)": "springs",
@@ -110,13 +110,13 @@ func test_damaged_arrays_in_a_scene_are_named_and_the_rest_is_kept() -> void:
 	}
 	for line: String in damages:
 		take_errors()
-		var body := _scene_of("color = Color(1, 0, 0, 1)\n" + line + "\nfriction = 0.25")
+		var body := _scene_of("color = Color(1, 0, 0, 1)\n" + line + "\npoisson_ratio = 0.25")
 		if not check(body != null, "the scene with %s opens" % line):
 			continue
 		stage.add_child(body)
 		await ticks(3)
-		check_equal(body.friction, 0.25, "friction beside " + line)
-		check_equal(body.hull.size(), 16, "hull points beside " + line)
+		check_equal(body.poisson_ratio, 0.25, "poisson_ratio beside " + line)
+		check_equal(body.polygon.size(), 16, "polygon points beside " + line)
 		_check_sound(body, "the body with " + line)
 		var errors := take_errors()
 		check(not errors.is_empty() and damages[line] in errors[0], "the message for %s names it: %s" % [line, errors])
@@ -128,10 +128,10 @@ func test_arrays_that_name_what_is_not_there_are_left_out_with_a_word() -> void:
 			"pinned_points = PackedInt32Array(99)", "uv = PackedVector2Array(0, 0)"]
 	for line: String in damages:
 		take_errors()
-		var body := _scene_of(line + "\nfriction = 0.25")
+		var body := _scene_of(line + "\npoisson_ratio = 0.25")
 		stage.add_child(body)
 		await ticks(3)
-		check_equal(body.friction, 0.25, "friction beside " + line)
+		check_equal(body.poisson_ratio, 0.25, "poisson_ratio beside " + line)
 		_check_sound(body, "the body with " + line)
 		check(not body.get_warnings().is_empty(), "nothing is said of " + line)
 		take_errors()

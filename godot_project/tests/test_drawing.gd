@@ -28,13 +28,13 @@ func _axis(image: Image) -> float:
 	return atan2(2 * spread.z, spread.x - spread.y) / 2
 
 
-func test_the_color_fills_the_hull_and_nothing_else() -> void:
+func test_the_color_fills_the_polygon_and_nothing_else() -> void:
 	if not open_viewport():
 		return
 	var body := add_to_view({ "color": Color.RED })
 	await ticks(3)
 	var image := await picture()
-	for point in hull_of(body):
+	for point in polygon_of(body):
 		check_pixel(image, point.lerp(body.global_position, 0.1), Color.RED, "inside")
 		check_pixel(image, point.lerp(body.global_position, -0.15), Color(0, 0, 0, 0), "outside")
 	check_pixel(image, body.global_position, Color.RED, "center")
@@ -44,11 +44,11 @@ func test_a_dent_is_not_filled() -> void:
 	if not open_viewport():
 		return
 	for clockwise: bool in [false, true]:
-		var hull := PackedVector2Array([Vector2(-90, -60), Vector2(-50, -60), Vector2(-40, 30), Vector2(40, 30),
+		var polygon := PackedVector2Array([Vector2(-90, -60), Vector2(-50, -60), Vector2(-40, 30), Vector2(40, 30),
 				Vector2(50, -60), Vector2(90, -60), Vector2(90, 80), Vector2(-90, 80)])
 		if clockwise:
-			hull.reverse()
-		var body := add_to_view({ "hull": hull, "color": Color.GREEN })
+			polygon.reverse()
+		var body := add_to_view({ "polygon": polygon, "color": Color.GREEN })
 		await ticks(3)
 		var image := await picture()
 		check_pixel(image, body.to_global(Vector2(0, 0)), Color(0, 0, 0, 0), "the dent")
@@ -58,7 +58,7 @@ func test_a_dent_is_not_filled() -> void:
 		body.free()
 
 
-func test_the_texture_covers_the_hulls_box_and_turns_with_the_body() -> void:
+func test_the_texture_covers_the_polygons_box_and_turns_with_the_body() -> void:
 	if not open_viewport():
 		return
 	var image := Image.create(2, 2, false, Image.FORMAT_RGBA8)
@@ -66,10 +66,10 @@ func test_the_texture_covers_the_hulls_box_and_turns_with_the_body() -> void:
 	for i in 4:
 		image.set_pixel(i & 1, i >> 1, corners[i])
 	for clockwise: bool in [false, true]:
-		var hull := SoftBody2D.make_box_hull(Vector2(160, 100), 20)
+		var polygon := SoftBody2D.make_box_polygon(Vector2(160, 100), 20)
 		if clockwise:
-			hull.reverse()
-		var body := add_to_view({ "hull": hull, "texture": ImageTexture.create_from_image(image) })
+			polygon.reverse()
+		var body := add_to_view({ "polygon": polygon, "texture": ImageTexture.create_from_image(image) })
 		body.texture_filter = CanvasItem.TEXTURE_FILTER_NEAREST
 		for turn: float in [0.0, 0.6]:
 			body.rotation = turn
@@ -142,11 +142,11 @@ func test_spin_on_the_screen_is_even_with_and_without_the_engines_interpolation(
 	for interpolated: bool in [false, true]:
 		tree.physics_interpolation = interpolated
 		Engine.physics_ticks_per_second = 10
-		var hull := SoftBody2D.make_box_hull(Vector2(160, 60), 20)
-		var body := add_to_view({ "hull": hull, "color": Color.WHITE, "stiffness": 900.0 })
+		var polygon := SoftBody2D.make_box_polygon(Vector2(160, 60), 20)
+		var body := add_to_view({ "polygon": polygon, "color": Color.WHITE, "stiffness": 900.0 })
 		body.reset_physics_interpolation()
-		for i in hull.size():
-			body.apply_point_impulse(i, Vector2(-hull[i].y, hull[i].x) * 2.5 / (hull.size() + 1)) # 2.5 rad/s
+		for i in polygon.size():
+			body.apply_point_impulse(i, Vector2(-polygon[i].y, polygon[i].x) * 2.5 / (polygon.size() + 1)) # 2.5 rad/s
 		check_near(body.get_angular_velocity(), 2.5, 0.01, "spin")
 		for i in 24:
 			await tree.process_frame
@@ -170,7 +170,7 @@ func test_a_resting_picture_is_the_body() -> void:
 		var body := add_to_view({ "gravity_scale": 1.0, "color": Color.RED, "stiffness": 150.0 })
 		await seconds(8)
 		var image := await picture()
-		for point in hull_of(body):
+		for point in polygon_of(body):
 			check_pixel(image, point.lerp(body.get_center_of_mass_position(), 0.1), Color.RED, "inside")
 			check_pixel(image, point.lerp(body.get_center_of_mass_position(), -0.1), Color(0, 0, 0, 0), "outside")
 		body.free()

@@ -13,11 +13,11 @@ func test_without_the_hint_nothing_is_drawn_besides_the_body() -> void:
 	check_above(body.get_area(), 0, "its area")
 
 
-func test_with_the_hint_hull_springs_and_stiffness_are_drawn() -> void:
+func test_with_the_hint_polygon_springs_and_stiffness_are_drawn() -> void:
 	if not open_viewport():
 		return
 	tree.debug_collisions_hint = true
-	var body := add_to_view({ "color": CLEAR, "hull": SoftBody2D.make_box_hull(Vector2(160, 160), 80),
+	var body := add_to_view({ "color": CLEAR, "polygon": SoftBody2D.make_box_polygon(Vector2(160, 160), 80),
 			"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK })
 	tree.debug_collisions_hint = false
 	await ticks(3)
@@ -40,15 +40,15 @@ func test_stretched_springs_are_red_and_pressed_ones_blue() -> void:
 	if not open_viewport():
 		return
 	tree.debug_collisions_hint = true
-	var body := add_to_view({ "color": CLEAR, "hull": SoftBody2D.make_box_hull(Vector2(120, 120), 60), "collision_mask": 0,
+	var body := add_to_view({ "color": CLEAR, "polygon": SoftBody2D.make_box_polygon(Vector2(120, 120), 60), "collision_mask": 0,
 			"stiffness": 0.0, "shape_matching": 0.0, "damping": 0.0 })
 	tree.debug_collisions_hint = false
-	for i in body.hull.size():
-		body.apply_point_impulse(i, Vector2(body.hull[i].x, -body.hull[i].y) * 0.1)
+	for i in body.polygon.size():
+		body.apply_point_impulse(i, Vector2(body.polygon[i].x, -body.polygon[i].y) * 0.1)
 	await ticks(16)
 	var image := await picture()
-	var hull := body.get_interpolated_hull()
-	var box := bounds_of(hull)
+	var polygon := body.get_interpolated_polygon()
+	var box := bounds_of(polygon)
 	check_above(box.size.x / box.size.y, 1.5, "stretch")
 	var center := box.get_center()
 	var stretched := image.get_pixelv(Vector2i(center.lerp(Vector2(box.end.x, center.y), 0.6)))
@@ -68,7 +68,7 @@ func test_contacts_of_a_body_that_monitors_are_drawn_where_they_are() -> void:
 	await seconds(3) # at rest
 	var image := await picture()
 	var lowest := Vector2.ZERO
-	for point in body.get_interpolated_hull():
+	for point in body.get_interpolated_polygon():
 		lowest = point if point.y > lowest.y else lowest
 	check_near(lowest.y, 280, 2, "height of the lowest point")
 	# Below it is nothing but the contact's disc.

@@ -5,14 +5,14 @@ extends "res://tests/support/picture_suite.gd"
 const U_SHAPE: Array[Vector2] = [Vector2(-90, -60), Vector2(-50, -60), Vector2(-40, 30), Vector2(40, 30),
 	Vector2(50, -60), Vector2(90, -60), Vector2(90, 80), Vector2(-90, 80)]
 ## Outlines of both windings, convex and dented.
-const HULLS := 4
+const POLYGONS := 4
 
 
-func _hull(index: int) -> PackedVector2Array:
-	var hull := SoftBody2D.make_box_hull(Vector2(160, 100), 20) if index < 2 else PackedVector2Array(U_SHAPE)
+func _polygon(index: int) -> PackedVector2Array:
+	var polygon := SoftBody2D.make_box_polygon(Vector2(160, 100), 20) if index < 2 else PackedVector2Array(U_SHAPE)
 	if index % 2 == 1:
-		hull.reverse()
-	return hull
+		polygon.reverse()
+	return polygon
 
 
 ## Smooth, and different everywhere: red grows to the right, green downwards, blue alternates in cells of 8 pixels.
@@ -36,7 +36,7 @@ func _check_like_polygon(body: SoftBody2D, names: PackedStringArray, what: Strin
 	var other := make_viewport(viewport.size)
 	other.world_2d = World2D.new()
 	var polygon := Polygon2D.new()
-	polygon.polygon = body.hull
+	polygon.polygon = body.polygon
 	polygon.transform = body.transform
 	for name in names:
 		polygon.set(name, body.get(name))
@@ -47,11 +47,11 @@ func _check_like_polygon(body: SoftBody2D, names: PackedStringArray, what: Strin
 	other.free()
 
 
-func test_the_outline_lies_inside_the_hull_and_is_as_wide_as_asked() -> void:
+func test_the_outline_lies_inside_the_polygon_and_is_as_wide_as_asked() -> void:
 	if not open_viewport():
 		return
-	for index in HULLS:
-		var body := add_to_view({ "hull": _hull(index), "color": Color.RED, "outline_width": 10.0,
+	for index in POLYGONS:
+		var body := add_to_view({ "polygon": _polygon(index), "color": Color.RED, "outline_width": 10.0,
 				"outline_color": Color.BLUE })
 		await ticks(2)
 		var image := await picture()
@@ -69,12 +69,12 @@ func test_the_outline_lies_inside_the_hull_and_is_as_wide_as_asked() -> void:
 func test_at_the_tip_of_a_dent_the_outline_is_round() -> void:
 	if not open_viewport():
 		return
-	var hull := PackedVector2Array([Vector2(-90, -60), Vector2(-8, -60), Vector2(0, 0), Vector2(8, -60), Vector2(90, -60),
+	var polygon := PackedVector2Array([Vector2(-90, -60), Vector2(-8, -60), Vector2(0, 0), Vector2(8, -60), Vector2(90, -60),
 			Vector2(90, 80), Vector2(-90, 80)])
 	for clockwise: bool in [false, true]:
 		if clockwise:
-			hull.reverse()
-		add_to_view({ "hull": hull, "color": Color.RED, "outline_width": 12.0, "outline_color": Color.BLUE })
+			polygon.reverse()
+		add_to_view({ "polygon": polygon, "color": Color.RED, "outline_width": 12.0, "outline_color": Color.BLUE })
 		await ticks(2)
 		var image := await picture()
 		for angle: float in [0.3, 0.8, 1.57, 2.3, 2.8]:
@@ -99,7 +99,7 @@ func test_without_a_fill_only_the_outline_is_seen() -> void:
 	check_pixel(await picture(), body.global_position, Color.GREEN, "the fill that was given back")
 
 
-func test_the_outlines_texture_runs_along_the_hull_from_outside_in() -> void:
+func test_the_outlines_texture_runs_along_the_polygon_from_outside_in() -> void:
 	if not open_viewport():
 		return
 	# Above yellow, below blue; a red column at its start.
@@ -107,7 +107,7 @@ func test_the_outlines_texture_runs_along_the_hull_from_outside_in() -> void:
 	for y in 16:
 		for x in 32:
 			image_file.set_pixel(x, y, Color.RED if x < 4 else Color.YELLOW if y < 8 else Color.BLUE)
-	var body := add_to_view({ "hull": SoftBody2D.make_box_hull(Vector2(200, 160), 20), "outline_width": 16.0,
+	var body := add_to_view({ "polygon": SoftBody2D.make_box_polygon(Vector2(200, 160), 20), "outline_width": 16.0,
 			"outline_color": Color.WHITE, "outline_texture": ImageTexture.create_from_image(image_file), "color": Color.WHITE })
 	body.texture_repeat = CanvasItem.TEXTURE_REPEAT_ENABLED
 	body.texture_filter = CanvasItem.TEXTURE_FILTER_NEAREST
@@ -140,17 +140,17 @@ func test_the_outlines_texture_runs_along_the_hull_from_outside_in() -> void:
 	check_near(red_pixels, 720 / 8.0 * 16, 400, "red pixels of a texture that goes around once")
 
 
-func test_vertex_colors_blend_between_the_hull_points() -> void:
+func test_vertex_colors_blend_between_the_polygon_points() -> void:
 	if not open_viewport():
 		return
 	for clockwise: bool in [false, true]:
-		var hull := SoftBody2D.make_box_hull(Vector2(160, 100), 20)
+		var polygon := SoftBody2D.make_box_polygon(Vector2(160, 100), 20)
 		if clockwise:
-			hull.reverse()
+			polygon.reverse()
 		var colors := PackedColorArray()
-		for point in hull:
+		for point in polygon:
 			colors.append(Color((point.x + 80) / 160, (point.y + 50) / 100, 0))
-		var body := add_to_view({ "hull": hull, "vertex_colors": colors })
+		var body := add_to_view({ "polygon": polygon, "vertex_colors": colors })
 		await ticks(2)
 		var image := await picture()
 		for place: Vector2 in [Vector2(0, 0), Vector2(-70, 40), Vector2(60, -30), Vector2(30, 10)]:
@@ -165,15 +165,15 @@ func test_vertex_colors_of_a_dented_body_look_like_those_of_a_polygon() -> void:
 	if not open_viewport():
 		return
 	for clockwise: bool in [false, true]:
-		var hull := PackedVector2Array(U_SHAPE)
+		var polygon := PackedVector2Array(U_SHAPE)
 		var colors := PackedColorArray()
-		for i in hull.size():
-			colors.append(Color(hull[i].x / 200 + 0.5, hull[i].y / 200 + 0.5, 0.2))
+		for i in polygon.size():
+			colors.append(Color(polygon[i].x / 200 + 0.5, polygon[i].y / 200 + 0.5, 0.2))
 		if clockwise:
-			hull.reverse()
+			polygon.reverse()
 			colors.reverse()
 		# Linear in the plane, so that it does not matter how the triangles are laid.
-		var body := add_to_view({ "hull": hull, "vertex_colors": colors, "rotation": 0.4, "scale": Vector2(1.2, 0.9) })
+		var body := add_to_view({ "polygon": polygon, "vertex_colors": colors, "rotation": 0.4, "scale": Vector2(1.2, 0.9) })
 		await _check_like_polygon(body, ["vertex_colors"], "a body with vertex colors", 0.02)
 		body.free()
 
@@ -196,12 +196,12 @@ func test_uv_with_offset_rotation_and_scale_show_what_a_polygon_shows() -> void:
 	if not open_viewport():
 		return
 	var texture := _map_texture()
-	for index in HULLS:
-		var hull := _hull(index)
+	for index in POLYGONS:
+		var polygon := _polygon(index)
 		var uv := PackedVector2Array()
-		for point in hull:
+		for point in polygon:
 			uv.append((point + Vector2(100, 90)) * 0.3)
-		var body := add_to_view({ "hull": hull, "texture": texture, "uv": uv, "texture_offset": Vector2(4, -3),
+		var body := add_to_view({ "polygon": polygon, "texture": texture, "uv": uv, "texture_offset": Vector2(4, -3),
 				"texture_rotation": 0.2, "texture_scale": Vector2(0.8, 1.1), "rotation": 0.3, "color": Color(1, 0.9, 0.8) })
 		await _check_like_polygon(body, ["texture", "uv", "texture_offset", "texture_rotation", "texture_scale", "color"],
 				"a body with uv", 0.02)
@@ -211,7 +211,7 @@ func test_uv_with_offset_rotation_and_scale_show_what_a_polygon_shows() -> void:
 func test_without_uv_the_texture_turns_and_scales_around_the_middle() -> void:
 	if not open_viewport():
 		return
-	var body := add_to_view({ "hull": SoftBody2D.make_box_hull(Vector2(160, 160), 20), "texture": _map_texture(),
+	var body := add_to_view({ "polygon": SoftBody2D.make_box_polygon(Vector2(160, 160), 20), "texture": _map_texture(),
 			"texture_scale": Vector2(0.5, 0.5) })
 	body.texture_filter = CanvasItem.TEXTURE_FILTER_LINEAR
 	await ticks(2)
@@ -263,7 +263,7 @@ func test_the_texture_sticks_to_a_body_that_is_squashed() -> void:
 	for i in 4:
 		image_file.set_pixel(i & 1, i >> 1, corners[i])
 	for with_middle: bool in [true, false]:
-		var body := add_to_view({ "hull": SoftBody2D.make_circle_hull(80, 24), "gravity_scale": 1.0, "stiffness": 14.0,
+		var body := add_to_view({ "polygon": SoftBody2D.make_circle_polygon(80, 24), "gravity_scale": 1.0, "stiffness": 14.0,
 				"texture": ImageTexture.create_from_image(image_file), "rotation": 0.5, "center_point": with_middle,
 				"pressure": 0.0 if with_middle else 60.0, "position": Vector2(200, 250) })
 		body.texture_filter = CanvasItem.TEXTURE_FILTER_NEAREST
@@ -272,17 +272,17 @@ func test_the_texture_sticks_to_a_body_that_is_squashed() -> void:
 		for moment in 4:
 			await ticks(7)
 			var image := await picture()
-			var drawn := body.get_interpolated_hull()
+			var drawn := body.get_interpolated_polygon()
 			var center := Vector2.ZERO
 			for point in drawn:
 				center += point / drawn.size()
 			var box := bounds_of(drawn)
 			squashed = squashed or box.size.x / box.size.y > 1.1
 			for i in drawn.size():
-				var rest := body.hull[i]
+				var rest := body.polygon[i]
 				if minf(absf(rest.x), absf(rest.y)) > 15:
 					var quarter := int(rest.x > 0) + 2 * int(rest.y > 0)
-					check_pixel(image, drawn[i].lerp(center, 0.15), corners[quarter], "the texture near hull point %d" % i)
+					check_pixel(image, drawn[i].lerp(center, 0.15), corners[quarter], "the texture near polygon point %d" % i)
 		check(squashed, "the body was not squashed")
 		body.free()
 
@@ -290,9 +290,9 @@ func test_the_texture_sticks_to_a_body_that_is_squashed() -> void:
 func test_antialiased_edges_fade_over_a_pixel_and_keep_their_place() -> void:
 	if not open_viewport():
 		return
-	var hull := PackedVector2Array([Vector2(-80, -60), Vector2(80, -40), Vector2(80, 60), Vector2(-80, 60)])
+	var polygon := PackedVector2Array([Vector2(-80, -60), Vector2(80, -40), Vector2(80, 60), Vector2(-80, 60)])
 	for outline: float in [0.0, 8.0]:
-		var body := add_to_view({ "hull": hull, "color": Color.WHITE, "outline_width": outline,
+		var body := add_to_view({ "polygon": polygon, "color": Color.WHITE, "outline_width": outline,
 				"outline_color": Color.WHITE })
 		var areas := PackedFloat64Array()
 		var partial := PackedInt32Array()
@@ -316,10 +316,10 @@ func test_antialiased_edges_fade_over_a_pixel_and_keep_their_place() -> void:
 		body.free()
 
 
-func test_a_smooth_body_is_rounder_than_its_hull() -> void:
+func test_a_smooth_body_is_rounder_than_its_polygon() -> void:
 	if not open_viewport():
 		return
-	var body := add_to_view({ "hull": SoftBody2D.make_circle_hull(100, 8), "color": Color.WHITE })
+	var body := add_to_view({ "polygon": SoftBody2D.make_circle_polygon(100, 8), "color": Color.WHITE })
 	await ticks(2)
 	var between := Vector2.from_angle(PI / 8) * 97
 	check_pixel(await picture(), body.global_position + between, CLEAR, "beyond a straight edge")
@@ -342,7 +342,7 @@ void vertex() { place = VERTEX; }
 void fragment() { COLOR = vec4(UV, place.x / 200.0 + 0.5, COLOR.a); }"""
 	var material := ShaderMaterial.new()
 	material.shader = shader
-	var body := add_to_view({ "hull": SoftBody2D.make_box_hull(Vector2(160, 100), 20), "rotation": 0.3,
+	var body := add_to_view({ "polygon": SoftBody2D.make_box_polygon(Vector2(160, 100), 20), "rotation": 0.3,
 			"material": material, "color": Color(1, 0, 0, 0.5) })
 	await ticks(3)
 	var image := await picture()
@@ -456,36 +456,36 @@ func test_a_folded_body_has_no_hole() -> void:
 	if not open_viewport():
 		return
 	for middle_point: bool in [true, false]:
-		var body := add_to_view({ "hull": SoftBody2D.make_circle_hull(90, 16), "color": Color.WHITE,
+		var body := add_to_view({ "polygon": SoftBody2D.make_circle_polygon(90, 16), "color": Color.WHITE,
 				"center_point": middle_point, "stiffness": 0.0, "shape_matching": 0.0, "damping": 0.0, "collision_mask": 0 })
 		# Each point for itself: every second one flies inwards, past the middle.
 		for i in range(0, 16, 2):
-			body.apply_point_impulse(i, -body.hull[i].normalized() * 40)
+			body.apply_point_impulse(i, -body.polygon[i].normalized() * 40)
 		await ticks(13)
 		var image := await picture()
-		var hull := body.get_interpolated_hull()
+		var polygon := body.get_interpolated_polygon()
 		var claims := 0
 		for y in range(100, 300, 7):
 			for x in range(100, 300, 7):
 				var place := Vector2(x, y) + Vector2(0.5, 0.5)
-				if _winding(place, hull) != 0 and _distance(place, hull) > 1.5:
-					check_pixel(image, Vector2(x, y), Color.WHITE, "inside the folded hull")
+				if _winding(place, polygon) != 0 and _distance(place, polygon) > 1.5:
+					check_pixel(image, Vector2(x, y), Color.WHITE, "inside the folded polygon")
 					claims += 1
 		check_above(claims, 50, "places inside")
 		body.free()
 
 
-func _winding(place: Vector2, hull: PackedVector2Array) -> int:
+func _winding(place: Vector2, polygon: PackedVector2Array) -> int:
 	var sum := 0.0
-	for i in hull.size():
-		sum += (hull[i - 1] - place).angle_to(hull[i] - place)
+	for i in polygon.size():
+		sum += (polygon[i - 1] - place).angle_to(polygon[i] - place)
 	return roundi(sum / TAU)
 
 
-func _distance(place: Vector2, hull: PackedVector2Array) -> float:
+func _distance(place: Vector2, polygon: PackedVector2Array) -> float:
 	var least := INF
-	for i in hull.size():
-		least = minf(least, place.distance_to(Geometry2D.get_closest_point_to_segment(place, hull[i - 1], hull[i])))
+	for i in polygon.size():
+		least = minf(least, place.distance_to(Geometry2D.get_closest_point_to_segment(place, polygon[i - 1], polygon[i])))
 	return least
 
 
@@ -502,11 +502,11 @@ func test_it_looks_as_it_did() -> void:
 	if not open_viewport(Vector2i(320, 200)):
 		return
 	add_solid(rectangle(400, 40), Transform2D(0, Vector2(160, 210)), viewport)
-	var hull := SoftBody2D.make_circle_hull(55, 20)
+	var polygon := SoftBody2D.make_circle_polygon(55, 20)
 	var colors := PackedColorArray()
-	for i in hull.size():
+	for i in polygon.size():
 		colors.append(Color.from_hsv(i / 20.0, 0.5, 1))
-	var common := { "hull": hull, "antialiased": true, "smooth": true, "outline_width": 7.0, "gravity_scale": 1.0 }
+	var common := { "polygon": polygon, "antialiased": true, "smooth": true, "outline_width": 7.0, "gravity_scale": 1.0 }
 	var left := add_to_view(common.merged({ "position": Vector2(80, 110), "texture": _map_texture(), "stiffness": 40.0,
 			"outline_color": Color(0.1, 0.1, 0.3) }))
 	var right := add_to_view(common.merged({ "position": Vector2(235, 110), "vertex_colors": colors, "stiffness": 150.0,

@@ -6,21 +6,21 @@ extends "res://tests/support/picture_suite.gd"
 
 func _updates_in_a_frame() -> int:
 	await RenderingServer.frame_post_draw
-	return SoftBodyServer2D.get_last_drawn_count()
+	return SoftBodySimulation2D.get_last_drawn_count()
 
 
 func _wobble(body: SoftBody2D, speed := 200.0) -> void:
-	for i in body.hull.size():
-		body.apply_point_impulse(i, Vector2(signf(body.hull[i].x), 0) * speed / body.hull.size())
+	for i in body.polygon.size():
+		body.apply_point_impulse(i, Vector2(signf(body.polygon[i].x), 0) * speed / body.polygon.size())
 
 
-## The pixels just inside and outside of the interpolated hull.
+## The pixels just inside and outside of the interpolated polygon.
 func _check_shows(image: Image, body: SoftBody2D, canvas: Transform2D, what: String) -> void:
-	var hull := canvas * body.get_interpolated_hull()
+	var polygon := canvas * body.get_interpolated_polygon()
 	var center := Vector2.ZERO
-	for point in hull:
-		center += point / hull.size()
-	for point in hull:
+	for point in polygon:
+		center += point / polygon.size()
+	for point in polygon:
 		check_pixel(image, point.lerp(center, 0.1), body.color, "inside of " + what)
 		check_pixel(image, point.lerp(center, -0.1), CLEAR, "outside of " + what)
 
@@ -89,8 +89,8 @@ func test_a_body_that_flies_in_is_seen_from_its_first_pixel_on() -> void:
 	body.apply_central_impulse(Vector2(-900, 0))
 	for i in 40:
 		var image := await picture()
-		var hull := body.get_interpolated_hull()
-		for point in hull:
+		var polygon := body.get_interpolated_polygon()
+		for point in polygon:
 			var inside := point.lerp(body.get_interpolated_transform().origin, 0.15)
 			if Rect2(2, 2, 396, 396).has_point(inside):
 				check_pixel(image, inside, Color.RED, "the body that flies in")
@@ -142,13 +142,13 @@ func test_a_body_in_view_loses_no_tick_by_standing_still_off_screen() -> void:
 func test_a_body_that_grows_into_view_is_seen() -> void:
 	if not open_viewport():
 		return
-	var body := add_to_view({ "position": Vector2(560, 200), "hull": SoftBody2D.make_circle_hull(30, 16),
+	var body := add_to_view({ "position": Vector2(560, 200), "polygon": SoftBody2D.make_circle_polygon(30, 16),
 			"color": Color.RED, "center_point": false, "pressure": 300.0, "inflation": 1.0, "shape_matching": 0.0, "stiffness": 1.0 })
 	await ticks(5)
 	body.inflation = 80.0
 	await seconds(1.5)
-	var hull := body.get_interpolated_hull()
-	check_below(bounds_of(hull).position.x, 350, "left end of the body that has grown")
+	var polygon := body.get_interpolated_polygon()
+	check_below(bounds_of(polygon).position.x, 350, "left end of the body that has grown")
 	var image := await picture()
 	var place := Vector2(395, body.get_interpolated_transform().origin.y)
 	check_pixel(image, place, Color.RED, "the body that has grown into view")
@@ -189,7 +189,7 @@ func test_after_a_cameras_jump_the_first_frame_is_right() -> void:
 	await ticks(5)
 	_wobble(body, 700)
 	await ticks(6)
-	var box := bounds_of(hull_of(body))
+	var box := bounds_of(polygon_of(body))
 	check_above(box.size.x / box.size.y, 1.15, "how much wider than high it is")
 	await tree.process_frame
 	camera.position = Vector2(3000, 200)
@@ -235,11 +235,11 @@ func test_a_stretched_body_is_not_culled() -> void:
 		return
 	var body := add_to_view({ "position": Vector2(200, 200), "color": Color.RED, "stiffness": 0.0, "shape_matching": 0.0,
 			"damping": 0.0, "collision_mask": 0, "most_stretch": 1000.0 })
-	for i in body.hull.size():
-		body.apply_point_impulse(i, Vector2(signf(body.hull[i].x), 0) * 60)
+	for i in body.polygon.size():
+		body.apply_point_impulse(i, Vector2(signf(body.polygon[i].x), 0) * 60)
 	await ticks(30)
 	var camera := Camera2D.new()
-	var end := bounds_of(hull_of(body)).end.x
+	var end := bounds_of(polygon_of(body)).end.x
 	check_above(end, 600, "right end of the stretched body")
 	camera.position = Vector2(end - 60, 200)
 	viewport.add_child(camera)

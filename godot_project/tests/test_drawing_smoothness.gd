@@ -41,7 +41,7 @@ class Course:
 
 
 func _ball(properties := {}, parent: Node = viewport) -> SoftBody2D:
-	var body := add_to_view({ "hull": SoftBody2D.make_circle_hull(RADIUS, 32), "antialiased": true, "stiffness": 400.0,
+	var body := add_to_view({ "polygon": SoftBody2D.make_circle_polygon(RADIUS, 32), "antialiased": true, "stiffness": 400.0,
 			"position": Vector2(70, 45) }.merged(properties, true), parent)
 	body.reset_physics_interpolation()
 	return body
@@ -98,9 +98,9 @@ func test_a_body_is_drawn_where_it_says() -> void:
 			var drawn := centroid(viewport.get_texture().get_image())
 			check_near(body.get_interpolated_transform().origin, drawn, TOLERANCE, "interpolated position and pixels")
 			var mean := Vector2.ZERO
-			for point in body.get_interpolated_hull():
-				mean += point / body.hull.size()
-			check_near(mean, drawn, TOLERANCE, "interpolated hull and pixels")
+			for point in body.get_interpolated_polygon():
+				mean += point / body.polygon.size()
+			check_near(mean, drawn, TOLERANCE, "interpolated polygon and pixels")
 		body.free()
 
 
@@ -111,7 +111,7 @@ func test_children_stay_on_the_body() -> void:
 		_set_mode(interpolated, 24)
 		var body := _ball({ "self_modulate": CLEAR })
 		var eye := Polygon2D.new()
-		eye.polygon = SoftBody2D.make_circle_hull(8, 16)
+		eye.polygon = SoftBody2D.make_circle_polygon(8, 16)
 		eye.position = Vector2(0, -10)
 		body.add_child(eye)
 		body.apply_central_impulse(Vector2(SPEED, 0))
@@ -265,7 +265,7 @@ func test_without_a_reset_the_engine_smears_node_and_skin_alike() -> void:
 	_set_mode(true, 10)
 	var body := _ball({ "position": Vector2(40, 45), "color": Color(1, 0, 0), "collision_layer": 0 })
 	var mark := Polygon2D.new()
-	mark.polygon = SoftBody2D.make_circle_hull(6, 12)
+	mark.polygon = SoftBody2D.make_circle_polygon(6, 12)
 	mark.color = Color.BLUE
 	body.add_child(mark)
 	await ticks(2)
@@ -287,9 +287,9 @@ func test_deformation_is_blended_too() -> void:
 		return
 	for interpolated: bool in [false, true]:
 		_set_mode(interpolated, 10)
-		var body := _ball({ "stiffness": 4.0, "damping": 0.0, "shape_damping": 0.0 })
-		for i in body.hull.size():
-			body.apply_point_impulse(i, Vector2(body.hull[i].x, 0).sign() * 1.0)
+		var body := _ball({ "stiffness": 4.0, "damping": 0.0, "shape_damping_ratio": 0.0 })
+		for i in body.polygon.size():
+			body.apply_point_impulse(i, Vector2(body.polygon[i].x, 0).sign() * 1.0)
 		await ticks(2)
 		var last := 0.0
 		var steps := PackedFloat64Array()

@@ -70,7 +70,7 @@ func test_a_lift_carries_a_body_up() -> void:
 			if rate != 60 and kind != "synced" and kind != "character":
 				continue
 			var lift := _add_driven(kind, rectangle(400, 40), Vector2(0, 120))
-			var soft := add_body(Vector2(0, 68), { "hull": SoftBody2D.make_box_hull(Vector2(80, 60), 20), "stiffness": 300.0, "damping": 2.0 })
+			var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "stiffness": 300.0, "damping": 2.0 })
 			await seconds(1)
 			for i in 2 * rate:
 				_move(lift, Vector2(0, -200.0 / rate))
@@ -78,14 +78,14 @@ func test_a_lift_carries_a_body_up() -> void:
 			var what := "on a lift (%s) at %d ticks" % [kind, rate]
 			check_near(soft.get_linear_velocity().y, -200.0, 6, "velocity " + what)
 			# What moves is met where the engine's last step left it, one tick after the game had moved it.
-			check_near(bounds_of(hull_of(soft)).end.y, 100 - 400 + 200.0 / rate, 200.0 / rate + 1.5, "lower side " + what)
+			check_near(bounds_of(polygon_of(soft)).end.y, 100 - 400 + 200.0 / rate, 200.0 / rate + 1.5, "lower side " + what)
 			await _clear_stage()
 
 
 func test_a_platform_carries_a_body_sideways() -> void:
 	for kind in KINDS:
 		var platform := _add_driven(kind, rectangle(600, 40), Vector2(0, 120))
-		var soft := add_body(Vector2(0, 68), { "hull": SoftBody2D.make_box_hull(Vector2(80, 60), 20), "friction": 0.8 })
+		var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "physics_material_override": surface(0.8) })
 		await seconds(1)
 		var offset := soft.get_center_of_mass_position().x - platform.position.x
 		for i in 120:
@@ -103,7 +103,7 @@ func test_a_fast_piston_takes_a_body_along() -> void:
 			if rate != 60 and kind != "synced" and kind != "animatable":
 				continue
 			var piston := _add_driven(kind, rectangle(40, 300), Vector2(-200, 0))
-			var soft := add_weightless_body(Vector2(0, 0), { "hull": SoftBody2D.make_circle_hull(30, 16) })
+			var soft := add_weightless_body(Vector2(0, 0), { "polygon": SoftBody2D.make_circle_polygon(30, 16) })
 			await ticks(2)
 			for i in ceili(0.25 * rate):
 				_move(piston, Vector2(2400.0 / rate, 0))
@@ -117,7 +117,7 @@ func test_a_fast_piston_takes_a_body_along() -> void:
 func test_a_turning_paddle_hits() -> void:
 	for kind: String in ["synced", "server"]:
 		var paddle := _add_driven(kind, rectangle(300, 20), Vector2(0, 0))
-		var soft := add_weightless_body(Vector2(110, 50), { "hull": SoftBody2D.make_circle_hull(25, 12) })
+		var soft := add_weightless_body(Vector2(110, 50), { "polygon": SoftBody2D.make_circle_polygon(25, 12) })
 		await ticks(2)
 		for i in 20:
 			_move(paddle, Vector2.ZERO, 0.1) # 6 rad/s: 660 px/s where the body is
@@ -146,7 +146,7 @@ func test_what_is_teleported_does_not_hit() -> void:
 func test_a_belt_on_an_animatable_body_carries_and_moves() -> void:
 	var belt := _add_driven("synced", rectangle(1200, 40), Vector2(0, 120)) as AnimatableBody2D
 	belt.constant_linear_velocity = Vector2(80, 0)
-	var soft := add_body(Vector2(0, 68), { "hull": SoftBody2D.make_box_hull(Vector2(80, 60), 20), "friction": 0.8 })
+	var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "physics_material_override": surface(0.8) })
 	await seconds(2)
 	check_near(soft.get_linear_velocity().x, 80.0, 4, "velocity on the belt")
 	for i in 120:
@@ -158,13 +158,13 @@ func test_a_belt_on_an_animatable_body_carries_and_moves() -> void:
 func test_what_has_stopped_is_at_rest() -> void:
 	for kind in KINDS:
 		var lift := _add_driven(kind, rectangle(400, 40), Vector2(0, 120))
-		var soft := add_body(Vector2(0, 68), { "hull": SoftBody2D.make_box_hull(Vector2(80, 60), 20), "stiffness": 300.0, "damping": 2.0 })
+		var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "stiffness": 300.0, "damping": 2.0 })
 		await seconds(1)
 		for i in 60:
 			_move(lift, Vector2(0, -1))
 			await ticks(1)
 		await check_rests(soft, 4, "the body on a lift that stopped (%s)" % kind)
-		check_near(bounds_of(hull_of(soft)).end.y, 40.0, 1, "lower side on a lift that stopped (%s)" % kind)
+		check_near(bounds_of(polygon_of(soft)).end.y, 40.0, 1, "lower side on a lift that stopped (%s)" % kind)
 		await _clear_stage()
 
 
@@ -178,8 +178,8 @@ func test_a_press_squeezes() -> void:
 		await ticks(1)
 	await seconds(1)
 	# Its lower side is at 30 now, 70 px above the floor.
-	check_near(bounds_of(hull_of(soft)).position.y, 30.0, 1.5, "upper side of the squeezed body")
-	check_above(bounds_of(hull_of(soft)).size.x, 105, "width of the squeezed body")
+	check_near(bounds_of(polygon_of(soft)).position.y, 30.0, 1.5, "upper side of the squeezed body")
+	check_above(bounds_of(polygon_of(soft)).size.x, 105, "width of the squeezed body")
 
 
 func test_a_character_runs_into_a_body_and_moves_it() -> void:

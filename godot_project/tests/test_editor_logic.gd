@@ -5,7 +5,7 @@ extends "res://tests/support/suite.gd"
 const LOGIC := "res://addons/soft_body_2d/editor/logic/"
 const BodyValues := preload(LOGIC + "body_values.gd")
 const Brush := preload(LOGIC + "brush.gd")
-const HullEdit := preload(LOGIC + "hull_edit.gd")
+const PolygonEdit := preload(LOGIC + "polygon_edit.gd")
 const Outline := preload(LOGIC + "outline.gd")
 const PinEdit := preload(LOGIC + "pin_edit.gd")
 const Presets := preload(LOGIC + "structure_presets.gd")
@@ -21,9 +21,9 @@ const Words := preload(LOGIC + "words.gd")
 const SQUARE: PackedVector2Array = [Vector2(0, 0), Vector2(10, 0), Vector2(10, 10), Vector2(0, 10)]
 
 
-func _values(hull: PackedVector2Array, properties := {}) -> Dictionary:
+func _values(polygon: PackedVector2Array, properties := {}) -> Dictionary:
 	var body := SoftBody2D.new()
-	body.hull = hull
+	body.polygon = polygon
 	for property: String in properties:
 		body.set(property, properties[property])
 	var values := BodyValues.take(body)
@@ -43,28 +43,28 @@ func _check_fits(values: Dictionary, what: String) -> void:
 	body.free()
 
 
-# Hulls.
+# Polygons.
 
 func test_the_nearest_point_and_edge_within_the_radius_are_found() -> void:
-	check_equal(HullEdit.nearest_point(SQUARE, Vector2(9, 1), 3), 1, "nearest point")
-	check_equal(HullEdit.nearest_point(SQUARE, Vector2(5, 5), 3), -1, "point too far off")
-	check_equal(HullEdit.nearest_edge(SQUARE, Vector2(5, -2), 3), 0, "edge above")
-	check_equal(HullEdit.nearest_edge(SQUARE, Vector2(-1, 5), 3), 3, "edge that closes the outline")
-	check_equal(HullEdit.nearest_edge(SQUARE, Vector2(5, 5), 3), -1, "edge too far off")
+	check_equal(PolygonEdit.nearest_point(SQUARE, Vector2(9, 1), 3), 1, "nearest point")
+	check_equal(PolygonEdit.nearest_point(SQUARE, Vector2(5, 5), 3), -1, "point too far off")
+	check_equal(PolygonEdit.nearest_edge(SQUARE, Vector2(5, -2), 3), 0, "edge above")
+	check_equal(PolygonEdit.nearest_edge(SQUARE, Vector2(-1, 5), 3), 3, "edge that closes the outline")
+	check_equal(PolygonEdit.nearest_edge(SQUARE, Vector2(5, 5), 3), -1, "edge too far off")
 
 
 func test_points_are_inserted_erased_moved_and_boxed() -> void:
-	check_equal(HullEdit.inserted(SQUARE, 3, Vector2(-1, 5)), PackedVector2Array(Array(SQUARE) + [Vector2(-1, 5)]),
+	check_equal(PolygonEdit.inserted(SQUARE, 3, Vector2(-1, 5)), PackedVector2Array(Array(SQUARE) + [Vector2(-1, 5)]),
 			"after an insertion into the last edge")
-	check_equal(HullEdit.erased(SQUARE, [0, 2]), PackedVector2Array([Vector2(10, 0), Vector2(0, 10)]), "after an erasure")
-	check_equal(HullEdit.moved(SQUARE, [1], Vector2(2, 3))[1], Vector2(12, 3), "moved point")
-	check_equal(HullEdit.points_in_box(SQUARE, Rect2(-1, -1, 12, 2)), PackedInt32Array([0, 1]), "points in a box")
+	check_equal(PolygonEdit.erased(SQUARE, [0, 2]), PackedVector2Array([Vector2(10, 0), Vector2(0, 10)]), "after an erasure")
+	check_equal(PolygonEdit.moved(SQUARE, [1], Vector2(2, 3))[1], Vector2(12, 3), "moved point")
+	check_equal(PolygonEdit.points_in_box(SQUARE, Rect2(-1, -1, 12, 2)), PackedInt32Array([0, 1]), "points in a box")
 	check_equal(SQUARE.size(), 4, "points of what was edited")
 
 
 func test_edges_that_cross_are_named() -> void:
 	var crossed: PackedVector2Array = [Vector2(0, 0), Vector2(10, 10), Vector2(10, 0), Vector2(0, 10)]
-	var edges := HullEdit.crossing_edges(crossed, [1])
+	var edges := PolygonEdit.crossing_edges(crossed, [1])
 	check(0 in edges and 2 in edges, "edges 0 and 2 cross: %s" % [edges])
 
 
@@ -108,16 +108,16 @@ func test_places_snap_to_a_grid_with_an_offset() -> void:
 # What springs, pins and colors become.
 
 func test_an_inserted_point_is_held_like_its_neighbors_and_indices_follow() -> void:
-	var hull := SoftBody2D.make_circle_hull(50, 8)
+	var polygon := SoftBody2D.make_circle_polygon(50, 8)
 	var inner: PackedVector2Array = [Vector2(10, 5)]
 	var springs: PackedInt32Array = [0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 0, 2, 8, 3, 8, 7, 9]
 	var scales := PackedFloat32Array(range(1, 12))
-	var values := _values(hull, {"inner_points": inner, "springs": springs, "spring_stiffness_scales": scales,
+	var values := _values(polygon, {"inner_points": inner, "springs": springs, "spring_stiffness_scales": scales,
 			"pinned_points": PackedInt32Array([1, 5, 9]), "pin_targets": [^"../A", ^"", ^"../B"] as Array[NodePath],
-			"vertex_colors": PackedColorArray(Array(hull).map(func(p: Vector2) -> Color: return Color(p.x / 100 + 0.5, 0, 0)))})
-	var place := (hull[2] + hull[3]) / 2
+			"vertex_colors": PackedColorArray(Array(polygon).map(func(p: Vector2) -> Color: return Color(p.x / 100 + 0.5, 0, 0)))})
+	var place := (polygon[2] + polygon[3]) / 2
 	var old := PackedInt32Array([0, 1, 2, -1, 3, 4, 5, 6, 7])
-	var after := StructureRemap.with_hull(values, HullEdit.inserted(hull, 2, place), old)
+	var after := StructureRemap.with_polygon(values, PolygonEdit.inserted(polygon, 2, place), old)
 	_check_fits(after, "an insertion")
 	var joined: PackedInt32Array = after[&"springs"]
 	check(SpringEdit.find(joined, 2, 4) < 0, "the divided spring is gone")
@@ -131,7 +131,7 @@ func test_an_inserted_point_is_held_like_its_neighbors_and_indices_follow() -> v
 	check_equal(after[&"pin_targets"], [^"../A", ^"", ^"../B"] as Array[NodePath], "targets")
 	check_near(after[&"vertex_colors"][3].r, place.x / 100 + 0.5, 1e-5, "color of the new point")
 	# Taking it out again gives what was, but for the order of the springs.
-	var back := StructureRemap.with_hull(after, hull, PackedInt32Array([0, 1, 2, 4, 5, 6, 7, 8]))
+	var back := StructureRemap.with_polygon(after, polygon, PackedInt32Array([0, 1, 2, 4, 5, 6, 7, 8]))
 	check_equal(back[&"pinned_points"], values[&"pinned_points"], "pinned points after the erasure")
 	check_equal(back[&"vertex_colors"], values[&"vertex_colors"], "colors after the erasure")
 	check(SpringEdit.find(back[&"springs"], 2, 3) < 0, "a spring between neighbors does not come back by itself")
@@ -139,10 +139,10 @@ func test_an_inserted_point_is_held_like_its_neighbors_and_indices_follow() -> v
 
 
 func test_factors_of_automatic_springs_stay_with_their_points() -> void:
-	var hull := SoftBody2D.make_circle_hull(50, 8)
-	var values := _values(hull, {"spring_stiffness_scales": PackedFloat32Array(range(1, 17))})
+	var polygon := SoftBody2D.make_circle_polygon(50, 8)
+	var values := _values(polygon, {"spring_stiffness_scales": PackedFloat32Array(range(1, 17))})
 	var old_springs := BodyValues.springs(values)
-	var after := StructureRemap.with_hull(values, HullEdit.inserted(hull, 4, (hull[4] + hull[5]) / 2),
+	var after := StructureRemap.with_polygon(values, PolygonEdit.inserted(polygon, 4, (polygon[4] + polygon[5]) / 2),
 			PackedInt32Array([0, 1, 2, 3, 4, -1, 5, 6, 7]))
 	_check_fits(after, "an insertion")
 	var springs := BodyValues.springs(after)
@@ -160,20 +160,20 @@ func test_factors_of_automatic_springs_stay_with_their_points() -> void:
 
 
 func test_another_outline_takes_nothing_along_that_would_mean_nothing_and_says_so() -> void:
-	var hull := SoftBody2D.make_circle_hull(50, 8)
-	var values := _values(hull, {"inner_points": PackedVector2Array([Vector2(3, 3)]),
+	var polygon := SoftBody2D.make_circle_polygon(50, 8)
+	var values := _values(polygon, {"inner_points": PackedVector2Array([Vector2(3, 3)]),
 			"pinned_points": PackedInt32Array([2]),
 			"pin_targets": [^"../A"] as Array[NodePath]})
 	check_equal(StructureRemap.losses(values), PackedStringArray(["inner_points", "pinned_points"]), "losses")
 	_check_fits(StructureRemap.with_other_outline(values, SQUARE), "another outline")
-	var resampled := StructureRemap.with_other_outline(values, Outline.resampled(hull, 16), true)
+	var resampled := StructureRemap.with_other_outline(values, Outline.resampled(polygon, 16), true)
 	check_equal(resampled[&"pinned_points"], PackedInt32Array([4]), "the pin is at the nearest point")
 	check_equal(resampled[&"pin_targets"], [^"../A"] as Array[NodePath], "and follows what it followed")
 	check_equal(values[&"pinned_points"], PackedInt32Array([2]), "the values that it was made of")
 
 
 func test_springs_are_added_and_taken_out_with_their_factors() -> void:
-	var values := _values(SoftBody2D.make_circle_hull(50, 6), {"spring_damping_scales": PackedFloat32Array(range(1, 13))})
+	var values := _values(SoftBody2D.make_circle_polygon(50, 6), {"spring_damping_scales": PackedFloat32Array(range(1, 13))})
 	var more := SpringEdit.with_spring(values, 0, 3)
 	_check_fits(more, "another spring")
 	check_equal(more[&"springs"].size() / 2, 13, "springs")
@@ -184,12 +184,12 @@ func test_springs_are_added_and_taken_out_with_their_factors() -> void:
 	check_equal(fewer[&"springs"].size() / 2, 11, "springs that are left")
 	check_equal(fewer[&"spring_damping_scales"][0], 2.0, "factor of the first that is left")
 	check(is_same(SpringEdit.without_springs(more, PackedInt32Array(range(13))), more), "the last springs stay")
-	check_equal(SpringEdit.of_kind(BodyValues.springs(values), 6, SpringEdit.Kind.HULL).size(), 6, "hull springs")
+	check_equal(SpringEdit.of_kind(BodyValues.springs(values), 6, SpringEdit.Kind.POLYGON).size(), 6, "polygon springs")
 	check_equal(SpringEdit.of_kind(BodyValues.springs(values), 6, SpringEdit.Kind.INNER).size(), 6, "inner springs")
 
 
 func test_inner_points_come_and_go_and_the_center_point_stays_the_last() -> void:
-	var values := _values(SoftBody2D.make_circle_hull(50, 6), {"pinned_points": PackedInt32Array([6, 2]),
+	var values := _values(SoftBody2D.make_circle_polygon(50, 6), {"pinned_points": PackedInt32Array([6, 2]),
 			"pin_targets": [^"../A", ^"../B"] as Array[NodePath]})
 	var own := SpringEdit.with_spring(values, 0, 3)
 	var more := SpringEdit.with_inner_point(own, Vector2(20, 5))
@@ -217,7 +217,7 @@ func test_values_come_back_byte_for_byte() -> void:
 	var body := add_body(Vector2.ZERO, {"pinned_points": PackedInt32Array([3, 1]), "pin_targets": [^"..",
 			^""] as Array[NodePath]})
 	var before := BodyValues.take(body)
-	BodyValues.put(body, StructureRemap.with_other_outline(before, SoftBody2D.make_box_hull(Vector2(80, 60), 20)))
+	BodyValues.put(body, StructureRemap.with_other_outline(before, SoftBody2D.make_box_polygon(Vector2(80, 60), 20)))
 	BodyValues.put(body, before)
 	check_equal(var_to_bytes(BodyValues.take(body)), var_to_bytes(before), "values")
 
@@ -225,23 +225,23 @@ func test_values_come_back_byte_for_byte() -> void:
 # Presets.
 
 func test_every_preset_makes_a_body_that_finds_its_shape_again() -> void:
-	for hull: PackedVector2Array in [SoftBody2D.make_circle_hull(50, 16), SoftBody2D.make_box_hull(Vector2(120, 60), 20),
+	for polygon: PackedVector2Array in [SoftBody2D.make_circle_polygon(50, 16), SoftBody2D.make_box_polygon(Vector2(120, 60), 20),
 			PackedVector2Array([Vector2(-60, -40), Vector2(60, -40), Vector2(60, 40), Vector2(20, 40), Vector2(20, 0),
 					Vector2(-60, 0)])]:
 		for preset: int in Presets.Preset.values():
-			var what := "preset %s of %d points" % [Presets.Preset.keys()[preset], hull.size()]
-			var after := Presets.with_preset(_values(hull, {"pinned_points": PackedInt32Array([1, hull.size()])}), preset)
+			var what := "preset %s of %d points" % [Presets.Preset.keys()[preset], polygon.size()]
+			var after := Presets.with_preset(_values(polygon, {"pinned_points": PackedInt32Array([1, polygon.size()])}), preset)
 			_check_fits(after, what)
-			check_equal(after[&"pinned_points"], PackedInt32Array([1]), what + ": pins of the hull stay")
-	var lattice := Presets.with_preset(_values(SoftBody2D.make_circle_hull(50, 16)), Presets.Preset.LATTICE)
+			check_equal(after[&"pinned_points"], PackedInt32Array([1]), what + ": pins of the polygon stay")
+	var lattice := Presets.with_preset(_values(SoftBody2D.make_circle_polygon(50, 16)), Presets.Preset.LATTICE)
 	check_above(lattice[&"inner_points"].size(), 5, "points of a lattice")
-	var braced := Presets.with_preset(_values(SoftBody2D.make_circle_hull(50, 16)), Presets.Preset.CROSS_BRACED)
+	var braced := Presets.with_preset(_values(SoftBody2D.make_circle_polygon(50, 16)), Presets.Preset.CROSS_BRACED)
 	check_above(braced[&"springs"].size() / 2, 39, "springs of a cross-braced circle")
-	var large := Presets.with_preset(_values(SoftBody2D.make_circle_hull(500, 1000)), Presets.Preset.LATTICE)
-	check_below(large[&"inner_points"].size(), 600, "points of the lattice of a large hull")
+	var large := Presets.with_preset(_values(SoftBody2D.make_circle_polygon(500, 1000)), Presets.Preset.LATTICE)
+	check_below(large[&"inner_points"].size(), 600, "points of the lattice of a large polygon")
 
 
-func test_braces_do_not_leave_a_dented_hull() -> void:
+func test_braces_do_not_leave_a_dented_polygon() -> void:
 	var horseshoe: PackedVector2Array = [Vector2(0, 0), Vector2(60, 0), Vector2(60, 60), Vector2(45, 60), Vector2(45, 15),
 			Vector2(15, 15), Vector2(15, 60), Vector2(0, 60)]
 	check(not Presets.sees(horseshoe, 2, 7), "the two ends do not see each other")
@@ -249,17 +249,18 @@ func test_braces_do_not_leave_a_dented_hull() -> void:
 
 
 func test_what_users_read_can_be_translated() -> void:
-	check_equal(Words.say("Trace Hull"), "Trace Hull", "text without a translation")
+	check_equal(Words.say("Trace Polygon"), "Trace Polygon", "text without a translation")
 	if not TranslationServer.has_method(&"get_or_add_domain"):
+		skip("this engine has no translation domains (4.4)")
 		return
 	var translation := Translation.new()
 	translation.locale = TranslationServer.get_locale()
-	translation.add_message("Trace Hull", "Umriss nachzeichnen")
+	translation.add_message("Trace Polygon", "Umriss nachzeichnen")
 	var domain: Object = TranslationServer.call(&"get_or_add_domain", Words.DOMAIN)
 	domain.call(&"add_translation", translation)
-	check_equal(Words.say("Trace Hull"), "Umriss nachzeichnen", "text with one")
+	check_equal(Words.say("Trace Polygon"), "Umriss nachzeichnen", "text with one")
 	Words.unload_translations()
-	check_equal(Words.say("Trace Hull"), "Trace Hull", "text after it was unloaded")
+	check_equal(Words.say("Trace Polygon"), "Trace Polygon", "text after it was unloaded")
 
 
 # Brush and colors.
@@ -316,11 +317,11 @@ func test_colors_go_by_ratios_and_equal_springs_are_in_the_middle() -> void:
 
 func test_start_shapes_have_their_sizes_and_counts_and_bad_numbers_are_told() -> void:
 	check_equal(StartShapes.circle(30, 12).size(), 12, "points of a circle")
-	check_equal(HullEdit.bounds(StartShapes.rectangle(Vector2(80, 40), 10)).size, Vector2(80, 40), "size of a rectangle")
-	check_near(HullEdit.bounds(StartShapes.capsule(20, 100, 8)).size, Vector2(40, 100), 0.5, "size of a capsule")
+	check_equal(PolygonEdit.bounds(StartShapes.rectangle(Vector2(80, 40), 10)).size, Vector2(80, 40), "size of a rectangle")
+	check_near(PolygonEdit.bounds(StartShapes.capsule(20, 100, 8)).size, Vector2(40, 100), 0.5, "size of a capsule")
 	var hexagon := StartShapes.regular_polygon(50, 6, 3)
 	check_equal(hexagon.size(), 18, "points of a hexagon")
-	check_near(absf(HullEdit.signed_area(hexagon)), 1.5 * sqrt(3) * 2500, 1, "area of a hexagon")
+	check_near(absf(PolygonEdit.signed_area(hexagon)), 1.5 * sqrt(3) * 2500, 1, "area of a hexagon")
 	for bad: Callable in [StartShapes.circle.bind(-1.0, 12), StartShapes.circle.bind(30.0, 2),
 			StartShapes.circle.bind(30.0, 100000),
 			StartShapes.rectangle.bind(Vector2(0, 10), 5.0), StartShapes.rectangle.bind(Vector2(100, 10), 0.0),
@@ -348,7 +349,7 @@ func test_polygons_and_paths_lie_where_they_were() -> void:
 		path.curve.add_point(10 * corner)
 	var outline := StartShapes.from_path(path, Transform2D.IDENTITY, 20)
 	check_equal(outline.size(), 20, "points of a path")
-	check_near(absf(HullEdit.signed_area(outline)), 10000, 1, "area of a path")
+	check_near(absf(PolygonEdit.signed_area(outline)), 10000, 1, "area of a path")
 	path.free()
 
 
@@ -356,7 +357,7 @@ func test_resampled_outlines_are_even_and_keep_their_length() -> void:
 	var outline := Outline.resampled(SQUARE, 8)
 	check_equal(outline, PackedVector2Array([Vector2(0, 0), Vector2(5, 0), Vector2(10, 0), Vector2(10, 5), Vector2(10, 10),
 			Vector2(5, 10), Vector2(0, 10), Vector2(0, 5)]), "points")
-	var circle := Outline.resampled(SoftBody2D.make_circle_hull(50, 64), 200)
+	var circle := Outline.resampled(SoftBody2D.make_circle_polygon(50, 64), 200)
 	for i in 200:
 		check_near(circle[i].distance_to(circle[(i + 1) % 200]), TAU * 50 / 200, 0.02, "distance of neighbors")
 
@@ -365,10 +366,10 @@ func test_simplified_outlines_keep_what_matters() -> void:
 	var fine := Outline.resampled(SQUARE, 400)
 	var corners := Outline.simplified(fine, 4)
 	check_equal(corners, SQUARE, "corners of a square with 400 points")
-	var circle := SoftBody2D.make_circle_hull(100, 720)
+	var circle := SoftBody2D.make_circle_polygon(100, 720)
 	var few := Outline.simplified(circle, 24)
 	check_equal(few.size(), 24, "points of a circle")
-	check_above(absf(HullEdit.signed_area(few)) / absf(HullEdit.signed_area(circle)), 0.95,
+	check_above(absf(PolygonEdit.signed_area(few)) / absf(PolygonEdit.signed_area(circle)), 0.95,
 			"share of the circle's area that is left")
 	check_equal(Outline.simplified(SQUARE, 10), SQUARE, "an outline within its budget")
 
@@ -380,12 +381,12 @@ func test_mirrored_and_symmetric_outlines() -> void:
 	check_equal(Outline.mirrored(Outline.mirrored(wedge, false, Vector2(0, 7)), false, Vector2(0, 7)), wedge,
 			"mirrored twice")
 	var symmetric := Outline.symmetric(wedge, true, Vector2(15, 10), -1)
-	check_near(absf(HullEdit.signed_area(symmetric)), 2 * (15 * 15 + 15 * 5 / 2.0), 0.5, "area of a left half twice")
-	check_equal(SoftBody2D.get_hull_problem(symmetric), "", "problem of the symmetric outline")
+	check_near(absf(PolygonEdit.signed_area(symmetric)), 2 * (15 * 15 + 15 * 5 / 2.0), 0.5, "area of a left half twice")
+	check_equal(SoftBody2D.get_polygon_problem(symmetric), "", "problem of the symmetric outline")
 
 
 func test_an_outline_that_meets_itself_is_repaired() -> void:
 	var bow: PackedVector2Array = [Vector2(0, 0), Vector2(100, 100), Vector2(100, 0), Vector2(0, 100)]
-	check(SoftBody2D.get_hull_problem(bow) != "", "a bow tie is no hull")
-	check_equal(SoftBody2D.get_hull_problem(Outline.repaired(bow)), "", "problem of the repaired one")
+	check(SoftBody2D.get_polygon_problem(bow) != "", "a bow tie is no polygon")
+	check_equal(SoftBody2D.get_polygon_problem(Outline.repaired(bow)), "", "problem of the repaired one")
 	check_equal(Outline.repaired(SQUARE), SQUARE, "one that needs no repair")

@@ -32,9 +32,9 @@ func test_the_report_says_what_the_plan_says_and_what_the_body_then_does() -> vo
 		for key: String in plan:
 			check_equal(report[key], plan[key], "%s of the report" % key)
 		check(report["settled"], "the copy has settled")
-		var height := bounds_of(hull_of(body)).size.y
+		var height := bounds_of(polygon_of(body)).size.y
 		await seconds(6)
-		var sag := 1 - bounds_of(hull_of(body)).size.y / height
+		var sag := 1 - bounds_of(polygon_of(body)).size.y / height
 		# The node lies on the engine's floor and may have come to rest on another point.
 		check_near(report["sag"], sag, 0.02, "sag at %s N/m" % stiffness)
 		check_near(report["area_loss"], 1 - body.get_area() / body.get_rest_area(), 0.01, "area lost at %s N/m" % stiffness)
@@ -149,16 +149,16 @@ func test_a_preview_falls_like_the_body_and_leaves_it_alone() -> void:
 	var body := add_body(Vector2(30, -100), {"rotation": 0.4})
 	var preview := SoftBodyPreview2D.new()
 	check_equal(preview.add_body(body), 0, "index of the copy")
-	check_equal(preview.get_hull(0), hull_of(body), "hull of the copy")
+	check_equal(preview.get_polygon(0), polygon_of(body), "polygon of the copy")
 	preview.add_floor(Vector2(0, 1e6))
 	for i in 60:
 		preview.step(1.0 / 60)
 	var state := body.get_state()
 	check_equal(body.get_state(), state, "state of the body")
 	await seconds(1)
-	check_points_near(preview.get_hull(0), hull_of(body), 20, "copy and body after a second of falling")
+	check_points_near(preview.get_polygon(0), polygon_of(body), 20, "copy and body after a second of falling")
 	# Free fall for a second: 490 px, but for what the method of integration adds.
-	check_near(bounds_of(preview.get_hull(0)).get_center().y, 390.0, 10, "height of the copy")
+	check_near(bounds_of(preview.get_polygon(0)).get_center().y, 390.0, 10, "height of the copy")
 
 
 func test_a_preview_rests_on_its_floor_and_can_be_pulled() -> void:
@@ -168,7 +168,7 @@ func test_a_preview_rests_on_its_floor_and_can_be_pulled() -> void:
 	preview.add_floor(Vector2(0, 100))
 	for i in 300:
 		preview.step(1.0 / 60)
-	var box := bounds_of(preview.get_hull(0))
+	var box := bounds_of(preview.get_polygon(0))
 	check_near(box.end.y, 100.0, 0.5, "lowest point")
 	check(not preview.grab(Vector2(1000, 0), 50), "nothing is near enough to grab")
 	check(preview.grab(box.get_center() - Vector2(0, 60), 100), "a point is grabbed")
@@ -176,30 +176,30 @@ func test_a_preview_rests_on_its_floor_and_can_be_pulled() -> void:
 	for i in 60:
 		preview.step(1.0 / 60)
 	check_near(preview.get_grabbed_position(), Vector2(0, -100), 1, "the grabbed point")
-	check_below(bounds_of(preview.get_hull(0)).position.y, -90, "top of the body")
+	check_below(bounds_of(preview.get_polygon(0)).position.y, -90, "top of the body")
 	preview.release()
 	check(not preview.is_grabbing(), "it is let go")
 	for i in 300:
 		preview.step(1.0 / 60)
-	check_near(bounds_of(preview.get_hull(0)).end.y, 100.0, 0.5, "lowest point after it was let go")
+	check_near(bounds_of(preview.get_polygon(0)).end.y, 100.0, 0.5, "lowest point after it was let go")
 
 
-func test_bodies_of_a_preview_collide_and_hulls_of_either_winding_keep_their_order() -> void:
+func test_bodies_of_a_preview_collide_and_polygons_of_either_winding_keep_their_order() -> void:
 	var lower := add_body(Vector2(0, 40))
-	var reversed := SoftBody2D.make_circle_hull(50, 16)
+	var reversed := SoftBody2D.make_circle_polygon(50, 16)
 	reversed.reverse()
-	var upper := add_body(Vector2(4, -80), {"hull": reversed})
+	var upper := add_body(Vector2(4, -80), {"polygon": reversed})
 	var preview := SoftBodyPreview2D.new()
 	preview.add_body(lower)
 	preview.add_body(upper)
-	check_points_near(preview.get_hull(1), upper.get_global_transform() * reversed, 0.01,
-			"hull of a body that winds the other way")
+	check_points_near(preview.get_polygon(1), upper.get_global_transform() * reversed, 0.01,
+			"polygon of a body that winds the other way")
 	preview.add_floor(Vector2(0, 100))
 	preview.add_floor(Vector2(-60, 0), Vector2(1, 0))
 	preview.add_floor(Vector2(64, 0), Vector2(-1, 0))
 	for i in 200:
 		preview.step(1.0 / 60)
-	check_below(bounds_of(preview.get_hull(1)).get_center().y, bounds_of(preview.get_hull(0)).get_center().y - 60,
+	check_below(bounds_of(preview.get_polygon(1)).get_center().y, bounds_of(preview.get_polygon(0)).get_center().y - 60,
 			"height of the upper one")
 
 
@@ -207,15 +207,15 @@ func test_previews_refuse_what_they_cannot_do() -> void:
 	var preview := SoftBodyPreview2D.new()
 	check_refused(func() -> void: preview.add_body(null), ["null"], "no body")
 	check_refused(func() -> void: preview.step(0), ["step refused"], "no time")
-	check_refused(func() -> void: preview.get_hull(3), ["0 bodies"], "a body that is not there")
+	check_refused(func() -> void: preview.get_polygon(3), ["0 bodies"], "a body that is not there")
 	check_refused(func() -> void: preview.add_floor(Vector2.ZERO, Vector2.ZERO), ["floor refused"],
 			"a floor without a direction")
 	check_refused(func() -> void: preview.get_grabbed_position(), ["no point"], "nothing grabbed")
 
 
-func test_what_keeps_points_from_being_a_hull_is_said_as_the_setter_says_it() -> void:
-	check_equal(SoftBody2D.get_hull_problem(SoftBody2D.make_circle_hull(50, 8)), "", "problem of a circle")
+func test_what_keeps_points_from_being_a_polygon_is_said_as_the_setter_says_it() -> void:
+	check_equal(SoftBody2D.get_polygon_problem(SoftBody2D.make_circle_polygon(50, 8)), "", "problem of a circle")
 	var crossed: PackedVector2Array = [Vector2(0, 0), Vector2(10, 10), Vector2(10, 0), Vector2(0, 10)]
-	var problem := SoftBody2D.get_hull_problem(crossed)
+	var problem := SoftBody2D.get_polygon_problem(crossed)
 	var body := add_body()
-	check_refused(func() -> void: body.hull = crossed, [problem], "the same points as a hull")
+	check_refused(func() -> void: body.polygon = crossed, [problem], "the same points as a polygon")

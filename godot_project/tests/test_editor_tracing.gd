@@ -3,7 +3,7 @@ extends "res://tests/support/suite.gd"
 ## Outlines traced from pictures, good ones and bad ones.
 
 const LOGIC := "res://addons/soft_body_2d/editor/logic/"
-const HullEdit := preload(LOGIC + "hull_edit.gd")
+const PolygonEdit := preload(LOGIC + "polygon_edit.gd")
 const SpriteOutline := preload(LOGIC + "sprite_outline.gd")
 const TextureTrace := preload(LOGIC + "texture_trace.gd")
 
@@ -33,11 +33,11 @@ func test_a_disk_is_traced_within_its_budget() -> void:
 		check_equal(trace.problem, "", "problem")
 		check(trace.outline.size() <= budget and trace.outline.size() >= 3, "%d points of %d" % [trace.outline.size(),
 				budget])
-		check_equal(SoftBody2D.get_hull_problem(trace.outline), "", "what keeps it from being a hull")
+		check_equal(SoftBody2D.get_polygon_problem(trace.outline), "", "what keeps it from being a polygon")
 		# An inscribed regular polygon of n corners; pixels' corners stand out by up to one.
 		var polygon := budget / 2.0 * sin(TAU / budget) * 1600
-		check_near(absf(HullEdit.signed_area(trace.outline)), polygon, 0.09 * polygon, "area with %d points" % budget)
-		check_near(HullEdit.bounds(trace.outline).get_center(), Vector2(50, 50), 3, "middle")
+		check_near(absf(PolygonEdit.signed_area(trace.outline)), polygon, 0.09 * polygon, "area with %d points" % budget)
+		check_near(PolygonEdit.bounds(trace.outline).get_center(), Vector2(50, 50), 3, "middle")
 		check_equal(trace.islands, 1, "islands")
 		for i in trace.outline.size():
 			check_above(trace.outline[i].distance_to(trace.outline[i - 1]), 0.2 * TAU * 40 / budget,
@@ -45,8 +45,8 @@ func test_a_disk_is_traced_within_its_budget() -> void:
 
 
 func test_an_outline_can_be_grown() -> void:
-	var plain := HullEdit.bounds(_traced(_disk(100, 30), 64).outline)
-	var grown := HullEdit.bounds(_traced(_disk(100, 30), 64, 5.0).outline)
+	var plain := PolygonEdit.bounds(_traced(_disk(100, 30), 64).outline)
+	var grown := PolygonEdit.bounds(_traced(_disk(100, 30), 64, 5.0).outline)
 	check_near(grown.size, plain.size + Vector2(10, 10), 1, "size with a margin of 5")
 
 
@@ -64,24 +64,24 @@ func test_of_several_islands_the_largest_is_taken_and_the_others_are_told_of() -
 	var trace := _traced(picture, 32)
 	check_equal(trace.islands, 2, "islands")
 	check("2 islands" in trace.note and "80 %" in trace.note, "the note: " + trace.note)
-	check_near(HullEdit.bounds(trace.outline).get_center(), Vector2(40, 40), 2, "middle of the outline")
+	check_near(PolygonEdit.bounds(trace.outline).get_center(), Vector2(40, 40), 2, "middle of the outline")
 
 
-func test_thin_arms_and_a_single_pixel_give_a_hull_or_a_message() -> void:
+func test_thin_arms_and_a_single_pixel_give_a_polygon_or_a_message() -> void:
 	var star := _picture(Vector2i(120, 120), func(p: Vector2) -> bool:
 		var from_middle := p - Vector2(60, 60)
 		return from_middle.length() < 12 + 44 * pow(absf(cos(2.5 * from_middle.angle())), 12))
 	for budget: int in [3, 6, 12, 40]:
 		var trace := _traced(star, budget)
-		check((trace.problem == "") == (SoftBody2D.get_hull_problem(trace.outline) == ""), "%d points: %s" % [budget,
+		check((trace.problem == "") == (SoftBody2D.get_polygon_problem(trace.outline) == ""), "%d points: %s" % [budget,
 				trace.problem])
 	var dot := Image.create(8, 8, false, Image.FORMAT_RGBA8)
 	dot.set_pixel(3, 3, Color.WHITE)
 	var tiny := _traced(dot, 16)
-	check(tiny.problem != "" or SoftBody2D.get_hull_problem(tiny.outline) == "", "one pixel: %s" % tiny.problem)
+	check(tiny.problem != "" or SoftBody2D.get_polygon_problem(tiny.outline) == "", "one pixel: %s" % tiny.problem)
 	var chequered := _traced(_picture(Vector2i(32, 32), func(p: Vector2) -> bool: return (int(p.x) + int(p.y)) % 2 == 0),
 			32)
-	check(chequered.problem != "" or SoftBody2D.get_hull_problem(chequered.outline) == "",
+	check(chequered.problem != "" or SoftBody2D.get_polygon_problem(chequered.outline) == "",
 			"a chequered picture: %s" % chequered.problem)
 
 
@@ -96,7 +96,7 @@ func test_large_pictures_are_traced_as_exactly_as_it_takes_and_say_how_far_they_
 		check_equal(trace.problem, "", "problem")
 		check_equal(trace.progress, 1.0, "progress at the end")
 		# A side of 4096 pixels is looked at in 1024.
-		var box := HullEdit.bounds(trace.outline)
+		var box := PolygonEdit.bounds(trace.outline)
 		check_near(box.position, Vector2(size / 4.0, size / 8.0), size / 512.0, "corner of the outline")
 		check_near(box.size, Vector2(size / 2.0, size / 2.0), size / 256.0, "size of the outline")
 		check_equal(picture.get_size(), Vector2i(size, size), "size of the picture afterwards")

@@ -4,7 +4,7 @@ extends "res://tests/support/suite.gd"
 
 const NETWORK := SoftBody2D.ELASTIC_MODEL_NETWORK
 const MODES := SoftBody2D.ELASTIC_MODEL_MODES
-const RAW: Array[String] = ["stiffness", "damping", "shape_matching", "shape_damping", "pressure"]
+const RAW: Array[String] = ["stiffness", "damping", "shape_matching", "shape_damping_ratio", "pressure"]
 const MATERIAL: Array[String] = ["youngs_modulus", "poisson_ratio", "damping_ratio"]
 
 
@@ -20,18 +20,18 @@ func _check_model(body: SoftBody2D, model: int, reason: String, what: String) ->
 
 ## Pulls at the left and at the right side with the tension `stress` [N/m] on each px of height. True uniform stress: each
 ## edge hands half of its force to each of its ends.
-func _forces_of_tension(hull: PackedVector2Array, points: int, stress: float) -> PackedVector2Array:
+func _forces_of_tension(polygon: PackedVector2Array, points: int, stress: float) -> PackedVector2Array:
 	var forces := PackedVector2Array()
 	forces.resize(points)
-	for i in hull.size():
-		var next := (i + 1) % hull.size()
-		var half := Vector2(stress * (hull[next] - hull[i]).y / 2, 0)
+	for i in polygon.size():
+		var next := (i + 1) % polygon.size()
+		var half := Vector2(stress * (polygon[next] - polygon[i]).y / 2, 0)
 		forces[i] += half
 		forces[next] += half
 	return forces
 
 
-## By how much the hull has become longer along x and along y, as the best-fitting strain.
+## By how much the polygon has become longer along x and along y, as the best-fitting strain.
 func _strain(rest: PackedVector2Array, now: PackedVector2Array) -> Vector2:
 	var middle := Vector2.ZERO
 	for point in now:
@@ -61,18 +61,18 @@ func test_a_new_body_is_jelly_by_its_material() -> void:
 
 func test_young_and_poisson_mean_what_elasticity_says_for_any_size_and_mass() -> void:
 	# Plane strain: along the tension s (1 - nu^2) / E, across it -s nu (1 + nu) / E.
-	var hulls := {"a circle": SoftBody2D.make_circle_hull(50, 64), "a small circle": SoftBody2D.make_circle_hull(12, 64)}
+	var polygons := {"a circle": SoftBody2D.make_circle_polygon(50, 64), "a small circle": SoftBody2D.make_circle_polygon(12, 64)}
 	for ratio: float in [0.0, 0.45]:
-		for outline: String in hulls:
-			var hull: PackedVector2Array = hulls[outline]
-			var body := add_weightless_body(Vector2.ZERO, {"hull": hull, "youngs_modulus": 200.0, "poisson_ratio": ratio,
+		for outline: String in polygons:
+			var polygon: PackedVector2Array = polygons[outline]
+			var body := add_weightless_body(Vector2.ZERO, {"polygon": polygon, "youngs_modulus": 200.0, "poisson_ratio": ratio,
 					"damping_ratio": 1.0, "can_sleep": false, "mass": 0.2 if ratio > 0 else 0.4})
 			var stress := 6.0
-			var forces := _forces_of_tension(hull, body.get_point_count(), stress)
+			var forces := _forces_of_tension(polygon, body.get_point_count(), stress)
 			for i in 120:
 				body.apply_point_forces(forces)
 				await ticks(1)
-			var strain := _strain(hull, hull_of(body))
+			var strain := _strain(polygon, polygon_of(body))
 			var expected := Vector2(1 - ratio * ratio, -ratio * (1 + ratio)) * stress / 200.0
 			check_near(strain, expected, 0.1 * expected.length(), "strain of %s at nu %s" % [outline, ratio])
 			body.free()
@@ -82,7 +82,7 @@ func test_as_firm_a_body_sags_as_much_for_any_number_of_points_and_a_network_doe
 	var sags := {}
 	for model: int in [MODES, NETWORK]:
 		for count: int in [16, 32, 64]:
-			var body := add_body(Vector2.ZERO, {"hull": SoftBody2D.make_circle_hull(50, count), "elastic_model": model,
+			var body := add_body(Vector2.ZERO, {"polygon": SoftBody2D.make_circle_polygon(50, count), "elastic_model": model,
 					"youngs_modulus": 150.0, "stiffness": 30.0})
 			sags[[model, count]] = body.get_stability_report(2000)["sag"]
 			body.free()
@@ -97,7 +97,7 @@ func test_moving_a_slider_builds_nothing_and_costs_little() -> void:
 	var material := SoftBodyMaterial2D.new()
 	var shared := add_weightless_body(Vector2(600, 0), {"soft_body_material": material})
 	await ticks(2)
-	var built := SoftBodyServer2D.get_built_shape_count()
+	var built := SoftBodySimulation2D.get_built_shape_count()
 	var places := jelly.get_point_positions() + network.get_point_positions() + shared.get_point_positions()
 	var begin := Time.get_ticks_usec()
 	for i in 1000:
@@ -109,24 +109,24 @@ func test_moving_a_slider_builds_nothing_and_costs_little() -> void:
 		network.shape_matching = 0.2 + 0.001 * i
 		material.youngs_modulus = 50.0 + i
 	var msec := (Time.get_ticks_usec() - begin) / 1000.0
-	check_equal(SoftBodyServer2D.get_built_shape_count(), built, "shapes that were built")
+	check_equal(SoftBodySimulation2D.get_built_shape_count(), built, "shapes that were built")
 	check_below(msec, 500, "milliseconds for 7000 moves")
 	check_equal(jelly.get_point_positions() + network.get_point_positions() + shared.get_point_positions(), places, "points")
 	check_near(network.get_spring_stiffness(5), 1049.0, 1e-3, "stiffness of a spring after that")
 	check_near(network.get_spring_damping(5), 1.099, 1e-4, "damping of a spring after that")
 	check_near(jelly.get_stability_report()["youngs_modulus"], 1099.0, 1e-6, "Young's modulus after that")
 	jelly.center_point = false
-	check_above(SoftBodyServer2D.get_built_shape_count(), built, "shapes built, after another structure")
+	check_above(SoftBodySimulation2D.get_built_shape_count(), built, "shapes built, after another structure")
 
 
 func test_a_slider_is_felt_by_the_body_that_moves() -> void:
 	add_floor(52)
 	var body := add_body(Vector2.ZERO, {"youngs_modulus": 800.0})
 	await seconds(3)
-	var firm := bounds_of(hull_of(body)).size.y
+	var firm := bounds_of(polygon_of(body)).size.y
 	body.youngs_modulus = 100.0
 	await seconds(3)
-	check_below(bounds_of(hull_of(body)).size.y, firm - 5, "height in px after it was made soft")
+	check_below(bounds_of(polygon_of(body)).size.y, firm - 5, "height in px after it was made soft")
 
 
 func test_automatic_chooses_by_what_the_body_is_made_of() -> void:
@@ -171,7 +171,7 @@ func test_automatic_chooses_by_what_the_body_is_made_of() -> void:
 
 func test_the_plan_says_how_far_the_model_chosen_is_from_a_solid() -> void:
 	for points: int in [6, 8, 16, 40, 300]:
-		var body := add_weightless_body(Vector2.ZERO, {"hull": SoftBody2D.make_circle_hull(50, points)})
+		var body := add_weightless_body(Vector2.ZERO, {"polygon": SoftBody2D.make_circle_polygon(50, points)})
 		var plan := body.get_substep_plan()
 		check_equal(plan["elastic_model"], MODES, "model of %d points" % points)
 		check(plan["elastic_error"] > 0.0 and plan["elastic_error"] < 0.05, "error of %d points is %s" % [points, plan["elastic_error"]])
@@ -201,7 +201,7 @@ func test_raw_values_stay_in_force_until_the_model_is_chosen_or_they_are_cleared
 
 func test_old_scenes_load_as_the_networks_that_they_were_and_a_note_says_so_once() -> void:
 	var path := "user://old_scene.tscn"
-	for line: String in ["stiffness = 35.0", "damping = 0.5", "shape_matching = 0.8", "shape_damping = 0.5", "pressure = 60.0"]:
+	for line: String in ["stiffness = 35.0", "damping = 0.5", "shape_matching = 0.8", "shape_damping_ratio = 0.5", "pressure = 60.0"]:
 		var file := FileAccess.open(path, FileAccess.WRITE)
 		file.store_string("[gd_scene format=3]\n\n[node name=\"Old\" type=\"SoftBody2D\"]\n%s\nmass = 2.0\n" % line)
 		file.close()
@@ -292,14 +292,18 @@ func test_presets_set_a_material_and_are_not_stored() -> void:
 		check_equal(material.preset, preset, "preset of a material made from it")
 		var body := add_weightless_body(Vector2(200, 0), {"stiffness": 10.0})
 		body.preset = preset
-		for name: String in MATERIAL + ["friction", "bounce", "rolling_resistance"]:
+		for name: String in MATERIAL + ["rolling_resistance"]:
 			check_equal(body.get(name), material.get(name), "%s of a body of preset %d" % [name, preset])
+		var grip := body.physics_material_override if body.physics_material_override != null else surface()
+		check_near(grip.friction, material.friction, 1e-6, "friction of a body of preset %d" % preset)
+		check_near(grip.bounce, material.bounce, 1e-6, "bounce of a body of preset %d" % preset)
+		check_equal(body.preset, preset, "preset of the body")
 		check_equal(body.stiffness, 10.0, "the raw stiffness")
 		seen[[material.youngs_modulus, material.poisson_ratio, material.damping_ratio]] = true
 		body.elastic_model = MODES
 		check_equal(body.get_warnings(), PackedStringArray(), "warnings of a body of preset %d" % preset)
 		check_below(body.get_stability_report()["sag"] if body.gravity_scale > 0 else 0.0, 0.2, "sag")
-		body.friction += 0.125
+		body.physics_material_override = surface(0.875)
 		check_equal(body.preset, SoftBodyMaterial2D.PRESET_CUSTOM, "preset after a change")
 		body.preset = SoftBodyMaterial2D.PRESET_CUSTOM
 		check_equal(body.youngs_modulus, material.youngs_modulus, "Young's modulus after choosing Custom")
@@ -365,7 +369,7 @@ func test_a_state_is_restored_into_a_body_of_any_model() -> void:
 
 
 func test_nothing_presses_a_body_flat_or_draws_it_out_unless_the_limits_are_off() -> void:
-	var rest := SoftBody2D.make_circle_hull(50, 16)
+	var rest := SoftBody2D.make_circle_polygon(50, 16)
 	for limited: bool in [true, false]:
 		var values := {"youngs_modulus": 10.0, "poisson_ratio": 0.0, "can_sleep": false, "least_area": 0.0, "least_stretch": 0.0,
 				"most_stretch": 1000.0}
@@ -384,8 +388,8 @@ func test_nothing_presses_a_body_flat_or_draws_it_out_unless_the_limits_are_off(
 				network.apply_point_force(point, Vector2(0, -8 * rest[point].y))
 			await ticks(1)
 			least = minf(least, network.get_area() / network.get_rest_area())
-			thinnest = minf(thinnest, 1 + _strain(rest, hull_of(pressed)).y)
-			longest = maxf(longest, 1 + _strain(rest, hull_of(drawn)).y)
+			thinnest = minf(thinnest, 1 + _strain(rest, polygon_of(pressed)).y)
+			longest = maxf(longest, 1 + _strain(rest, polygon_of(drawn)).y)
 		if limited:
 			check_above(least, 0.45, "least area of a network that is pressed")
 			check_above(thinnest, 0.2, "thickness of a jelly that is pressed")
@@ -456,14 +460,14 @@ func test_triangles_can_be_chosen_before_and_while_the_body_moves() -> void:
 		each.set_state(state)
 		check_equal(each.get_state(), state, "state put back")
 	body.youngs_modulus = 600.0
-	var built := SoftBodyServer2D.get_built_shape_count()
+	var built := SoftBodySimulation2D.get_built_shape_count()
 	body.youngs_modulus = 500.0
-	check_equal(SoftBodyServer2D.get_built_shape_count(), built, "shapes built for another stiffness")
+	check_equal(SoftBodySimulation2D.get_built_shape_count(), built, "shapes built for another stiffness")
 	body.elastic_model = MODES
 	check_equal(body.get_point_count(), 17, "points of elastic modes again")
 	await ticks(5)
 	check(all_finite(body.get_point_positions()), "a point is not finite")
-	var concave := add_body(Vector2(0, -200), {"elastic_model": model, "hull": PackedVector2Array([Vector2(-40, -40), Vector2(0, -40),
+	var concave := add_body(Vector2(0, -200), {"elastic_model": model, "polygon": PackedVector2Array([Vector2(-40, -40), Vector2(0, -40),
 			Vector2(0, 5), Vector2(40, 5), Vector2(40, 40), Vector2(-40, 40)]), "mass": 2.0})
 	check_equal(concave.get_elastic_model_in_use(), model, "model of an L")
 	check_near(concave.get_total_mass(), 2.0, 1e-6, "mass of an L")

@@ -14,14 +14,14 @@ func _body(name: String) -> SoftBody2D:
 	return _scene.get_node(name) as SoftBody2D
 
 
-## How many pairs of edges of the hull cross.
+## How many pairs of edges of the polygon cross.
 func _crossings(body: SoftBody2D) -> int:
-	var hull := hull_of(body)
+	var polygon := polygon_of(body)
 	var count := 0
-	for i in hull.size():
-		for k in range(i + 2, hull.size()):
-			if (k + 1) % hull.size() != i and Geometry2D.segment_intersects_segment(
-					hull[i], hull[i + 1], hull[k], hull[(k + 1) % hull.size()]) != null:
+	for i in polygon.size():
+		for k in range(i + 2, polygon.size()):
+			if (k + 1) % polygon.size() != i and Geometry2D.segment_intersects_segment(
+					polygon[i], polygon[i + 1], polygon[k], polygon[(k + 1) % polygon.size()]) != null:
 				count += 1
 	return count
 
@@ -30,9 +30,9 @@ func test_pins_hold_and_the_rest_hangs() -> void:
 	_open("pins")
 	await ticks(1)
 	var body := _body("Tongue")
-	var before := hull_of(body)
+	var before := polygon_of(body)
 	await seconds(3)
-	var after := hull_of(body)
+	var after := polygon_of(body)
 	for i in body.pinned_points:
 		check_near(after[i], before[i], 0.01, "pinned point %d" % i)
 	check_above(bounds_of(after).end.y, bounds_of(before).end.y + 8, "lower end of the tongue")
@@ -44,11 +44,11 @@ func test_pinned_points_follow_their_targets() -> void:
 	var body := _body("Sling")
 	var hook := _scene.get_node("Crane/LeftHook") as Node2D
 	var pin := body.pinned_points[0]
-	var offset := hull_of(body)[pin] - hook.global_position
+	var offset := polygon_of(body)[pin] - hook.global_position
 	for i in 10:
 		await ticks(25)
 		# The crane moves after the step: a pin is where its target was when the tick began, at 250 px/s at most.
-		check_near(hull_of(body)[pin] - hook.global_position, offset, 5, "place of the pin beside its hook")
+		check_near(polygon_of(body)[pin] - hook.global_position, offset, 5, "place of the pin beside its hook")
 
 
 func test_the_joint_breaks_and_is_mended() -> void:
@@ -90,7 +90,7 @@ func test_the_soft_side_gives_way() -> void:
 	var tops := PackedFloat32Array()
 	for side: float in [-80, 80]:
 		var place := _body("Half").to_global(Vector2(side, -70))
-		tops.append(hull_of(_body("Half"))[_body("Half").get_nearest_point(place)].y)
+		tops.append(polygon_of(_body("Half"))[_body("Half").get_nearest_point(place)].y)
 	check_above(tops[0], tops[1] + 2, "height of the soft side's top below that of the firm one")
 
 
@@ -145,7 +145,7 @@ func test_the_lift_carries_its_rider() -> void:
 	var lift := _scene.get_node("%Lift") as Node2D
 	for i in 6:
 		await seconds(1)
-		check_near(bounds_of(hull_of(_body("Rider"))).end.y, lift.position.y - 12, 6, "lower end of the rider on the lift")
+		check_near(bounds_of(polygon_of(_body("Rider"))).end.y, lift.position.y - 12, 6, "lower end of the rider on the lift")
 
 
 func test_bodies_of_one_color_pass_through_each_other() -> void:
@@ -159,7 +159,7 @@ func test_bodies_of_one_color_pass_through_each_other() -> void:
 			if a == b:
 				continue
 			var inside := 0
-			for point in hull_of(a):
+			for point in polygon_of(a):
 				inside += int(b.has_point(point.lerp(a.get_center_of_mass_position(), 0.1)))
 			if a.color != b.color:
 				check_equal(inside, 0, "points of %s a tenth deep inside %s" % [a.name, b.name])

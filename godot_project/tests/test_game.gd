@@ -38,7 +38,7 @@ func _add_player(place: Vector2) -> Player:
 
 
 func _bounds(player: Player) -> Rect2:
-	return bounds_of(hull_of(player))
+	return bounds_of(polygon_of(player))
 
 
 ## Ground whose outline is given, as levels have it.
@@ -216,7 +216,7 @@ func test_it_pops_between_a_press_and_the_floor() -> void:
 
 
 func test_ground_is_whole_under_a_skin() -> void:
-	# A hill, a step and a notch: no hull point may stay inside, whatever rolls over it at whichever size.
+	# A hill, a step and a notch: no polygon point may stay inside, whatever rolls over it at whichever size.
 	var outline := PackedVector2Array([Vector2(-900, 0)])
 	for i in 21:
 		outline.append(Vector2(-500 + 20 * i, -90 * sin(PI * i / 20) ** 2))
@@ -238,13 +238,13 @@ func test_ground_is_whole_under_a_skin() -> void:
 					Input.action_press(&"game_deflate")
 				await ticks(1)
 				if i % 4 == 0:
-					deepest = maxf(deepest, _depth_inside(hull_of(player), outline))
-	check_below(deepest, 4, "deepest hull point inside the ground in px")
+					deepest = maxf(deepest, _depth_inside(polygon_of(player), outline))
+	check_below(deepest, 4, "deepest polygon point inside the ground in px")
 
 
-func _depth_inside(hull: PackedVector2Array, outline: PackedVector2Array) -> float:
+func _depth_inside(polygon: PackedVector2Array, outline: PackedVector2Array) -> float:
 	var deepest := 0.0
-	for point in hull:
+	for point in polygon:
 		if absf(point.x) < 880 and point.y < 350 and Geometry2D.is_point_in_polygon(point, outline):
 			var nearest := INF
 			for i in outline.size():

@@ -106,7 +106,7 @@ func test_the_stress_test_stops_at_its_most() -> void:
 	_scene.set(&"budget", 1e12)
 	_scene.set(&"most_bodies", 60)
 	await ticks(160)
-	check_equal(SoftBodyServer2D.get_body_count(), 60, "number of bodies")
+	check_equal(SoftBodySimulation2D.get_body_count(), 60, "number of bodies")
 	check_equal(_scene.get(&"found"), 60, "number that was found")
 
 
@@ -117,7 +117,7 @@ func test_the_stress_test_takes_bodies_away_when_a_step_takes_too_long() -> void
 	await ticks(20)
 	_scene.set(&"budget", 1e-3)
 	await ticks(100)
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "number of bodies without time for any")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "number of bodies without time for any")
 
 
 func test_the_stress_test_can_be_started_anew() -> void:
@@ -130,4 +130,4 @@ func test_the_stress_test_can_be_started_anew() -> void:
 	for node in _scene.find_children("*", "SoftBody2D", true, false):
 		check_equal((node as SoftBody2D).integrator, SoftBody2D.INTEGRATOR_MIDPOINT, "integrator of a body")
 		check_equal((node as SoftBody2D).collision_mask, 0, "mask of a body without collisions")
-	check_below(SoftBodyServer2D.get_body_count(), 40, "number of bodies")
+	check_below(SoftBodySimulation2D.get_body_count(), 40, "number of bodies")

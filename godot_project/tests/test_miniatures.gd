@@ -41,7 +41,7 @@ func test_a_cell_grows_by_what_it_swallows() -> void:
 	Input.action_release(&"ui_right")
 	check(not is_instance_valid(prey), "the prey is still there after 10 s")
 	await seconds(2)
-	# All that the prey's hull enclosed is handed over.
+	# All that the prey's polygon enclosed is handed over.
 	check_near(player.get_rest_area(), expected, 0.002 * expected, "rest area after the meal")
 	# A membrane under pressure swims at a few thousandths above or below its rest area.
 	check_near(player.get_area(), expected, 0.03 * expected, "area after the meal")
@@ -70,7 +70,7 @@ func test_a_cell_presses_itself_flat_at_the_wall() -> void:
 	Input.action_press(&"ui_right")
 	await seconds(5)
 	Input.action_release(&"ui_right")
-	var box := bounds_of(hull_of(player))
+	var box := bounds_of(polygon_of(player))
 	check_below(box.size.x / box.size.y, 0.95, "width over height of the cell at the wall")
 	# The wall's polygon has its edges' middles at 640 cos(π/64) = 639.2 from the center.
 	check_near(box.end.x, 640.0, 2, "right end of the cell at the wall")
@@ -87,7 +87,7 @@ func test_a_dish_can_be_started_anew() -> void:
 	tree.root.push_input(key)
 	await ticks(3)
 	check_equal((dish.call(&"get_cells") as Array).size(), count, "number of cells")
-	check_equal(SoftBodyServer2D.get_body_count(), count, "bodies in the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), count, "bodies in the simulation")
 
 
 func test_a_wrestler_stands_by_itself() -> void:
@@ -187,9 +187,9 @@ func test_a_car_that_only_drives_gets_no_dents() -> void:
 	var road := _open("crash")
 	var car: Car = road.get(&"player")
 	await seconds(1)
-	var before := car.body.hull
+	var before := car.body.polygon
 	Input.action_press(&"ui_right")
 	await seconds(1)
 	Input.action_release(&"ui_right")
 	check_above(car.get_place().x, 100, "way of the car")
-	check_points_near(car.body.hull, before, 1.5, "hull before and after the drive")
+	check_points_near(car.body.polygon, before, 1.5, "polygon before and after the drive")

@@ -7,7 +7,7 @@ const POINTS := 16
 
 
 ## Size over that at rest at which springs, shape matching and pressure are in balance. Blown up by a factor x, a
-## circle of n hull points has the energy n k l²(x-1)²/2 in its hull, n k R²(x-1)²/2 in its spokes and as much with
+## circle of n polygon points has the energy n k l²(x-1)²/2 in its polygon, n k R²(x-1)²/2 in its spokes and as much with
 ## shape matching's stiffness, and p A0 (x² - s)²/2 in its pressure; this is where the sum of their slopes is zero.
 func _balance(body: SoftBody2D) -> float:
 	var edge := 2 * RADIUS * sin(PI / POINTS)

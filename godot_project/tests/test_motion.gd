@@ -48,10 +48,10 @@ func test_every_body_is_stepped_exactly_once_a_tick() -> void:
 		var bodies: Array[SoftBody2D] = []
 		for i in count:
 			bodies.append(add_body(Vector2(150 * i, 0)))
-		check_equal(SoftBodyServer2D.get_body_count(), count, "bodies of the server")
-		var before := SoftBodyServer2D.get_tick_count()
+		check_equal(SoftBodySimulation2D.get_body_count(), count, "bodies of the simulation")
+		var before := SoftBodySimulation2D.get_tick_count()
 		await ticks(30)
-		check_equal(SoftBodyServer2D.get_tick_count() - before, 30, "ticks of the server during 30 ticks")
+		check_equal(SoftBodySimulation2D.get_tick_count() - before, 30, "ticks of the simulation during 30 ticks")
 		for body in bodies:
 			check_near(body.get_linear_velocity().y, GRAVITY * 30 / 60, 0.2, "velocity after 30 ticks")
 			body.free()
@@ -60,13 +60,13 @@ func test_every_body_is_stepped_exactly_once_a_tick() -> void:
 func test_statistics_count_from_their_reset() -> void:
 	add_body()
 	await ticks(5)
-	SoftBodyServer2D.reset_statistics()
-	check_equal(SoftBodyServer2D.get_tick_count(), 0, "ticks after the reset")
+	SoftBodySimulation2D.reset_statistics()
+	check_equal(SoftBodySimulation2D.get_tick_count(), 0, "ticks after the reset")
 	await ticks(7)
-	check_equal(SoftBodyServer2D.get_tick_count(), 7, "ticks after seven more")
-	check_above(SoftBodyServer2D.get_last_step_usec(), 0, "time of the last step")
-	check_above(SoftBodyServer2D.get_mean_step_usec(), 0, "mean time of a step")
-	check_below(SoftBodyServer2D.get_mean_step_usec(), 100_000, "mean time of a step")
+	check_equal(SoftBodySimulation2D.get_tick_count(), 7, "ticks after seven more")
+	check_above(SoftBodySimulation2D.get_last_step_usec(), 0, "time of the last step")
+	check_above(SoftBodySimulation2D.get_mean_step_usec(), 0, "mean time of a step")
+	check_below(SoftBodySimulation2D.get_mean_step_usec(), 100_000, "mean time of a step")
 
 
 func test_a_central_impulse_changes_the_velocity_by_j_over_m() -> void:
@@ -139,7 +139,7 @@ func test_stiffness_changed_while_running_takes_effect_without_a_jump() -> void:
 	await ticks(1)
 	check_below(largest_distance(body.get_point_positions(), points), 2, "way of a point in the tick after the change")
 	await seconds(4)
-	check_below(bounds_of(hull_of(body)).size.y, height - 2, "height of the softened body")
+	check_below(bounds_of(polygon_of(body)).size.y, height - 2, "height of the softened body")
 
 
 func test_mass_changed_while_running_takes_effect_without_a_jump() -> void:
@@ -151,7 +151,7 @@ func test_mass_changed_while_running_takes_effect_without_a_jump() -> void:
 	body.mass = 3
 	check_equal(body.get_point_positions(), points, "points right after the change")
 	await seconds(4)
-	check_below(bounds_of(hull_of(body)).size.y, height - 1.5, "height of the heavier body")
+	check_below(bounds_of(polygon_of(body)).size.y, height - 1.5, "height of the heavier body")
 	body.gravity_scale = 0
 	var before := body.get_linear_velocity()
 	body.apply_central_impulse(Vector2(30, 0))
@@ -162,8 +162,8 @@ func test_every_other_property_may_change_while_running() -> void:
 	add_floor(100)
 	var body := add_body()
 	await seconds(1)
-	for change: Array in [["damping", 0.5], ["friction", 0.9], ["bounce", 0.3], ["rolling_resistance", 0.1],
-			["shape_matching", 1.0], ["shape_damping", 0.5], ["gravity_scale", 1.2], ["substeps", 12],
+	for change: Array in [["damping", 0.5], ["physics_material_override", surface(0.9, 0.3)], ["rolling_resistance", 0.1],
+			["shape_matching", 1.0], ["shape_damping_ratio", 0.5], ["gravity_scale", 1.2], ["substeps", 12],
 			["collision_layer", 3], ["collision_mask", 5], ["color", Color.RED]]:
 		var points := body.get_point_positions()
 		body.set(change[0], change[1])
@@ -211,4 +211,4 @@ func test_penetration_is_told() -> void:
 	body.collision_mask = 2
 	await ticks(1)
 	check_equal(body.get_penetration(), 0.0, "penetration in what the body does not notice")
-	check_near(SoftBodyServer2D.measure_max_penetration(), body.get_penetration(), 1e-6, "the server's maximum")
+	check_near(SoftBodySimulation2D.measure_max_penetration(), body.get_penetration(), 1e-6, "the simulation's maximum")

@@ -29,15 +29,15 @@ func test_rotation_follows_the_spin_and_children_ride_along() -> void:
 	check_near(child.global_position, body.get_point_positions()[0], 2, "child and the point it sits on")
 
 
-func test_a_hull_beside_the_nodes_origin_stays_beside_it() -> void:
-	var hull := SoftBody2D.make_circle_hull(40, 16)
-	for i in hull.size():
-		hull[i] += Vector2(100, 30)
-	var body := add_body(Vector2(10, 20), { "hull": hull })
+func test_a_polygon_beside_the_nodes_origin_stays_beside_it() -> void:
+	var polygon := SoftBody2D.make_circle_polygon(40, 16)
+	for i in polygon.size():
+		polygon[i] += Vector2(100, 30)
+	var body := add_body(Vector2(10, 20), { "polygon": polygon })
 	await ticks(30)
 	var fall := body.get_linear_velocity().y * 0.5 / 2
 	check_near(body.global_position, Vector2(10, 20 + fall), 5, "position of the node")
-	check_near(body.get_center_of_mass_position() - body.global_position, Vector2(100, 30), 0.1, "hull beside the node")
+	check_near(body.get_center_of_mass_position() - body.global_position, Vector2(100, 30), 0.1, "polygon beside the node")
 
 
 func test_moving_the_node_moves_the_whole_body() -> void:
@@ -78,11 +78,11 @@ func test_moving_keeps_the_velocity() -> void:
 
 
 func test_turning_the_node_turns_the_whole_body() -> void:
-	var body := add_weightless_body(Vector2(200, 100), { "hull": SoftBody2D.make_box_hull(Vector2(120, 40), 20) })
+	var body := add_weightless_body(Vector2(200, 100), { "polygon": SoftBody2D.make_box_polygon(Vector2(120, 40), 20) })
 	await ticks(3)
 	body.rotation = PI / 2
 	await ticks(1)
-	check_near(bounds_of(hull_of(body)).size, Vector2(40, 120), 0.5, "size of the box after a quarter turn")
+	check_near(bounds_of(polygon_of(body)).size, Vector2(40, 120), 0.5, "size of the box after a quarter turn")
 	check_near(body.rotation, PI / 2, 0.01, "rotation of the node")
 	await seconds(1)
 	check_near(body.get_linear_velocity(), Vector2.ZERO, 0.1, "velocity")
@@ -111,19 +111,19 @@ func test_a_turned_and_scaled_parent_is_no_obstacle() -> void:
 	add_floor(100)
 	var body := SoftBody2D.new()
 	parent.add_child(body)
-	check_near(bounds_of(hull_of(body)).size, Vector2(150, 150), 1, "size")
+	check_near(bounds_of(polygon_of(body)).size, Vector2(150, 150), 1, "size")
 	await check_rests(body)
 	check_near(body.global_position, body.get_center_of_mass_position(), 8, "node and body")
-	check_near(bounds_of(hull_of(body)).end.y, 100.0, 1, "lowest point")
+	check_near(bounds_of(polygon_of(body)).end.y, 100.0, 1, "lowest point")
 
 
 func test_scale_counts_at_the_start() -> void:
 	var plain := add_weightless_body()
 	var body := add_weightless_body(Vector2(300, 0), { "scale": Vector2(2, 0.5) })
-	check_near(bounds_of(hull_of(body)).size, Vector2(200, 50), 0.1, "size")
+	check_near(bounds_of(polygon_of(body)).size, Vector2(200, 50), 0.1, "size")
 	check_near(body.get_rest_area(), plain.get_rest_area(), 1, "area of a body twice as wide and half as high")
 	await ticks(30)
-	check_near(bounds_of(hull_of(body)).size, Vector2(200, 50), 0.1, "size after half a second")
+	check_near(bounds_of(polygon_of(body)).size, Vector2(200, 50), 0.1, "size after half a second")
 	check_near(body.scale, Vector2(2, 0.5), 0.001, "scale of the node")
 
 
@@ -131,7 +131,7 @@ func test_a_mirrored_body_rests_like_any_other() -> void:
 	add_floor(100)
 	var body := add_body(Vector2.ZERO, { "scale": Vector2(-1, 1) })
 	check_above(body.get_area(), 0, "area")
-	check_points_near(hull_of(body), body.global_transform * body.hull, 0.01, "points and hull")
+	check_points_near(polygon_of(body), body.global_transform * body.polygon, 0.01, "points and polygon")
 	await check_rests(body)
 
 
@@ -143,7 +143,7 @@ func test_scale_set_while_running_resizes_the_body() -> void:
 	await ticks(2)
 	check_near(body.get_rest_area() / area, 4.0, 0.01, "rest area over the old one")
 	await seconds(2)
-	check_near(bounds_of(hull_of(body)).size, Vector2(200, 200), 2, "size")
+	check_near(bounds_of(polygon_of(body)).size, Vector2(200, 200), 2, "size")
 
 
 func test_reparenting_keeps_the_motion() -> void:
@@ -156,7 +156,7 @@ func test_reparenting_keeps_the_motion() -> void:
 	var velocity := body.get_linear_velocity()
 	body.reparent(other)
 	check_points_near(body.get_point_positions(), points, 0.01, "points before and after")
-	check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies of the simulation")
 	await ticks(1)
 	check_near(body.get_linear_velocity(), velocity + Vector2(0, GRAVITY / 60), 0.5, "velocity a tick later")
 	check_near(body.global_position, body.get_center_of_mass_position(), 0.1, "node and body")
@@ -166,7 +166,7 @@ func test_leaving_and_entering_the_tree_keeps_the_body() -> void:
 	var body := add_body()
 	await ticks(20)
 	stage.remove_child(body)
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies of the simulation")
 	await ticks(5)
 	body.position = Vector2(100, 50)
 	stage.add_child(body)
@@ -183,11 +183,11 @@ func test_a_body_freed_while_falling_leaves_nothing() -> void:
 	await ticks(10)
 	body.queue_free()
 	await ticks(10)
-	check_equal(SoftBodyServer2D.get_body_count(), 2, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 2, "bodies of the simulation")
 	for other in others:
 		check_near(other.get_linear_velocity().y, GRAVITY * 20 / 60, 0.2, "velocity of the others")
 		other.free()
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies of the server at the end")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies of the simulation at the end")
 
 
 func test_a_hundred_bodies_come_and_go() -> void:
@@ -203,19 +203,19 @@ func test_a_hundred_bodies_come_and_go() -> void:
 		for i in range(1, 25, 2):
 			check_near(bodies[i].get_center_of_mass_position().x, -1500.0 + 125 * i, 1, "x of a survivor")
 			bodies[i].free()
-		check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies of the server")
+		check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies of the simulation")
 
 
 func test_a_duplicate_is_a_body_of_its_own() -> void:
 	add_floor(100)
-	var body := add_body(Vector2.ZERO, { "stiffness": 700.0, "hull": SoftBody2D.make_box_hull(Vector2(60, 60), 20) })
+	var body := add_body(Vector2.ZERO, { "stiffness": 700.0, "polygon": SoftBody2D.make_box_polygon(Vector2(60, 60), 20) })
 	await ticks(10)
 	var copy := body.duplicate() as SoftBody2D
 	copy.position = Vector2(300, 0)
 	stage.add_child(copy)
 	check_equal(copy.stiffness, 700.0, "stiffness of the copy")
-	check_equal(copy.hull, body.hull, "hull of the copy")
-	check_equal(SoftBodyServer2D.get_body_count(), 2, "bodies of the server")
+	check_equal(copy.polygon, body.polygon, "polygon of the copy")
+	check_equal(SoftBodySimulation2D.get_body_count(), 2, "bodies of the simulation")
 	body.free()
 	await check_rests(copy, 6)
 	check_near(copy.get_center_of_mass_position().x, 300.0, 3, "x of the copy")
@@ -243,6 +243,58 @@ func test_a_disabled_body_stands_still_beside_a_running_one() -> void:
 	check_above(running.get_center_of_mass_position().y, 50, "y of the running body")
 
 
+func test_a_disabled_body_is_removed_made_static_or_goes_on_as_its_disable_mode_says() -> void:
+	var parent := Node2D.new()
+	stage.add_child(parent)
+	for mode: int in [SoftBody2D.DISABLE_MODE_REMOVE, SoftBody2D.DISABLE_MODE_MAKE_STATIC, SoftBody2D.DISABLE_MODE_KEEP_ACTIVE]:
+		for is_disabled_first: bool in [false, true]:
+			var what := "mode %d, disabled %s" % [mode, "before it enters the tree" if is_disabled_first else "in the tree"]
+			parent.process_mode = Node.PROCESS_MODE_DISABLED if is_disabled_first else Node.PROCESS_MODE_INHERIT
+			var body := SoftBody2D.new()
+			body.disable_mode = mode
+			parent.add_child(body)
+			parent.process_mode = Node.PROCESS_MODE_DISABLED
+			var crumb := add_body(Vector2(0, -120), {"polygon": SoftBody2D.make_circle_polygon(20, 10)})
+			await ticks(60)
+			var is_static: bool = mode == SoftBody2D.DISABLE_MODE_MAKE_STATIC
+			if mode == SoftBody2D.DISABLE_MODE_KEEP_ACTIVE:
+				check_above(body.global_position.y, 200, "y of the body, " + what)
+			else:
+				check_near(body.global_position, Vector2.ZERO, 0.01, "place of the body, " + what)
+			check_equal(crumb.global_position.y < 0, is_static, "whether it holds another body, " + what)
+			var query := PhysicsPointQueryParameters2D.new()
+			query.position = Vector2(10, 10)
+			check_equal(not stage.get_world_2d().direct_space_state.intersect_point(query).is_empty(), is_static,
+					"whether the engine finds it where it was, " + what)
+			check_equal(body.freeze, false, "freeze, " + what)
+			tree.paused = true
+			var before := body.global_position
+			await ticks(5)
+			check_equal(body.global_position, before, "place while the tree is paused, " + what)
+			tree.paused = false
+			parent.process_mode = Node.PROCESS_MODE_INHERIT
+			await ticks(60)
+			check_above(body.global_position.y, before.y + 50, "y after it was enabled again, " + what)
+			body.free()
+			crumb.free()
+
+
+func test_a_frozen_body_that_is_disabled_and_enabled_stays_frozen() -> void:
+	var body := add_body(Vector2.ZERO, {"disable_mode": SoftBody2D.DISABLE_MODE_MAKE_STATIC, "freeze": true})
+	body.process_mode = Node.PROCESS_MODE_DISABLED
+	await ticks(2)
+	body.process_mode = Node.PROCESS_MODE_INHERIT
+	await ticks(30)
+	check_near(body.global_position, Vector2.ZERO, 0.01, "place of the frozen body")
+	body.process_mode = Node.PROCESS_MODE_DISABLED
+	body.freeze = false
+	await ticks(30)
+	check_near(body.global_position, Vector2.ZERO, 0.01, "place while it is held static")
+	body.disable_mode = SoftBody2D.DISABLE_MODE_KEEP_ACTIVE
+	await ticks(30)
+	check_above(body.global_position.y, 50, "y after its disable mode has changed")
+
+
 func test_a_hidden_body_still_moves() -> void:
 	var body := add_body()
 	body.hide()
@@ -257,7 +309,7 @@ func test_reset_brings_the_rest_shape_back() -> void:
 	body.gravity_scale = 0
 	body.global_transform = Transform2D(0, Vector2(0, -200))
 	body.reset()
-	check_points_near(hull_of(body), body.global_transform * body.hull, 0.01, "points and hull")
+	check_points_near(polygon_of(body), body.global_transform * body.polygon, 0.01, "points and polygon")
 	check_near(body.get_linear_velocity(), Vector2.ZERO, 0.001, "velocity")
 	await ticks(30)
 	check_near(body.get_center_of_mass_position(), Vector2(0, -200), 0.01, "place")
@@ -272,7 +324,7 @@ func test_questions_to_a_body_outside_the_tree_are_answered() -> void:
 	check(not body.has_point(Vector2(1000, 0)), "a place far away is inside")
 	check(body.get_substep_plan().has("substeps"), "no substep plan")
 	body.get_point_positions()
-	body.get_interpolated_hull(0.5)
+	body.get_interpolated_polygon(0.5)
 	body.get_nearest_point(Vector2.ZERO)
 	body.reset()
 	body.free()

@@ -8,7 +8,7 @@ func time_limit() -> int:
 
 
 func _box(position: Vector2, properties := {}) -> SoftBody2D:
-	return add_body(position, { "hull": SoftBody2D.make_box_hull(Vector2(80, 60), 20), "rolling_resistance": 0.1 }.merged(properties))
+	return add_body(position, { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "rolling_resistance": 0.1 }.merged(properties))
 
 
 func _add_platform(solid: CollisionObject2D, transform := Transform2D.IDENTITY) -> CollisionShape2D:
@@ -41,11 +41,11 @@ func test_a_body_jumps_through_a_platform_from_below_and_lands_on_it() -> void:
 			var highest := 400.0
 			for i in rate:
 				await ticks(1)
-				highest = minf(highest, bounds_of(hull_of(soft)).end.y)
+				highest = minf(highest, bounds_of(polygon_of(soft)).end.y)
 			var what := "%s at %d ticks" % [solid.get_class(), rate]
 			check_below(highest, 180, "highest place of the lower side over a " + what)
 			await seconds(2)
-			check_near(bounds_of(hull_of(soft)).end.y, 232.0, 1, "lower side on a " + what)
+			check_near(bounds_of(polygon_of(soft)).end.y, 232.0, 1, "lower side on a " + what)
 			await _clear_stage()
 
 
@@ -62,7 +62,7 @@ func test_the_side_that_holds_turns_with_the_shape() -> void:
 			soft.free()
 			soft = _box(Vector2(0, 200), { "gravity_scale": -1.0 })
 			await seconds(2)
-			check_near(bounds_of(hull_of(soft)).position.y, 108.0, 1, "upper side of what falls up under it (%s)" % upside_down)
+			check_near(bounds_of(polygon_of(soft)).position.y, 108.0, 1, "upper side of what falls up under it (%s)" % upside_down)
 			await _clear_stage()
 
 
@@ -72,20 +72,20 @@ func test_a_platform_is_switched_while_a_body_is_on_it() -> void:
 	var collision := _add_platform(solid)
 	var soft := _box(Vector2(0, 50), { "gravity_scale": 1.0 })
 	await seconds(1.5)
-	check_near(bounds_of(hull_of(soft)).end.y, 92.0, 1, "lower side on the platform")
+	check_near(bounds_of(polygon_of(soft)).end.y, 92.0, 1, "lower side on the platform")
 	collision.one_way_collision = false
 	soft.teleport(Transform2D(0, Vector2(0, 300)))
 	soft.linear_velocity = Vector2(0, -700)
 	var highest := 1000.0
 	for i in 40:
 		await ticks(1)
-		highest = minf(highest, bounds_of(hull_of(soft)).position.y)
+		highest = minf(highest, bounds_of(polygon_of(soft)).position.y)
 	check_above(highest, 104, "highest place under what is one-way no longer")
 	collision.one_way_collision = true
 	soft.teleport(Transform2D(0, Vector2(0, 300)))
 	soft.linear_velocity = Vector2(0, -900)
 	await seconds(0.6)
-	check_below(bounds_of(hull_of(soft)).end.y, 92, "lower side over what is one-way again")
+	check_below(bounds_of(polygon_of(soft)).end.y, 92, "lower side over what is one-way again")
 
 
 func test_one_way_tiles() -> void:
@@ -120,12 +120,12 @@ func test_one_way_tiles() -> void:
 			soft.apply_central_impulse(Vector2(0, -950))
 			await seconds(2.5)
 			if above_solid:
-				check_near(bounds_of(hull_of(soft)).end.y, 256.0, 1, "lower side of what jumped, " + what)
+				check_near(bounds_of(polygon_of(soft)).end.y, 256.0, 1, "lower side of what jumped, " + what)
 			else:
-				check_near(bounds_of(hull_of(soft)).end.y, 0.0, 1, "lower side of what jumped through one-way tiles, " + what)
+				check_near(bounds_of(polygon_of(soft)).end.y, 0.0, 1, "lower side of what jumped through one-way tiles, " + what)
 			var second := _box(Vector2(480, -60))
 			await seconds(2)
-			check_near(bounds_of(hull_of(second)).end.y, 0.0, 1, "lower side of what fell on one-way tiles, " + what)
+			check_near(bounds_of(polygon_of(second)).end.y, 0.0, 1, "lower side of what fell on one-way tiles, " + what)
 			await _clear_stage()
 
 
@@ -139,4 +139,4 @@ func test_a_one_way_lift_carries() -> void:
 		lift.position.y -= 1.5
 		await ticks(1)
 	await ticks(30)
-	check_near(bounds_of(hull_of(soft)).end.y, 112.0, 2, "lower side on the one-way lift")
+	check_near(bounds_of(polygon_of(soft)).end.y, 112.0, 2, "lower side on the one-way lift")

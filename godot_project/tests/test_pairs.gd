@@ -5,14 +5,14 @@ extends "res://tests/support/suite.gd"
 
 func test_one_body_rests_on_another() -> void:
 	add_floor(100)
-	var box := SoftBody2D.make_box_hull(Vector2(100, 60), 25)
-	var lower := add_body(Vector2(0, 60), { "hull": box, "stiffness": 300.0 })
-	var upper := add_body(Vector2(0, -20), { "hull": box, "stiffness": 300.0 })
+	var box := SoftBody2D.make_box_polygon(Vector2(100, 60), 25)
+	var lower := add_body(Vector2(0, 60), { "polygon": box, "stiffness": 300.0 })
+	var upper := add_body(Vector2(0, -20), { "polygon": box, "stiffness": 300.0 })
 	await seconds(4)
 	check_above(upper.get_center_of_mass_position().y, -60, "the upper body has not flown off")
 	check_below(upper.get_center_of_mass_position().y, lower.get_center_of_mass_position().y - 45, "it lies on the lower one")
-	for point in hull_of(upper):
-		check(not Geometry2D.is_point_in_polygon(point + Vector2(0, -2), hull_of(lower)), "%s is inside the lower body" % point)
+	for point in polygon_of(upper):
+		check(not Geometry2D.is_point_in_polygon(point + Vector2(0, -2), polygon_of(lower)), "%s is inside the lower body" % point)
 	check_above(lower.get_area() / lower.get_rest_area(), 0.8, "area of the lower body over its rest area")
 
 

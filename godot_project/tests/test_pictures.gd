@@ -40,7 +40,7 @@ func test_both_sides_are_what_their_titles_say() -> void:
 	check_equal(now.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_MODES, "model of now")
 	var fresh := SoftBody2D.new()
 	for property: String in ["youngs_modulus", "poisson_ratio", "damping_ratio", "least_area", "least_stretch", "most_stretch",
-			"mass", "friction", "bounce", "gravity_scale", "elastic_model", "hull"]:
+			"mass", "physics_material_override", "gravity_scale", "elastic_model", "polygon"]:
 		check_equal(now.get(property), fresh.get(property), property + " of now")
 	fresh.free()
 

@@ -74,7 +74,7 @@ func test_pins_go_with_the_node_when_it_is_moved() -> void:
 	check_near(body.get_point_positions()[12], before + Vector2(300, 40), 0.01, "the pinned point after the move")
 
 
-func test_pins_survive_a_new_hull_a_new_scale_and_leaving_the_tree() -> void:
+func test_pins_survive_a_new_polygon_a_new_scale_and_leaving_the_tree() -> void:
 	var body := add_body(Vector2.ZERO, {"pinned_points": PackedInt32Array([12])})
 	body.scale = Vector2(1.5, 1.5)
 	await ticks(2)
@@ -86,14 +86,14 @@ func test_pins_survive_a_new_hull_a_new_scale_and_leaving_the_tree() -> void:
 	stage.add_child(body)
 	await ticks(30)
 	check_near(body.get_point_positions()[12], held, 0.01, "the point after leaving and coming back")
-	body.hull = SoftBody2D.make_circle_hull(30, 16)
+	body.polygon = SoftBody2D.make_circle_polygon(30, 16)
 	await ticks(1)
 	held = body.get_point_positions()[12]
 	await ticks(30)
-	check_equal(body.get_point_positions()[12], held, "the point of the new hull")
+	check_equal(body.get_point_positions()[12], held, "the point of the new polygon")
 
 
-func test_pins_beyond_the_hull_are_a_warning_not_an_error() -> void:
+func test_pins_beyond_the_polygon_are_a_warning_not_an_error() -> void:
 	var body := add_body(Vector2.ZERO, {"pinned_points": PackedInt32Array([2, 40])})
 	await ticks(2)
 	check(" ".join(body.get_warnings()).contains("Point 40"), "a warning names the point: %s" % body.get_warnings())

@@ -7,16 +7,14 @@ const NUMBERS := {
 	"mass": [[0.0, -1.0, NAN, INF], 2.5],
 	"stiffness": [[-1.0, NAN, INF], 120.0],
 	"damping": [[-0.1, NAN, INF], 0.5],
-	"friction": [[-0.1, NAN, INF], 0.7],
-	"bounce": [[-0.1, 1.1, NAN, INF], 0.5],
 	"rolling_resistance": [[-0.1, NAN, INF], 0.2],
 	"shape_matching": [[-0.1, NAN, INF], 0.8],
-	"shape_damping": [[-0.1, NAN, INF], 0.5],
+	"shape_damping_ratio": [[-0.1, NAN, INF], 0.5],
 	"gravity_scale": [[NAN, INF, -INF], -2.0],
 	"substeps": [[-1, 65], 8],
 }
-const GOOD_HULL: Array[Vector2] = [Vector2(-40, -40), Vector2(40, -40), Vector2(40, 40), Vector2(-40, 40)]
-const HULLS := {
+const GOOD_POLYGON: Array[Vector2] = [Vector2(-40, -40), Vector2(40, -40), Vector2(40, 40), Vector2(-40, 40)]
+const POLYGONS := {
 	"no points": [],
 	"two points": [Vector2(0, 0), Vector2(50, 0)],
 	"a bow tie": [Vector2(-40, -40), Vector2(40, 40), Vector2(40, -40), Vector2(-40, 40)],
@@ -55,17 +53,17 @@ func test_numbers_out_of_range_are_refused_and_the_old_value_stays() -> void:
 func test_the_message_names_the_value_and_the_bound() -> void:
 	var body := _make(true)
 	check_refused(func() -> void: body.mass = -3, ["Jelly", "mass", "-3", "0"], "mass = -3")
-	check_refused(func() -> void: body.bounce = 1.5, ["Jelly", "bounce", "1.5", "1"], "bounce = 1.5")
+	check_refused(func() -> void: body.least_area = 1.5, ["Jelly", "least_area", "1.5", "1"], "least_area = 1.5")
 	check_refused(func() -> void: body.substeps = 65, ["Jelly", "substeps", "65", "64"], "substeps = 65")
 	check_refused(func() -> void: body.stiffness = NAN, ["Jelly", "stiffness", "nan"], "stiffness = NAN")
-	check_refused(func() -> void: body.hull = PackedVector2Array([Vector2.ZERO, Vector2.ONE]),
-			["Jelly", "hull", "2", "3"], "a hull of two points")
+	check_refused(func() -> void: body.polygon = PackedVector2Array([Vector2.ZERO, Vector2.ONE]),
+			["Jelly", "polygon", "2", "3"], "a polygon of two points")
 
 
 func test_bounds_themselves_are_accepted() -> void:
 	var body := _make(true)
-	for value: Array in [["stiffness", 0.0], ["damping", 0.0], ["friction", 0.0], ["bounce", 0.0], ["bounce", 1.0],
-			["rolling_resistance", 0.0], ["shape_matching", 0.0], ["shape_damping", 0.0], ["gravity_scale", 0.0],
+	for value: Array in [["stiffness", 0.0], ["damping", 0.0], ["damping_ratio", 0.0], ["least_area", 0.0], ["least_area", 1.0],
+			["rolling_resistance", 0.0], ["shape_matching", 0.0], ["shape_damping_ratio", 0.0], ["gravity_scale", 0.0],
 			["substeps", 0], ["substeps", 64], ["mass", 0.001], ["collision_layer", 0], ["collision_mask", 0]]:
 		body.set(value[0], value[1])
 		check_equal(body.get(value[0]), value[1], value[0])
@@ -73,16 +71,16 @@ func test_bounds_themselves_are_accepted() -> void:
 	check(all_finite(body.get_point_positions()), "a point is not finite")
 
 
-func test_bad_hulls_are_refused_and_the_old_one_stays() -> void:
+func test_bad_polygons_are_refused_and_the_old_one_stays() -> void:
 	for in_tree: bool in [false, true]:
 		var body := _make(in_tree)
-		var old := PackedVector2Array(GOOD_HULL) if in_tree else body.hull
-		body.hull = old
-		for what: String in HULLS:
-			var bad := PackedVector2Array(HULLS[what] as Array)
-			check_refused(func() -> void: body.hull = bad, ["Jelly", "hull"], "a hull of " + what)
-			check_equal(body.hull, old, "hull after one of %s" % what)
-			check_equal(body.get_point_count(), old.size() + 1, "point count after a hull of " + what)
+		var old := PackedVector2Array(GOOD_POLYGON) if in_tree else body.polygon
+		body.polygon = old
+		for what: String in POLYGONS:
+			var bad := PackedVector2Array(POLYGONS[what] as Array)
+			check_refused(func() -> void: body.polygon = bad, ["Jelly", "polygon"], "a polygon of " + what)
+			check_equal(body.polygon, old, "polygon after one of %s" % what)
+			check_equal(body.get_point_count(), old.size() + 1, "point count after a polygon of " + what)
 		body.free()
 
 
@@ -97,25 +95,25 @@ func test_a_warning_shows_the_refused_value_until_a_good_one_is_set() -> void:
 		body.gravity_scale = body.gravity_scale if property != "gravity_scale" else 1.0
 		body.set(property, body.get(property))
 		check_equal(_warnings(body), clean, "warnings after a good value of " + property)
-	body.hull = PackedVector2Array()
+	body.polygon = PackedVector2Array()
 	take_errors()
-	check("hull" in _warnings(body), "no warning about an empty hull")
-	body.friction = 0.5
-	check("hull" in _warnings(body), "a good friction took the warning about the hull away")
-	body.hull = PackedVector2Array(GOOD_HULL)
-	check_equal(_warnings(body), clean, "warnings after a good hull")
+	check("polygon" in _warnings(body), "no warning about an empty polygon")
+	body.rolling_resistance = 0.2
+	check("polygon" in _warnings(body), "a good rolling resistance took the warning about the polygon away")
+	body.polygon = PackedVector2Array(GOOD_POLYGON)
+	check_equal(_warnings(body), clean, "warnings after a good polygon")
 
 
 func test_several_warnings_stand_side_by_side() -> void:
 	var body := _make(false)
 	var clean := _warnings(body)
 	body.mass = -1
-	body.friction = -1
+	body.inflation = -1
 	take_errors()
-	check("mass" in _warnings(body) and "friction" in _warnings(body), "not both: " + _warnings(body))
+	check("mass" in _warnings(body) and "inflation" in _warnings(body), "not both: " + _warnings(body))
 	body.mass = 2
-	check(not "mass" in _warnings(body) and "friction" in _warnings(body), "not only friction: " + _warnings(body))
-	body.friction = 0.2
+	check(not "mass" in _warnings(body) and "inflation" in _warnings(body), "not only inflation: " + _warnings(body))
+	body.inflation = 1
 	check_equal(_warnings(body), clean, "warnings at the end")
 	body.free()
 
@@ -125,7 +123,7 @@ func test_a_refused_value_does_not_disturb_the_motion() -> void:
 	await ticks(10)
 	for property: String in NUMBERS:
 		body.set(property, NUMBERS[property][0][0])
-	body.hull = PackedVector2Array()
+	body.polygon = PackedVector2Array()
 	take_errors()
 	await ticks(20)
 	check_near(body.get_linear_velocity().y, GRAVITY * 30 / 60, 0.2, "velocity after 30 ticks")
@@ -174,11 +172,11 @@ func test_a_transform_that_is_no_place_is_refused() -> void:
 	check_equal(body.get_warnings(), PackedStringArray(), "warnings after a good transform")
 
 
-func test_a_hull_whose_middle_is_one_of_its_points_is_refused_whole() -> void:
+func test_a_polygon_whose_middle_is_one_of_its_points_is_refused_whole() -> void:
 	var body := add_body()
-	var old := body.hull
+	var old := body.polygon
 	var mean_on_point := PackedVector2Array([Vector2(0, 0), Vector2(60, 0), Vector2(-30, 40), Vector2(-30, -40)])
-	check_refused(func() -> void: body.hull = mean_on_point, ["hull", "center point"], "a middle on a hull point")
-	check_equal(body.hull, old, "hull")
+	check_refused(func() -> void: body.polygon = mean_on_point, ["polygon", "center point"], "a middle on a polygon point")
+	check_equal(body.polygon, old, "polygon")
 	check_equal(body.get_point_positions().size(), old.size() + 1, "number of points")
 	take_errors()

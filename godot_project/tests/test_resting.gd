@@ -18,7 +18,7 @@ func _boundary(normal: Vector2, distance: float) -> WorldBoundaryShape2D:
 
 ## Where the floor's top was meant to be: 100.
 func _check_lies_at_100(body: SoftBody2D, tolerance := 1.0) -> void:
-	check_near(bounds_of(hull_of(body)).end.y, 100.0, tolerance, "height of the lowest point")
+	check_near(bounds_of(polygon_of(body)).end.y, 100.0, tolerance, "height of the lowest point")
 
 
 func test_rests_on_a_rectangle() -> void:
@@ -147,7 +147,7 @@ func test_rests_in_a_valley_of_two_turned_rectangles() -> void:
 
 func test_a_box_stays_on_a_slope_that_friction_holds() -> void:
 	add_solid(rectangle(1000, 60), Transform2D(0.2, Vector2(0, 150))) # tan 0.2 = 0.20, below the friction of 0.4
-	var body := add_body(Vector2.ZERO, { "hull": SoftBody2D.make_box_hull(Vector2(90, 60), 15), "rotation": 0.2 })
+	var body := add_body(Vector2.ZERO, { "polygon": SoftBody2D.make_box_polygon(Vector2(90, 60), 15), "rotation": 0.2 })
 	await check_rests(body)
 	check_below(absf(body.get_center_of_mass_position().x), 60, "way along the slope")
 
@@ -155,7 +155,7 @@ func test_a_box_stays_on_a_slope_that_friction_holds() -> void:
 func test_a_slippery_body_slides_down_the_same_slope() -> void:
 	add_solid(rectangle(1000, 60), Transform2D(0.2, Vector2(0, 150)))
 	var body := add_body(Vector2.ZERO,
-			{ "hull": SoftBody2D.make_box_hull(Vector2(90, 60), 15), "rotation": 0.2, "friction": 0.0 })
+			{ "polygon": SoftBody2D.make_box_polygon(Vector2(90, 60), 15), "rotation": 0.2, "physics_material_override": surface(0.0) })
 	await seconds(2)
 	check_above(body.get_center_of_mass_position().x, 100, "way along the slope")
 
@@ -179,7 +179,7 @@ func test_a_softer_body_is_flatter() -> void:
 	for stiffness: float in [120, 300, 1200]:
 		var body := add_body(Vector2(-400 + 300 * heights.size(), 40), { "stiffness": stiffness })
 		await seconds(5)
-		heights.append(bounds_of(hull_of(body)).size.y)
+		heights.append(bounds_of(polygon_of(body)).size.y)
 	check_above(heights[1] - heights[0], 1, "height at 300 N/m above that at 120 N/m")
 	check_above(heights[2] - heights[1], 1, "height at 1200 N/m above that at 300 N/m")
 
@@ -210,7 +210,7 @@ func test_a_fast_body_does_not_pass_a_thin_floor() -> void:
 func test_squashes_on_impact_and_recovers_its_area() -> void:
 	add_floor(100)
 	var body := add_weightless_body()
-	var rest := hull_of(body)
+	var rest := polygon_of(body)
 	body.apply_central_impulse(Vector2(0, 700))
 	var least := 1.0
 	for i in 60:
@@ -220,14 +220,14 @@ func test_squashes_on_impact_and_recovers_its_area() -> void:
 	check_below(body.get_linear_velocity().y, 0, "velocity after the impact")
 	await seconds(9)
 	check_near(body.get_area() / body.get_rest_area(), 1.0, 0.02, "area over rest area after the impact")
-	check_points_near(body.global_transform.affine_inverse() * hull_of(body), rest, 1.5, "the hull before and after")
+	check_points_near(body.global_transform.affine_inverse() * polygon_of(body), rest, 1.5, "the polygon before and after")
 
 
 ## Speed with which a body of the given bounce leaves a floor that it met with 400 px/s.
 func _rebound(bounce: float, properties: Dictionary, floor_body: StaticBody2D = null) -> float:
 	if floor_body == null:
 		floor_body = add_floor(100)
-	var body := add_weightless_body(Vector2.ZERO, properties.merged({ "bounce": bounce }))
+	var body := add_weightless_body(Vector2.ZERO, properties.merged({ "physics_material_override": surface(0.4, bounce) }))
 	body.apply_central_impulse(Vector2(0, 400))
 	await seconds(2)
 	var speed := -body.get_linear_velocity().y
@@ -264,7 +264,7 @@ func test_the_floors_bounce_is_added() -> void:
 
 func test_a_bouncing_body_comes_to_rest() -> void:
 	add_floor(100)
-	var body := add_body(Vector2.ZERO, { "bounce": 0.7 })
+	var body := add_body(Vector2.ZERO, { "physics_material_override": surface(0.4, 0.7) })
 	await check_rests(body, 20)
 
 
@@ -279,7 +279,7 @@ func test_a_body_falls_when_its_floor_is_freed() -> void:
 
 func test_a_conveyor_carries_a_body() -> void:
 	add_floor(100).constant_linear_velocity = Vector2(120, 0)
-	var body := add_body(Vector2.ZERO, { "hull": SoftBody2D.make_box_hull(Vector2(80, 60), 20) })
+	var body := add_body(Vector2.ZERO, { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20) })
 	await seconds(4)
 	check_near(body.get_linear_velocity().x, 120.0, 10, "speed on the conveyor")
 
@@ -288,7 +288,7 @@ func test_an_icy_floor_holds_nothing() -> void:
 	var ice := add_floor(100)
 	ice.physics_material_override = PhysicsMaterial.new()
 	ice.physics_material_override.friction = 0
-	var body := add_body(Vector2(0, 40), { "hull": SoftBody2D.make_box_hull(Vector2(80, 60), 20) })
+	var body := add_body(Vector2(0, 40), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20) })
 	await seconds(1)
 	body.apply_central_impulse(Vector2(100, 0))
 	await seconds(2)

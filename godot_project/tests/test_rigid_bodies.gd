@@ -55,7 +55,7 @@ func test_a_collision_in_free_space_keeps_both_momenta() -> void:
 		Engine.physics_ticks_per_second = rate
 		for mass: float in [0.1, 1.0, 10.0]:
 			var rigid := add_free_rigid(rectangle(80, 80), Vector2(200, 300), mass, { "rotation": 0.4 })
-			var soft := add_weightless_body(Vector2(0, 270), { "hull": SoftBody2D.make_circle_hull(40, 16), "stiffness": 300.0 })
+			var soft := add_weightless_body(Vector2(0, 270), { "polygon": SoftBody2D.make_circle_polygon(40, 16), "stiffness": 300.0 })
 			await ticks(2) # the engine knows the inertia after its first step
 			soft.apply_central_impulse(Vector2(400, 0))
 			await ticks(1)
@@ -82,7 +82,7 @@ func test_an_inelastic_hit_ends_with_the_common_velocity() -> void:
 			collision.position = wall[0]
 			collision.shape = rectangle(wall[1].x, wall[1].y)
 			box.add_child(collision)
-		var soft := add_weightless_body(Vector2.ZERO, { "stiffness": 200.0, "damping": 3.0, "shape_damping": 3.0 })
+		var soft := add_weightless_body(Vector2.ZERO, { "stiffness": 200.0, "damping": 3.0, "shape_damping_ratio": 3.0 })
 		await ticks(2)
 		soft.apply_central_impulse(Vector2(300, 20))
 		await seconds(12)
@@ -123,7 +123,7 @@ func test_a_crate_rests_on_a_soft_body() -> void:
 	for rate in TICK_RATES:
 		Engine.physics_ticks_per_second = rate
 		add_floor(100)
-		var soft := add_body(Vector2(0, 60), { "hull": SoftBody2D.make_box_hull(Vector2(200, 80), 20), "stiffness": 800.0, "damping": 3.0, "rolling_resistance": 0.1 })
+		var soft := add_body(Vector2(0, 60), { "polygon": SoftBody2D.make_box_polygon(Vector2(200, 80), 20), "stiffness": 800.0, "damping": 3.0, "rolling_resistance": 0.1 })
 		var crate := add_rigid(rectangle(60, 40), Vector2(0, -10), 0.5)
 		await seconds(5)
 		var what := "at %d ticks" % rate
@@ -143,10 +143,10 @@ func test_a_soft_body_rests_on_a_crate() -> void:
 		for mass: float in [0.2, 1.0, 5.0]:
 			add_floor(100)
 			var crate := add_rigid(rectangle(160, 60), Vector2(0, 70), mass)
-			var soft := add_body(Vector2(0, 5), { "hull": SoftBody2D.make_box_hull(Vector2(80, 60), 20) })
+			var soft := add_body(Vector2(0, 5), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20) })
 			await seconds(4)
 			var what := "at %d ticks on %s kg" % [rate, mass]
-			check_near(bounds_of(hull_of(soft)).end.y, 40, 1, "lower side of the soft body " + what)
+			check_near(bounds_of(polygon_of(soft)).end.y, 40, 1, "lower side of the soft body " + what)
 			check_near(crate.position, Vector2(0, 70), 2, "place of the crate " + what)
 			check_below(soft.get_linear_velocity().length(), 5, "speed of the soft body " + what)
 			await check_stays(soft, 0.5, "the soft body " + what)
@@ -204,7 +204,7 @@ func test_soft_and_rigid_bodies_sleep_together_and_wake_together() -> void:
 			add_floor(200)
 			if rate == 60: # others in the world make a difference when one goes
 				add_body(Vector2(-600, 150))
-			var block := { "hull": SoftBody2D.make_box_hull(Vector2(120, 80), 20), "stiffness": 100.0, "rolling_resistance": 0.1 }
+			var block := { "polygon": SoftBody2D.make_box_polygon(Vector2(120, 80), 20), "stiffness": 100.0, "rolling_resistance": 0.1 }
 			var softs: Array[SoftBody2D] = []
 			var crate: RigidBody2D
 			match kind:
@@ -238,7 +238,7 @@ func test_soft_and_rigid_bodies_sleep_together_and_wake_together() -> void:
 			if kind == "jelly on crate":
 				crate.free()
 				await seconds(1)
-				check_near(bounds_of(hull_of(softs[0])).end.y, 200.0, 2, "lower side of the jelly without its crate, " + what)
+				check_near(bounds_of(polygon_of(softs[0])).end.y, 200.0, 2, "lower side of the jelly without its crate, " + what)
 			else:
 				var half := 30 if kind == "crate on jelly" else 10
 				for soft in softs:
@@ -255,7 +255,7 @@ func test_a_soft_body_pushes_a_crate_along_the_floor() -> void:
 	ice.physics_material_override = PhysicsMaterial.new()
 	ice.physics_material_override.friction = 0
 	var crate := add_rigid(rectangle(60, 60), Vector2(150, 69), 1, { "linear_damp_mode": RigidBody2D.DAMP_MODE_REPLACE, "linear_damp": 0.0, "lock_rotation": true })
-	var soft := add_body(Vector2(0, 68), { "hull": SoftBody2D.make_box_hull(Vector2(80, 60), 20), "friction": 0.0 })
+	var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "physics_material_override": surface(0.0) })
 	await seconds(1)
 	soft.apply_central_impulse(Vector2(300, 0))
 	await seconds(1)
@@ -297,7 +297,7 @@ func test_the_center_of_mass_decides_how_a_body_turns() -> void:
 	for offset: float in [-30.0, 0.0, 30.0]:
 		var rigid := add_free_rigid(rectangle(40, 120), Vector2(150, 0), 1,
 				{ "center_of_mass_mode": RigidBody2D.CENTER_OF_MASS_MODE_CUSTOM, "center_of_mass": Vector2(0, offset), "inertia": 2000.0 })
-		var soft := add_weightless_body(Vector2(0, 0), { "hull": SoftBody2D.make_circle_hull(30, 16) })
+		var soft := add_weightless_body(Vector2(0, 0), { "polygon": SoftBody2D.make_circle_polygon(30, 16) })
 		await ticks(2)
 		soft.apply_central_impulse(Vector2(200, 0))
 		await ticks(1)

@@ -102,17 +102,17 @@ func test_velocities_can_be_set_before_and_after_the_body_is_made() -> void:
 
 
 func test_mass_inertia_and_center_of_mass_are_those_of_the_points() -> void:
-	var hull := SoftBody2D.make_box_hull(Vector2(120, 40), 20)
-	for i in hull.size():
-		hull[i] += Vector2(30, 10)
+	var polygon := SoftBody2D.make_box_polygon(Vector2(120, 40), 20)
+	for i in polygon.size():
+		polygon[i] += Vector2(30, 10)
 	var body := SoftBody2D.new()
 	body.gravity_scale = 0
-	body.hull = hull
+	body.polygon = polygon
 	body.mass = 3
 	body.elastic_model = SoftBody2D.ELASTIC_MODEL_NETWORK # whose points are equally heavy
 	var expected := 0.0
-	for point in hull:
-		expected += (point - Vector2(30, 10)).length_squared() * 3 / (hull.size() + 1)
+	for point in polygon:
+		expected += (point - Vector2(30, 10)).length_squared() * 3 / (polygon.size() + 1)
 	for in_tree: bool in [false, true]:
 		if in_tree:
 			body.position = Vector2(200, 100)
@@ -169,7 +169,7 @@ func test_sleep_can_be_forbidden_and_forced() -> void:
 
 
 func test_a_frozen_body_holds_what_lies_on_it_and_goes_on_when_it_is_let_go() -> void:
-	var body := add_body(Vector2.ZERO, {"freeze": true, "hull": SoftBody2D.make_box_hull(Vector2(200, 100), 25)})
+	var body := add_body(Vector2.ZERO, {"freeze": true, "polygon": SoftBody2D.make_box_polygon(Vector2(200, 100), 25)})
 	var upper := add_body(Vector2(0, -110), {"stiffness": 150.0})
 	var points := body.get_point_positions()
 	await seconds(3)
@@ -220,10 +220,10 @@ func test_points_are_read_and_set_as_arrays() -> void:
 	check_refused(func() -> void: body.set_point_position(17, Vector2.ZERO), ["17"], "a point that is not there")
 
 
-func test_a_reversed_hull_is_set_in_its_own_order() -> void:
-	var hull := SoftBody2D.make_box_hull(Vector2(100, 60), 50)
-	hull.reverse()
-	var body := add_weightless_body(Vector2.ZERO, {"hull": hull})
+func test_a_reversed_polygon_is_set_in_its_own_order() -> void:
+	var polygon := SoftBody2D.make_box_polygon(Vector2(100, 60), 50)
+	polygon.reverse()
+	var body := add_weightless_body(Vector2.ZERO, {"polygon": polygon})
 	var places := body.get_point_positions()
 	places[1] += Vector2(3, 4)
 	body.set_point_positions(places)
@@ -244,7 +244,7 @@ func test_teleport_moves_the_body_as_it_is_and_draws_nothing_between() -> void:
 	check_near(body.linear_velocity, velocity, 0.01, "velocity")
 	check_near(body.get_area(), area, 1, "area")
 	for fraction: float in [0.0, 0.5, 1.0]:
-		check_near(bounds_of(body.get_interpolated_hull(fraction)).get_center(), Vector2(900, -400), 15, "drawn at %s" % fraction)
+		check_near(bounds_of(body.get_interpolated_polygon(fraction)).get_center(), Vector2(900, -400), 15, "drawn at %s" % fraction)
 	check_refused(func() -> void: body.teleport(Transform2D(0, Vector2(NAN, 0))), ["teleport"], "a place that is none")
 
 

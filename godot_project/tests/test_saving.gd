@@ -4,11 +4,11 @@ extends "res://tests/support/suite.gd"
 
 # Numbers that any version's text format writes exactly.
 const PROPERTIES := {
-	"hull": [Vector2(-50, -30), Vector2(0, -42), Vector2(50, -30), Vector2(58, 10), Vector2(30, 40),
+	"polygon": [Vector2(-50, -30), Vector2(0, -42), Vector2(50, -30), Vector2(58, 10), Vector2(30, 40),
 		Vector2(-30, 40), Vector2(-58, 10)],
 	"mass": 2.5, "youngs_modulus": 480.0, "poisson_ratio": 0.25, "damping_ratio": 0.5,
-	"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK, "least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0, "stiffness": 640.0, "damping": 0.5, "friction": 0.25, "bounce": 0.125,
-	"rolling_resistance": 0.0625, "shape_matching": 0.75, "shape_damping": 0.5, "gravity_scale": 1.25,
+	"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK, "least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0, "stiffness": 640.0, "damping": 0.5, 
+	"rolling_resistance": 0.0625, "shape_matching": 0.75, "shape_damping_ratio": 0.5, "gravity_scale": 1.25,
 	"substeps": 9, "collision_layer": 5, "collision_mask": 3, "color": Color(0.25, 0.5, 0.75, 1.0),
 	"antialiased": true, "smooth": true, "texture_offset": Vector2(2, -3), "texture_scale": Vector2(0.5, 2),
 	"texture_rotation": 0.5, "outline_width": 4.0, "outline_color": Color(0.5, 0, 0.25, 1.0), "outline_texture_mode": 1,
@@ -24,10 +24,10 @@ const PROPERTIES := {
 	"vertex_colors": [Color.RED, Color.GREEN, Color.BLUE, Color.WHITE, Color.BLACK, Color.RED, Color.GREEN],
 	"uv": [Vector2(0, 0), Vector2(8, 0), Vector2(16, 0), Vector2(16, 8), Vector2(16, 16), Vector2(8, 16), Vector2(0, 16)],
 	"pinned_points": [3], "pin_targets": [^".."],
-	"can_sleep": false, "simulate_off_screen": false, "failure_mode": 1, "self_collision": 1, "contact_monitor": true, "max_contacts_reported": 4,
+	"can_sleep": false, "simulate_off_screen": false, "failure_mode": 1, "disable_mode": 1, "self_collision": 1, "contact_monitor": true, "max_contacts_reported": 4,
 }
 # Resources, and what would keep the body from moving.
-const OTHERS: Array[String] = ["texture", "outline_texture", "soft_body_material", "sleeping", "freeze"]
+const OTHERS: Array[String] = ["texture", "outline_texture", "soft_body_material", "physics_material_override", "sleeping", "freeze"]
 
 
 func _make() -> SoftBody2D:
@@ -35,6 +35,7 @@ func _make() -> SoftBody2D:
 	for name: String in PROPERTIES:
 		body.set(name, type_convert(PROPERTIES[name], typeof(body.get(name))))
 	body.texture = PlaceholderTexture2D.new()
+	body.physics_material_override = surface(0.25, 0.125)
 	body.position = Vector2(12, -34)
 	body.rotation = 0.5
 	return body
@@ -68,11 +69,12 @@ func _check_same(path: String) -> void:
 	var loaded := _reload(original, path)
 	for property in ClassDB.class_get_property_list(&"SoftBody2D", true):
 		var name: String = property["name"]
-		if property["usage"] & PROPERTY_USAGE_STORAGE and name != "texture":
+		if property["usage"] & PROPERTY_USAGE_STORAGE and not name in ["texture", "physics_material_override"]:
 			check_equal(loaded.get(name), original.get(name), name)
 	for name: String in PROPERTIES:
 		check_equal(loaded.get(name), type_convert(PROPERTIES[name], typeof(loaded.get(name))), name)
 	check(loaded.texture is PlaceholderTexture2D, "the texture is lost")
+	check_equal([loaded.physics_material_override.friction, loaded.physics_material_override.bounce], [0.25, 0.125], "surface")
 	check_equal(loaded.transform, original.transform, "transform")
 	var expected: Array[PackedVector2Array] = await _motion(original)
 	var course: Array[PackedVector2Array] = await _motion(loaded)
@@ -108,6 +110,7 @@ func test_a_duplicate_and_a_body_made_by_setters_in_any_order_have_the_same_prop
 	var duplicate := original.duplicate() as SoftBody2D
 	var backwards := SoftBody2D.new()
 	backwards.transform = original.transform
+	backwards.physics_material_override = original.physics_material_override
 	var names := PROPERTIES.keys()
 	names.reverse()
 	for name: String in names:

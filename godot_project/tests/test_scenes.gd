@@ -156,7 +156,7 @@ func test_the_mouse_pulls_no_body_through_a_wall() -> void:
 	grabber.call("grab", Vector2(-100, 0))
 	grabber.set("target", Vector2(400, 0))
 	await seconds(5)
-	check_below(bounds_of(hull_of(body)).end.x, -9, "right end of the body before the wall")
+	check_below(bounds_of(polygon_of(body)).end.x, -9, "right end of the body before the wall")
 	check_above(body.get_area() / body.get_rest_area(), 0.5, "area over rest area at the wall")
 
 

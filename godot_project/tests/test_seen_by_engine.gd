@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends "res://tests/support/suite.gd"
-## Rays, points, shapes and the engine's own nodes find a soft body where its hull is.
+## Rays, points, shapes and the engine's own nodes find a soft body where its polygon is.
 
 
 func _space() -> PhysicsDirectSpaceState2D:
@@ -33,13 +33,13 @@ func _colliders(hits: Array[Dictionary]) -> Array[Node]:
 	return found
 
 
-## Where a ray meets the hull first, and the edge's outward normal there, worked out from the points.
+## Where a ray meets the polygon first, and the edge's outward normal there, worked out from the points.
 func _crossing(body: SoftBody2D, from: Vector2, to: Vector2) -> Dictionary:
-	var hull := hull_of(body)
+	var polygon := polygon_of(body)
 	var best := {}
-	for i in hull.size():
-		var a := hull[i]
-		var b := hull[(i + 1) % hull.size()]
+	for i in polygon.size():
+		var a := polygon[i]
+		var b := polygon[(i + 1) % polygon.size()]
 		var hit: Variant = Geometry2D.segment_intersects_segment(from, to, a, b)
 		if hit != null and (best.is_empty() or from.distance_to(hit) < from.distance_to(best["position"])):
 			var normal := (b - a).orthogonal().normalized()
@@ -47,7 +47,7 @@ func _crossing(body: SoftBody2D, from: Vector2, to: Vector2) -> Dictionary:
 	return best
 
 
-## Claims that rays from all sides towards the middle of mass find the body at its hull.
+## Claims that rays from all sides towards the middle of mass find the body at its polygon.
 func _check_rays(body: SoftBody2D, tolerance: float, what: String) -> void:
 	var middle := body.get_center_of_mass_position()
 	for i in 24:
@@ -67,12 +67,12 @@ func _check_rays(body: SoftBody2D, tolerance: float, what: String) -> void:
 
 func _distance_to_corner(body: SoftBody2D, place: Vector2) -> float:
 	var least := INF
-	for point in hull_of(body):
+	for point in polygon_of(body):
 		least = minf(least, point.distance_to(place))
 	return least
 
 
-func test_rays_find_a_body_at_rest_at_its_hull() -> void:
+func test_rays_find_a_body_at_rest_at_its_polygon() -> void:
 	var body := add_weightless_body(Vector2(300, 200))
 	_check_rays(body, 0.1, "on entering the tree")
 	await ticks(5)
@@ -89,7 +89,7 @@ func test_rays_find_a_body_that_flies_and_spins_where_it_is_now() -> void:
 		_check_rays(body, 0.6, "in flight")
 
 
-func test_rays_find_a_squashed_body_at_its_hull() -> void:
+func test_rays_find_a_squashed_body_at_its_polygon() -> void:
 	add_floor(100).collision_layer = 2
 	var body := add_body(Vector2(0, 40), { "collision_mask": 2, "stiffness": 40.0 })
 	body.apply_central_impulse(Vector2(0, 500))
@@ -107,9 +107,9 @@ func test_rays_see_a_deep_dent_and_a_body_smooth_again() -> void:
 		body.apply_point_force(12, Vector2(0, 3000))
 		body.apply_point_force(4, Vector2(0, -3000))
 		await ticks(1)
-	var top := hull_of(body)[12].y
-	check_above(top, bounds_of(hull_of(body)).position.y + 8, "y of the bottom of the dent")
-	var hit := _ray(Vector2(hull_of(body)[12].x, -300), Vector2(hull_of(body)[12].x, 0))
+	var top := polygon_of(body)[12].y
+	check_above(top, bounds_of(polygon_of(body)).position.y + 8, "y of the bottom of the dent")
+	var hit := _ray(Vector2(polygon_of(body)[12].x, -300), Vector2(polygon_of(body)[12].x, 0))
 	if check(not hit.is_empty(), "the ray into the dent finds nothing"):
 		check_near(hit["position"].y, top, 1, "what a ray finds in the dent")
 	await seconds(5)
@@ -119,7 +119,7 @@ func test_rays_see_a_deep_dent_and_a_body_smooth_again() -> void:
 func test_concave_and_long_bodies_are_seen_as_they_are() -> void:
 	var u := PackedVector2Array([Vector2(-60, -60), Vector2(-30, -60), Vector2(-30, 20), Vector2(30, 20),
 			Vector2(30, -60), Vector2(60, -60), Vector2(60, 60), Vector2(-60, 60)])
-	var cup := add_weightless_body(Vector2.ZERO, { "hull": u, "stiffness": 500.0 })
+	var cup := add_weightless_body(Vector2.ZERO, { "polygon": u, "stiffness": 500.0 })
 	check(_at(Vector2(0, -30)).is_empty(), "something is seen inside the cup")
 	check_equal(_at(Vector2(-45, -30)), [cup] as Array[Node], "what is seen in the cup's wall")
 	var hit := _ray(Vector2(0, -200), Vector2(0, 200))
@@ -130,20 +130,20 @@ func test_concave_and_long_bodies_are_seen_as_they_are() -> void:
 	check_near(hit["position"], Vector2(400, 20), 0.1, "what a ray into the moved cup finds")
 
 	# A long bar, bent by hand into an arc whose ends are 140 px above its middle.
-	var bar := add_weightless_body(Vector2(0, 600), { "hull": SoftBody2D.make_box_hull(Vector2(400, 40), 20),
+	var bar := add_weightless_body(Vector2(0, 600), { "polygon": SoftBody2D.make_box_polygon(Vector2(400, 40), 20),
 			"stiffness": 0.0, "shape_matching": 0.0, "center_point": false, "damping": 0.0 })
 	await ticks(1)
 	for i in bar.get_point_count():
 		var x := bar.get_point_positions()[i].x
 		bar.apply_point_impulse(i, Vector2(0, -0.0035 * x * x * 60) * bar.mass / bar.get_point_count())
 	await ticks(1)
-	var middle := bounds_of(hull_of(bar)).get_center().x
+	var middle := bounds_of(polygon_of(bar)).get_center().x
 	var bent := _crossing(bar, Vector2(middle, 0), Vector2(middle, 2000))
 	hit = _ray(Vector2(middle, 0), Vector2(middle, 2000))
-	check_above(bent["position"].y, bounds_of(hull_of(bar)).position.y + 100, "how deep the bar hangs through")
+	check_above(bent["position"].y, bounds_of(polygon_of(bar)).position.y + 100, "how deep the bar hangs through")
 	check_near(hit["position"], bent["position"], 12, "what a ray finds at the bar's middle")
 	var right_end := Vector2.ZERO # the mean of the four points farthest to the right
-	var by_x := Array(hull_of(bar))
+	var by_x := Array(polygon_of(bar))
 	by_x.sort_custom(func(a: Vector2, b: Vector2) -> bool: return a.x > b.x)
 	for i in 4:
 		right_end += by_x[i] / 4
@@ -223,12 +223,12 @@ func test_who_leaves_is_not_seen_and_who_hides_is() -> void:
 	check(_ray(from + Vector2(0, 500), Vector2(200, 500)).is_empty(), "a freed body is seen")
 
 
-func test_a_new_hull_or_scale_is_seen() -> void:
+func test_a_new_polygon_or_scale_is_seen() -> void:
 	var body := add_weightless_body()
 	await ticks(2)
-	body.hull = SoftBody2D.make_circle_hull(80, 20)
+	body.polygon = SoftBody2D.make_circle_polygon(80, 20)
 	await ticks(1)
-	check_near(_ray(Vector2(-300, 0), Vector2.ZERO)["position"], Vector2(-80, 0), 0.5, "where the larger hull is seen")
+	check_near(_ray(Vector2(-300, 0), Vector2.ZERO)["position"], Vector2(-80, 0), 0.5, "where the larger polygon is seen")
 	body.scale = Vector2(2, 1)
 	await ticks(1)
 	check_near(_ray(Vector2(-300, 0), Vector2.ZERO)["position"], Vector2(-160, 0), 0.5, "where the stretched body is seen")
@@ -243,7 +243,7 @@ func test_soft_bodies_do_not_see_each_others_proxies() -> void:
 	check_near(one.get_center_of_mass_position(), Vector2(-20, 0), 0.01, "the one")
 	check_near(other.get_center_of_mass_position(), Vector2(20, 0), 0.01, "the other")
 	check_near(same.get_center_of_mass_position(), Vector2(500, 0), 0.001, "a body whose mask has its own layer")
-	check_below(largest_distance(hull_of(same), same.global_transform * same.hull), 0.01, "deformation of that body")
+	check_below(largest_distance(polygon_of(same), same.global_transform * same.polygon), 0.01, "deformation of that body")
 
 
 func test_the_engine_does_not_answer_rigid_bodies_that_the_body_meets() -> void:
@@ -289,9 +289,9 @@ func test_a_sleeping_body_is_seen_and_its_proxy_stands_still() -> void:
 	add_floor(100).collision_layer = 2
 	var body := add_body(Vector2(0, 40), { "collision_mask": 2 })
 	await seconds(6)
-	var hull := hull_of(body)
+	var polygon := polygon_of(body)
 	await seconds(1)
-	check_equal(hull_of(body), hull, "the hull a second later, so that it sleeps")
+	check_equal(polygon_of(body), polygon, "the polygon a second later, so that it sleeps")
 	_check_rays(body, 0.1, "asleep")
 	var state := PhysicsServer2D.body_get_direct_state(body.get_rid())
 	check_equal(state.linear_velocity, Vector2.ZERO, "velocity of the proxy")
@@ -347,7 +347,7 @@ func test_an_excepted_floor_is_fallen_through_and_held_again() -> void:
 	body.linear_velocity = Vector2.ZERO
 	body.remove_collision_exception_with(ground)
 	await seconds(2)
-	check_near(bounds_of(hull_of(body)).end.y, 100.0, 1, "lowest point of the body that the floor holds again")
+	check_near(bounds_of(polygon_of(body)).end.y, 100.0, 1, "lowest point of the body that the floor holds again")
 
 
 func test_excepted_soft_bodies_pass_each_other_also_after_one_came_back() -> void:
@@ -359,7 +359,7 @@ func test_excepted_soft_bodies_pass_each_other_also_after_one_came_back() -> voi
 			stage.remove_child(other)
 			stage.add_child(other)
 		elif again == 2:
-			other.hull = SoftBody2D.make_circle_hull(40, 12)
+			other.polygon = SoftBody2D.make_circle_polygon(40, 12)
 		one.position = Vector2(-100, 0)
 		other.position = Vector2(100, 0)
 		one.linear_velocity = Vector2(200, 0)

@@ -16,7 +16,7 @@ func test_a_scene_put_back_goes_on_in_the_same_bits() -> void:
 	add_floor(100)
 	var bodies: Array[SoftBody2D] = []
 	for i in 3:
-		bodies.append(add_body(Vector2(15 * i, -110 * i), {"stiffness": 150.0, "bounce": 0.25}))
+		bodies.append(add_body(Vector2(15 * i, -110 * i), {"stiffness": 150.0, "physics_material_override": surface(0.4, 0.25)}))
 	bodies[2].angular_velocity = 3.0
 	await ticks(25)
 	bodies[1].apply_central_force(Vector2(900, 0)) # queued: part of the state
@@ -79,7 +79,7 @@ func test_bytes_that_are_no_state_of_it_change_nothing() -> void:
 	var state := body.get_state()
 	var damaged := state.duplicate()
 	damaged[40] = damaged[40] ^ 1
-	var other := add_weightless_body(Vector2(500, 0), {"hull": SoftBody2D.make_circle_hull(40, 12)})
+	var other := add_weightless_body(Vector2(500, 0), {"polygon": SoftBody2D.make_circle_polygon(40, 12)})
 	for bad: PackedByteArray in [PackedByteArray(), damaged, state.slice(0, 60), other.get_state()]:
 		var result: Array[int] = [OK]
 		check_refused(func() -> void: result[0] = body.set_state(bad), ["Jelly", "state refused"], "%d bytes" % bad.size())

@@ -6,7 +6,7 @@ const SQUARE: Array[Vector2] = [Vector2(-40, -40), Vector2(40, -40), Vector2(40,
 
 
 func _square(properties := {}) -> SoftBody2D:
-	return add_weightless_body(Vector2.ZERO, {"hull": PackedVector2Array(SQUARE), "center_point": false}.merged(properties, true))
+	return add_weightless_body(Vector2.ZERO, {"polygon": PackedVector2Array(SQUARE), "center_point": false}.merged(properties, true))
 
 
 func _warnings(body: SoftBody2D) -> String:
@@ -17,7 +17,7 @@ func test_the_automatic_springs_are_a_ring_and_spokes() -> void:
 	var body := add_weightless_body()
 	check_equal(body.get_spring_count(), 32, "number of springs")
 	for i in 16:
-		check_equal(body.get_spring_points(i), Vector2i(i, (i + 1) % 16), "points of hull spring %d" % i)
+		check_equal(body.get_spring_points(i), Vector2i(i, (i + 1) % 16), "points of polygon spring %d" % i)
 		check_equal(body.get_spring_points(16 + i), Vector2i(i, 16), "points of spoke %d" % i)
 	check_near(body.get_spring_length(20), 50.0, 0.01, "length of a spoke")
 	check_near(body.get_spring_rest_length(20), 50.0, 0.01, "rest length of a spoke")
@@ -25,14 +25,14 @@ func test_the_automatic_springs_are_a_ring_and_spokes() -> void:
 
 
 func test_springs_are_told_alike_in_and_outside_the_tree_at_any_winding_and_scale() -> void:
-	var hull := SoftBody2D.make_box_hull(Vector2(100, 60), 30)
-	var backwards := hull.duplicate()
+	var polygon := SoftBody2D.make_box_polygon(Vector2(100, 60), 30)
+	var backwards := polygon.duplicate()
 	backwards.reverse()
-	for outline: PackedVector2Array in [hull, backwards]:
+	for outline: PackedVector2Array in [polygon, backwards]:
 		for scale: Vector2 in [Vector2.ONE, Vector2(-1, 1), Vector2(2, 0.5)]:
 			var body := SoftBody2D.new()
 			body.gravity_scale = 0
-			body.hull = outline
+			body.polygon = outline
 			body.scale = scale
 			var before := body.get_all_springs()
 			var lengths := PackedFloat32Array()
@@ -79,7 +79,7 @@ func test_factors_follow_the_material_and_belong_to_their_spring() -> void:
 
 func test_a_spring_that_wants_to_be_shorter_pulls_its_ends_together() -> void:
 	# A muscle changes the shape that the body wants; the limits go by the one that it was designed with.
-	var body := _square({"shape_matching": 0.0, "shape_damping": 0.0, "damping": 3.0, "least_area": 0.0})
+	var body := _square({"shape_matching": 0.0, "shape_damping_ratio": 0.0, "damping": 3.0, "least_area": 0.0})
 	body.set_spring_length_scale(0, 0.5)
 	await seconds(2)
 	check_near(body.get_spring_length(0), 40.0, 1, "length of the top spring")
@@ -90,7 +90,7 @@ func test_a_painted_body_moves_alike_in_either_winding() -> void:
 	var reversed := PackedVector2Array([SQUARE[0], SQUARE[3], SQUARE[2], SQUARE[1]])
 	var body := _square({"spring_length_scales": PackedFloat32Array([0.5, 1, 1, 1])})
 	# The same spring, between the first point and (40, -40), is the last of the outline that runs the other way.
-	var mirrored := add_weightless_body(Vector2(400, 0), {"hull": reversed, "center_point": false,
+	var mirrored := add_weightless_body(Vector2(400, 0), {"polygon": reversed, "center_point": false,
 			"spring_length_scales": PackedFloat32Array([1, 1, 1, 0.5])})
 	await ticks(20)
 	var a := body.get_point_positions()
@@ -102,14 +102,14 @@ func test_a_painted_body_moves_alike_in_either_winding() -> void:
 
 func test_inner_points_are_points_of_the_body() -> void:
 	var inner := PackedVector2Array([Vector2(-15, -10), Vector2(20, 5)])
-	var body := add_weightless_body(Vector2(100, 50), {"hull": PackedVector2Array(SQUARE), "inner_points": inner,
+	var body := add_weightless_body(Vector2(100, 50), {"polygon": PackedVector2Array(SQUARE), "inner_points": inner,
 			"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK})
 	check_equal(body.get_point_count(), 7, "number of points")
 	var points := body.get_point_positions()
 	for i in 2:
 		check_near(points[4 + i], Vector2(100, 50) + inner[i], 0.01, "inner point %d" % i)
 	check_near(points[6], Vector2(100, 50), 0.01, "center point")
-	check_equal(hull_of(body).size(), 4, "hull points")
+	check_equal(polygon_of(body).size(), 4, "polygon points")
 	body.apply_point_impulse(5, Vector2(1, 0))
 	check_near(body.get_point_velocities()[5], Vector2(7, 0), 1e-3, "velocity of the inner point, a seventh of the mass")
 	await ticks(3)
@@ -132,7 +132,7 @@ func test_every_inner_point_is_held_by_springs() -> void:
 
 func test_properties_may_be_set_in_any_order() -> void:
 	var values := {
-		"hull": PackedVector2Array(SQUARE), "inner_points": PackedVector2Array([Vector2(10, 0)]), "center_point": false,
+		"polygon": PackedVector2Array(SQUARE), "inner_points": PackedVector2Array([Vector2(10, 0)]), "center_point": false,
 		"springs": PackedInt32Array([0, 1, 1, 2, 2, 3, 3, 0, 0, 4, 1, 4]),
 		"spring_stiffness_scales": PackedFloat32Array([1, 1, 1, 1, 2, 3]),
 		"spring_length_scales": PackedFloat32Array([1, 1, 1, 1, 1, 0.75]),
@@ -165,7 +165,7 @@ func test_what_does_not_fit_is_kept_left_out_and_told_once() -> void:
 	body.name = "Jelly"
 	await ticks(2)
 	check_equal(body.get_warnings(), PackedStringArray(), "warnings while all fits")
-	body.hull = PackedVector2Array([SQUARE[0], SQUARE[1], Vector2(0, 40)])
+	body.polygon = PackedVector2Array([SQUARE[0], SQUARE[1], Vector2(0, 40)])
 	check_equal(body.get_spring_count(), 3, "springs of the triangle")
 	check("springs[1]" in _warnings(body) or "springs[2]" in _warnings(body), "no warning about the springs: " + _warnings(body))
 	check_equal(body.springs.size(), 10, "entries of springs")
@@ -174,7 +174,7 @@ func test_what_does_not_fit_is_kept_left_out_and_told_once() -> void:
 	var errors := take_errors()
 	if check_equal(errors.size(), 1, "errors in ten ticks"):
 		check("Jelly" in errors[0] and "springs" in errors[0], "the error does not say what is wrong: " + errors[0])
-	body.hull = PackedVector2Array(SQUARE)
+	body.polygon = PackedVector2Array(SQUARE)
 	check_equal(body.get_spring_count(), 5, "springs after the fourth corner is back")
 	check_equal(body.get_spring_stiffness(4), 200.0, "stiffness of the diagonal")
 	check_equal(body.get_warnings(), PackedStringArray(), "warnings after the fourth corner is back")
@@ -205,12 +205,12 @@ func test_what_can_never_be_right_is_refused() -> void:
 	check_equal(body.get_warnings().size(), 1, "warnings: the last refused factor")
 
 
-func test_another_hull_keeps_the_motion() -> void:
+func test_another_polygon_keeps_the_motion() -> void:
 	var body := add_weightless_body()
 	body.linear_velocity = Vector2(120, -30)
 	body.angular_velocity = 2.0
 	await ticks(10)
-	body.hull = SoftBody2D.make_circle_hull(80, 24)
+	body.polygon = SoftBody2D.make_circle_polygon(80, 24)
 	check_near(body.linear_velocity, Vector2(120, -30), 0.05, "velocity")
 	check_near(body.angular_velocity, 2.0, 0.02, "spin")
 	check_near(body.get_rest_area(), 24 * 0.5 * 6400 * sin(TAU / 24), 20, "area")

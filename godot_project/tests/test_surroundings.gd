@@ -8,7 +8,7 @@ func time_limit() -> int:
 
 
 func _box(position := Vector2.ZERO, properties := {}) -> SoftBody2D:
-	return add_body(position, { "hull": SoftBody2D.make_box_hull(Vector2(80, 60), 20), "rolling_resistance": 0.1 }.merged(properties))
+	return add_body(position, { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "rolling_resistance": 0.1 }.merged(properties))
 
 
 func _clear_stage() -> void:
@@ -52,7 +52,7 @@ func test_a_body_rests_on_every_flat_shape_under_every_transform() -> void:
 			var soft := _box(Vector2(x, top - 33))
 			await seconds(1.5)
 			var what := "on a shape (%s, %s)" % [shape_name, transform_name]
-			check_near(bounds_of(hull_of(soft)).end.y, top, 1.0, "lower side " + what)
+			check_near(bounds_of(polygon_of(soft)).end.y, top, 1.0, "lower side " + what)
 			check_below(soft.get_linear_velocity().length(), 2, "speed " + what)
 			await _clear_stage()
 
@@ -64,7 +64,7 @@ func test_a_shapes_own_transform_counts() -> void:
 	var soft := _box(Vector2(0, 90))
 	await seconds(2)
 	# Turned by a right angle, (-50, 0) in the body is 50 px above it; half of 40 px is above that.
-	check_near(bounds_of(hull_of(soft)).end.y, 130.0, 1, "lower side")
+	check_near(bounds_of(polygon_of(soft)).end.y, 130.0, 1, "lower side")
 
 
 func test_round_shapes_stay_round_and_become_ellipses() -> void:
@@ -75,13 +75,13 @@ func test_round_shapes_stay_round_and_become_ellipses() -> void:
 	for data: Array in [[circle(60), Vector2.ONE, 60.0], [circle(60), Vector2(-2, 2), 120.0], [circle(60), Vector2(2, 0.5), 30.0],
 			[capsule, Vector2.ONE, 100.0], [capsule, Vector2(1, -1.5), 150.0]]:
 		add_solid(data[0], Transform2D(0, data[1], 0, Vector2(0, 300)))
-		var soft := add_weightless_body(Vector2(0, 300 - data[2] - 51), { "hull": SoftBody2D.make_circle_hull(50, 64) })
+		var soft := add_weightless_body(Vector2(0, 300 - data[2] - 51), { "polygon": SoftBody2D.make_circle_polygon(50, 64) })
 		await ticks(1)
 		soft.apply_central_impulse(Vector2(0, 30))
 		var lowest := -1000.0
 		for i in 30:
 			await ticks(1)
-			lowest = maxf(lowest, bounds_of(hull_of(soft)).end.y)
+			lowest = maxf(lowest, bounds_of(polygon_of(soft)).end.y)
 		check_near(lowest, 300.0 - data[2], 1.5, "lowest place over a round shape scaled by %s" % data[1])
 		await _clear_stage()
 
@@ -96,15 +96,15 @@ func test_collision_polygons_hold_as_solids_and_as_segments() -> void:
 				Vector2(100, -150), Vector2(150, -150), Vector2(150, 150), Vector2(-150, 150)])
 		solid.add_child(polygon)
 		stage.add_child(solid)
-		# A network: of a body of elastic modes one hull point gets behind a segment without thickness here (docs/limits.md).
+		# A network: of a body of elastic modes one polygon point gets behind a segment without thickness here (docs/limits.md).
 		var soft := _box(Vector2(0, 0), {"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK})
 		await seconds(2)
-		check_near(bounds_of(hull_of(soft)).end.y, 100.0, 1, "lower side in a bowl, build mode %d" % mode)
+		check_near(bounds_of(polygon_of(soft)).end.y, 100.0, 1, "lower side in a bowl, build mode %d" % mode)
 		soft.apply_central_impulse(Vector2(-600, 0))
 		var left := 0.0
 		for i in 60:
 			await ticks(1)
-			left = minf(left, bounds_of(hull_of(soft)).position.x)
+			left = minf(left, bounds_of(polygon_of(soft)).position.x)
 		check_above(left, -102, "left side in a bowl, build mode %d" % mode)
 		await _clear_stage()
 
@@ -141,13 +141,13 @@ func test_a_body_rests_on_tiles() -> void:
 		_add_tiles(quadrant, 20)
 		var soft := _box(Vector2(320, -40))
 		await check_rests(soft, 6, "the body on tiles, quadrants of %d" % quadrant)
-		check_near(bounds_of(hull_of(soft)).end.y, 0.0, 1, "lower side on tiles, quadrants of %d" % quadrant)
+		check_near(bounds_of(polygon_of(soft)).end.y, 0.0, 1, "lower side on tiles, quadrants of %d" % quadrant)
 		await _clear_stage()
 		_add_tiles(quadrant, 20, notch)
 		soft = _box(Vector2(320, -40))
 		await seconds(4)
-		check_below(bounds_of(hull_of(soft)).end.y, 12, "lower side on notched tiles, quadrants of %d" % quadrant)
-		check_above(bounds_of(hull_of(soft)).end.y, -1, "lower side on notched tiles, quadrants of %d" % quadrant)
+		check_below(bounds_of(polygon_of(soft)).end.y, 12, "lower side on notched tiles, quadrants of %d" % quadrant)
+		check_above(bounds_of(polygon_of(soft)).end.y, -1, "lower side on notched tiles, quadrants of %d" % quadrant)
 		await _clear_stage()
 
 
@@ -157,13 +157,13 @@ func test_no_edge_between_tiles_slows_a_body_that_slides() -> void:
 		for quadrant: int in [1, 16]:
 			for speed: float in [100.0, 400.0]:
 				_add_tiles(quadrant, 80)
-				var soft := _box(Vector2(100, -32), { "friction": 0.0, "rolling_resistance": 0.0, "stiffness": 300.0 })
+				var soft := _box(Vector2(100, -32), { "physics_material_override": surface(0.0), "rolling_resistance": 0.0, "stiffness": 300.0 })
 				await seconds(0.5)
 				soft.apply_central_impulse(Vector2(speed, 0))
 				await seconds(50 * 32 / speed if speed > 200 else 4.0)
 				var what := "at %d ticks, quadrants of %d" % [rate, quadrant]
 				check_near(soft.get_linear_velocity().x, speed, 0.02 * speed, "speed after sliding over tiles " + what)
-				check_near(bounds_of(hull_of(soft)).end.y, 0.0, 1, "lower side after sliding over tiles " + what)
+				check_near(bounds_of(polygon_of(soft)).end.y, 0.0, 1, "lower side after sliding over tiles " + what)
 				await _clear_stage()
 
 
@@ -179,8 +179,8 @@ func test_a_chain_of_segments_is_smooth() -> void:
 				segments.append_array(ends)
 			concave.segments = segments
 			add_solid(concave)
-			var hull := SoftBody2D.make_circle_hull(50, 16) if round else SoftBody2D.make_box_hull(Vector2(80, 60), 20)
-			var soft := add_body(Vector2(100, -51 if round else -31), { "hull": hull, "friction": 0.0, "rolling_resistance": 0.0 })
+			var polygon := SoftBody2D.make_circle_polygon(50, 16) if round else SoftBody2D.make_box_polygon(Vector2(80, 60), 20)
+			var soft := add_body(Vector2(100, -51 if round else -31), { "polygon": polygon, "physics_material_override": surface(0.0), "rolling_resistance": 0.0 })
 			await seconds(0.5)
 			soft.apply_central_impulse(Vector2(400, 0))
 			await seconds(4)
@@ -193,19 +193,19 @@ func test_a_changed_tile_map_is_noticed() -> void:
 		var layer := _add_tiles(quadrant, 20)
 		var soft := _box(Vector2(320, -40))
 		await seconds(2)
-		check_near(bounds_of(hull_of(soft)).end.y, 0.0, 1, "lower side, quadrants of %d" % quadrant)
+		check_near(bounds_of(polygon_of(soft)).end.y, 0.0, 1, "lower side, quadrants of %d" % quadrant)
 		layer.set_cell(Vector2i(0, 3), 0, Vector2i.ZERO) # somewhere else in the same quadrant
 		var lowest := 0.0
 		for i in 30:
 			await ticks(1)
-			lowest = maxf(lowest, bounds_of(hull_of(soft)).end.y)
+			lowest = maxf(lowest, bounds_of(polygon_of(soft)).end.y)
 		check_below(lowest, 1, "lower side after another tile was set, quadrants of %d" % quadrant)
 		layer.position.y = 40 # all tiles with it
 		await seconds(2)
-		check_near(bounds_of(hull_of(soft)).end.y, 40.0, 1, "lower side after the layer moved, quadrants of %d" % quadrant)
+		check_near(bounds_of(polygon_of(soft)).end.y, 40.0, 1, "lower side after the layer moved, quadrants of %d" % quadrant)
 		layer.clear()
 		await seconds(1)
-		check_above(bounds_of(hull_of(soft)).end.y, 200, "lower side after the tiles went, quadrants of %d" % quadrant)
+		check_above(bounds_of(polygon_of(soft)).end.y, 200, "lower side after the tiles went, quadrants of %d" % quadrant)
 		await _clear_stage()
 
 
@@ -215,14 +215,14 @@ func test_a_floor_that_appears_later_holds() -> void:
 		await ticks(delay)
 		add_floor(200)
 		await seconds(3)
-		check_near(bounds_of(hull_of(soft)).end.y, 200.0, 1, "lower side over a floor that came after %d ticks" % delay)
+		check_near(bounds_of(polygon_of(soft)).end.y, 200.0, 1, "lower side over a floor that came after %d ticks" % delay)
 		await _clear_stage()
 
 
 ## A body made right before a soft one, among so many that their surroundings are not all looked at in time.
 func test_a_bullet_made_nearby_hits_at_once() -> void:
 	for i in 300:
-		add_weightless_body(Vector2(1000 + 700 * (i % 20), 1000 + 700 * (i / 20)), { "hull": SoftBody2D.make_circle_hull(20, 6) })
+		add_weightless_body(Vector2(1000 + 700 * (i % 20), 1000 + 700 * (i / 20)), { "polygon": SoftBody2D.make_circle_polygon(20, 6) })
 	for wait: int in [1, 2, 10, 11, 12, 13, 14, 15, 16, 17]:
 		var soft := add_weightless_body()
 		await ticks(wait)
@@ -282,7 +282,7 @@ func test_what_goes_away_holds_no_longer() -> void:
 			var solid := add_floor(100)
 			var soft := _box(Vector2(0, 68))
 			await ticks(delay)
-			check_near(bounds_of(hull_of(soft)).end.y, 100.0, 1, "lower side before '%s'" % way)
+			check_near(bounds_of(polygon_of(soft)).end.y, 100.0, 1, "lower side before '%s'" % way)
 			(ways[way] as Callable).call(solid)
 			await ticks(2)
 			# Two ticks, in the first of which it may still have been there.
@@ -294,22 +294,22 @@ func test_what_goes_away_holds_no_longer() -> void:
 
 func test_what_changes_is_honored() -> void:
 	var solid := add_floor(100)
-	var soft := _box(Vector2(0, 68), { "friction": 0.0, "rolling_resistance": 0.0 })
+	var soft := _box(Vector2(0, 68), { "physics_material_override": surface(0.0), "rolling_resistance": 0.0 })
 	await seconds(1)
 	((solid.get_child(0) as CollisionShape2D).shape as RectangleShape2D).size.y = 60
 	await seconds(2)
-	check_near(bounds_of(hull_of(soft)).end.y, 120.0, 1, "lower side after the floor got thinner")
+	check_near(bounds_of(polygon_of(soft)).end.y, 120.0, 1, "lower side after the floor got thinner")
 	(solid.get_child(0) as CollisionShape2D).position.y = 10
 	await seconds(2)
-	check_near(bounds_of(hull_of(soft)).end.y, 130.0, 1, "lower side after its shape was moved")
+	check_near(bounds_of(polygon_of(soft)).end.y, 130.0, 1, "lower side after its shape was moved")
 	(solid.get_child(0) as CollisionShape2D).shape = rectangle(2000, 100)
 	await seconds(3)
-	check_near(bounds_of(hull_of(soft)).end.y, 110.0, 1, "lower side after it got another shape")
+	check_near(bounds_of(polygon_of(soft)).end.y, 110.0, 1, "lower side after it got another shape")
 	solid.scale = Vector2(1, 0.5)
 	await seconds(2)
-	check_near(bounds_of(hull_of(soft)).end.y, 130.0, 1, "lower side after it was scaled")
+	check_near(bounds_of(polygon_of(soft)).end.y, 130.0, 1, "lower side after it was scaled")
 	solid.constant_linear_velocity = Vector2(50, 0)
-	soft.friction = 1
+	soft.physics_material_override = surface(1)
 	await seconds(3)
 	check_near(soft.get_linear_velocity().x, 50.0, 3, "velocity after it became a belt")
 	solid.physics_material_override = PhysicsMaterial.new()
@@ -331,7 +331,7 @@ func test_a_body_without_a_node_holds_until_its_shape_is_disabled() -> void:
 	PhysicsServer2D.body_set_space(body, stage.get_world_2d().space)
 	var soft := _box(Vector2(0, 50))
 	await seconds(12) # until it sleeps
-	check_near(bounds_of(hull_of(soft)).end.y, 100.0, 1, "lower side on a body without a node")
+	check_near(bounds_of(polygon_of(soft)).end.y, 100.0, 1, "lower side on a body without a node")
 	PhysicsServer2D.body_set_shape_disabled(body, 0, true)
 	await ticks(30)
 	check_above(soft.get_linear_velocity().y, 200, "velocity after its shape was disabled")
@@ -345,14 +345,14 @@ func test_a_body_that_comes_back_holds_again() -> void:
 	var soft := _box(Vector2(0, 60))
 	for pause: int in [1, 40]:
 		await seconds(1)
-		check_near(bounds_of(hull_of(soft)).end.y, 100.0, 1, "lower side on the floor")
+		check_near(bounds_of(polygon_of(soft)).end.y, 100.0, 1, "lower side on the floor")
 		solid.process_mode = Node.PROCESS_MODE_DISABLED # which takes it out of the space
 		await ticks(pause)
 		soft.teleport(Transform2D(0, Vector2(0, 60)))
 		soft.linear_velocity = Vector2.ZERO
 		solid.process_mode = Node.PROCESS_MODE_INHERIT
 	await seconds(1)
-	check_near(bounds_of(hull_of(soft)).end.y, 100.0, 1, "lower side on the floor that came back")
+	check_near(bounds_of(polygon_of(soft)).end.y, 100.0, 1, "lower side on the floor that came back")
 
 
 func test_what_was_left_behind_is_found_again() -> void:
@@ -364,7 +364,7 @@ func test_what_was_left_behind_is_found_again() -> void:
 	soft.teleport(Transform2D(0, Vector2(0, 60)))
 	soft.linear_velocity = Vector2.ZERO
 	await seconds(1)
-	check_near(bounds_of(hull_of(soft)).end.y, 100.0, 1, "lower side of a body that came back")
+	check_near(bounds_of(polygon_of(soft)).end.y, 100.0, 1, "lower side of a body that came back")
 
 
 ## More of them in one place than the engine answers at once, each a body, and more than it looks at in one query.
@@ -377,7 +377,7 @@ func test_thousands_of_small_solids_all_hold() -> void:
 		bodies.append(_box(Vector2(60 + i * 110, -40)))
 	await seconds(3)
 	for soft in bodies:
-		check_near(bounds_of(hull_of(soft)).end.y, 0.0, 1, "lower side on thousands of solids")
+		check_near(bounds_of(polygon_of(soft)).end.y, 0.0, 1, "lower side on thousands of solids")
 
 
 func test_a_changed_layer_is_honored_at_once() -> void:
@@ -387,18 +387,18 @@ func test_a_changed_layer_is_honored_at_once() -> void:
 	await ticks(5)
 	solid.collision_layer = 1
 	await seconds(2)
-	check_near(bounds_of(hull_of(soft)).end.y, 100.0, 1, "lower side after the layer fits")
+	check_near(bounds_of(polygon_of(soft)).end.y, 100.0, 1, "lower side after the layer fits")
 
 
 func test_only_near_shapes_are_of_interest_and_they_change_with_the_way() -> void:
 	for i in 40:
 		add_solid(rectangle(300, 40), Transform2D(0, Vector2(i * 300, 120)))
-	var soft := _box(Vector2(100, 68), { "friction": 0.0, "rolling_resistance": 0.0 })
+	var soft := _box(Vector2(100, 68), { "physics_material_override": surface(0.0), "rolling_resistance": 0.0 })
 	await seconds(0.5)
 	soft.apply_central_impulse(Vector2(2000, 0))
 	await seconds(5)
 	check_near(soft.get_linear_velocity().x, 2000.0, 40, "speed after 10000 px of separate floors")
-	check_near(bounds_of(hull_of(soft)).end.y, 100.0, 1, "lower side after 10000 px of separate floors")
+	check_near(bounds_of(polygon_of(soft)).end.y, 100.0, 1, "lower side after 10000 px of separate floors")
 
 
 func test_a_sleeping_body_wakes_for_what_comes() -> void:

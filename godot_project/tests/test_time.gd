@@ -37,7 +37,7 @@ func _wobble_size() -> float:
 	var largest := 0.0
 	for i in 60:
 		await ticks(1)
-		largest = maxf(largest, largest_distance(hull_of(body), SoftBody2D.make_circle_hull(50, 16)))
+		largest = maxf(largest, largest_distance(polygon_of(body), SoftBody2D.make_circle_polygon(50, 16)))
 	body.free()
 	return largest
 
@@ -71,7 +71,7 @@ func test_landing_rests_at_any_tick_rate() -> void:
 		await seconds(6)
 		check_below(body.get_penetration(), 1, "penetration at %d ticks" % rate)
 		check_below(body.linear_velocity.length(), 2, "speed at %d ticks" % rate)
-		check_near(bounds_of(hull_of(body)).end.y, 100.0, 1, "lowest point at %d ticks" % rate)
+		check_near(bounds_of(polygon_of(body)).end.y, 100.0, 1, "lowest point at %d ticks" % rate)
 		body.free()
 		ground.free()
 
@@ -124,15 +124,15 @@ func test_worlds_of_their_own_do_not_touch() -> void:
 		if i == 0:
 			add_floor(300, viewport)
 	await seconds(4)
-	check_near(bounds_of(hull_of(here)).end.y, 100.0, 1, "lowest point in the main world")
-	check_near(bounds_of(hull_of(there[0])).end.y, 300.0, 1, "lowest point in a world with a floor of its own")
+	check_near(bounds_of(polygon_of(here)).end.y, 100.0, 1, "lowest point in the main world")
+	check_near(bounds_of(polygon_of(there[0])).end.y, 300.0, 1, "lowest point in a world with a floor of its own")
 	check_above(there[1].global_position.y, 1000, "y in a world without a floor")
 	here.reparent(viewports[0])
 	here.global_position = Vector2(300, 200)
 	await seconds(3)
-	check_near(bounds_of(hull_of(here)).end.y, 300.0, 1, "lowest point after it changed worlds")
+	check_near(bounds_of(polygon_of(here)).end.y, 300.0, 1, "lowest point after it changed worlds")
 	viewports[0].free()
-	check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies after a world has gone")
+	check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies after a world has gone")
 	await ticks(5)
 
 
@@ -147,7 +147,7 @@ func test_a_world_may_be_given_to_a_viewport_with_bodies_in_it() -> void:
 	viewport.world_2d = World2D.new()
 	await ticks(10)
 	check_near(body.linear_velocity, velocity + Vector2(0, GRAVITY / 6), GRAVITY / 30, "velocity after the change")
-	check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies of the simulation")
 
 
 func test_bodies_freed_in_any_callback_leave_the_others_alone() -> void:
@@ -178,5 +178,5 @@ func test_bodies_freed_in_any_callback_leave_the_others_alone() -> void:
 				if is_instance_valid(body):
 					body.queue_free()
 		await ticks(12)
-		check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies after %s freed three" % moment)
+		check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies after %s freed three" % moment)
 	check(all_finite(keeper.get_point_positions()), "a point of the body that stayed is not finite")

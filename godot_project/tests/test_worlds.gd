@@ -23,11 +23,11 @@ func test_a_floor_holds_only_the_bodies_of_its_world() -> void:
 	add_floor(100, with_floor)
 	var resting := _add_body(with_floor)
 	var falling := _add_body(without)
-	check_equal(SoftBodyServer2D.get_body_count(), 2, "bodies of the server")
-	var before := SoftBodyServer2D.get_tick_count()
+	check_equal(SoftBodySimulation2D.get_body_count(), 2, "bodies of the simulation")
+	var before := SoftBodySimulation2D.get_tick_count()
 	await seconds(3)
-	check_equal(SoftBodyServer2D.get_tick_count() - before, 180, "ticks of the server with two worlds")
-	check_near(bounds_of(hull_of(resting)).end.y, 100.0, 1, "lowest point of the resting body")
+	check_equal(SoftBodySimulation2D.get_tick_count() - before, 180, "ticks of the simulation with two worlds")
+	check_near(bounds_of(polygon_of(resting)).end.y, 100.0, 1, "lowest point of the resting body")
 	check_near(falling.get_linear_velocity().y, GRAVITY * 3, 3, "velocity of the falling body")
 
 
@@ -53,7 +53,7 @@ func test_a_body_may_change_worlds() -> void:
 	await ticks(1)
 	check_near(body.get_linear_velocity(), velocity + Vector2(0, GRAVITY / 60), 0.5, "velocity after the change")
 	await check_rests(body, 8)
-	check_near(bounds_of(hull_of(body)).end.y, 100.0, 1, "lowest point")
+	check_near(bounds_of(polygon_of(body)).end.y, 100.0, 1, "lowest point")
 
 
 func test_a_viewport_may_get_another_world() -> void:
@@ -63,9 +63,9 @@ func test_a_viewport_may_get_another_world() -> void:
 	viewport.world_2d = World2D.new()
 	add_floor(100, viewport)
 	await ticks(5)
-	check_equal(SoftBodyServer2D.get_body_count(), 1, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies of the simulation")
 	await check_rests(body, 8)
-	check_near(bounds_of(hull_of(body)).end.y, 100.0, 1, "lowest point")
+	check_near(bounds_of(polygon_of(body)).end.y, 100.0, 1, "lowest point")
 
 
 func test_freeing_a_viewport_frees_its_bodies() -> void:
@@ -75,4 +75,4 @@ func test_freeing_a_viewport_frees_its_bodies() -> void:
 	await ticks(5)
 	viewport.queue_free()
 	await ticks(3)
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies of the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies of the simulation")

@@ -31,6 +31,11 @@ inline godot::String to_godot(const std::string &p_text) {
 	return godot::String::utf8(p_text.c_str(), int64_t(p_text.size()));
 }
 
+/// The message of a refusal in the words of the nodes, where the hull is called polygon.
+inline godot::String to_godot(const Error &p_error) {
+	return to_godot(p_error.message()).replace("hull", "polygon");
+}
+
 inline std::vector<Vec2> to_core(const godot::PackedVector2Array &p_points) {
 	std::vector<Vec2> points;
 	points.reserve(size_t(p_points.size()));

@@ -7,7 +7,7 @@
 #include "godot/nodes/soft_body_attachment_2d.h"
 #include "godot/nodes/soft_body_joint_2d.h"
 #include "godot/resources/soft_body_material_2d.h"
-#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/soft_body_simulation_2d.h"
 #include "godot/server/step_settings.h"
 
 #include <gdextension_interface.h>
@@ -16,21 +16,21 @@
 
 using namespace godot;
 
-static SoftBodyServer2D *server = nullptr;
+static SoftBodySimulation2D *simulation = nullptr;
 
 void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	if (p_level != MODULE_INITIALIZATION_LEVEL_SCENE) {
 		return;
 	}
-	GDREGISTER_CLASS(SoftBodyServer2D);
+	GDREGISTER_CLASS(SoftBodySimulation2D);
 	GDREGISTER_CLASS(SoftBodyMaterial2D);
 	GDREGISTER_CLASS(SoftBody2D);
 	GDREGISTER_CLASS(SoftBodyAttachment2D);
 	GDREGISTER_CLASS(SoftBodyJoint2D);
 	GDREGISTER_CLASS(SoftBodyPreview2D);
 	softbody::register_step_settings();
-	server = memnew(SoftBodyServer2D);
-	Engine::get_singleton()->register_singleton("SoftBodyServer2D", server);
+	simulation = memnew(SoftBodySimulation2D);
+	Engine::get_singleton()->register_singleton("SoftBodySimulation2D", simulation);
 }
 
 // The editor takes a library that it loads anew up from the level we ask for, but down to the lowest one. There godot-cpp
@@ -48,9 +48,9 @@ void uninitialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	if (p_level != MODULE_INITIALIZATION_LEVEL_SCENE) {
 		return;
 	}
-	Engine::get_singleton()->unregister_singleton("SoftBodyServer2D");
-	memdelete(server);
-	server = nullptr;
+	Engine::get_singleton()->unregister_singleton("SoftBodySimulation2D");
+	memdelete(simulation);
+	simulation = nullptr;
 }
 
 extern "C" GDExtensionBool GDE_EXPORT soft_body_2d_library_init(GDExtensionInterfaceGetProcAddress p_get_proc_address,

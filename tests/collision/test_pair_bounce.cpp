@@ -10,6 +10,7 @@
 #include "support/threads.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -91,6 +92,26 @@ TEST_CASE("bodies part with at least their restitution, never gain energy, and k
 			}
 		}
 	}
+}
+
+TEST_CASE("an absorbent body takes its restitution from that of the other") {
+	std::array<double, 3> speeds{};
+	for (const int absorbent : { 0, 1, 2 }) { // the same sum, once without an absorbent body; 2 takes all away
+		WorldData world;
+		world.add_soft_body(ball(1, absorbent == 0 ? 0.9 : 1, { -1, 0 }, { SPEED, 0 }));
+		SoftBodyData other = ball(1, absorbent == 0 ? 0 : absorbent == 1 ? 0.1 : 1, { 1, 0 }, { -SPEED, 0 });
+		BodySettings settings = other.settings();
+		settings.absorbent = absorbent != 0;
+		REQUIRE(!other.set_settings(settings));
+		world.add_soft_body(std::move(other));
+		Simulator simulator(world);
+		for (int i = 0; i < 60; ++i) {
+			simulator.simulate(FRAME);
+		}
+		speeds[std::size_t(absorbent)] = parting_speed(world);
+	}
+	CHECK(speeds[1] == doctest::Approx(speeds[0]).epsilon(0.02));
+	CHECK(speeds[2] < 0.9 * speeds[0]);
 }
 
 TEST_CASE("what the centers are given is what was lost since the touch began, then what both wobbles lose") {

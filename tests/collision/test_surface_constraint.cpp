@@ -237,6 +237,27 @@ TEST_CASE("the smaller friction counts, unless the surface is rough") {
 	}
 }
 
+TEST_CASE("a body may be rough or absorbent, too; of two rough sides the larger friction counts") {
+	struct Case {
+		Real body, surface;
+		bool is_rough;
+		Real expected;
+	};
+	for (const Case &each : { Case{ Real(0.5), Real(0.25), false, Real(0.5) }, Case{ Real(0.25), Real(0.5), false, Real(0.25) }, Case{ Real(0.25), Real(0.5), true, Real(0.5) }, Case{ Real(0.5), Real(0.25), true, Real(0.5) } }) {
+		BodySettings settings;
+		settings.friction = each.body;
+		settings.rough = true;
+		Surface surface = surface_of(each.surface, 0);
+		surface.rough = each.is_rough;
+		CHECK(combined_friction(settings, surface) == each.expected);
+		settings.restitution = each.body;
+		settings.absorbent = true;
+		surface.restitution = each.surface;
+		surface.absorbent = each.is_rough;
+		CHECK(combined_restitution(settings, surface) == (each.is_rough ? 0 : std::max(each.surface - each.body, Real(0))));
+	}
+}
+
 TEST_CASE("rolling resistance takes at most r R J / I off the spin, keeps linear momentum, never reverses") {
 	for (const Real spin : { Real(4), Real(-4), Real(0.001) }) {
 		for (const Real impulse : { Real(0.1), Real(1), Real(1000) }) {

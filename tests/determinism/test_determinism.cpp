@@ -30,7 +30,8 @@ TEST_CASE("scenes end in the same bits with a team whose helpers stay from call 
 	}
 }
 
-TEST_CASE("saved, stepped for 600 ticks and put back, scenes go on in the same bits for 600 more") {
+TEST_CASE("saved, stepped for 600 ticks and put back, scenes go on in the same bits for 600 more" *
+		doctest::test_suite("slow")) {
 	for (const HashedScene &scene : hashed_scenes()) {
 		CAPTURE(std::string(scene.name));
 		const int ticks = 900;

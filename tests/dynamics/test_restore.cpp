@@ -108,7 +108,7 @@ void settle(WorldData &world, Simulator &simulator) {
 }
 
 TEST_CASE("60 bodies in a pile go on in the same bits when they are put back, here or in a world built alike" *
-		doctest::test_suite("threads")) {
+		doctest::test_suite("slow threads")) {
 	HelpedTeam team(2);
 	for (const std::size_t threads : { 1, 3 }) {
 		const ParallelFor parallel_for = threads == 1 ? ParallelFor{} : team.parallel_for();

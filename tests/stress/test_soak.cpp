@@ -8,7 +8,7 @@
 using namespace softbody::testing;
 
 // Ten hours of it: scripts/bench.sh soak.
-TEST_CASE("in ten simulated minutes nothing at rest drifts, nobody is lost and no memory grows") {
+TEST_CASE("in ten simulated minutes nothing at rest drifts, nobody is lost and no memory grows" * doctest::test_suite("slow")) {
 	const SoakResult result = soak(600, allocated_bytes);
 	CHECK(result.drift < 0.1); // what nobody sees
 	CHECK(result.sleeping_drift == 0);

@@ -35,7 +35,8 @@ TEST_CASE("bodies of the default material pass every stress scene at 60 ticks a 
 }
 
 // Two hundred seeds of each: scripts/bench.sh stress.
-TEST_CASE("ruined and tangled bodies of the default material are back in ten seconds, from fresh starts") {
+TEST_CASE("ruined and tangled bodies of the default material are back in ten seconds, from fresh starts" *
+		doctest::test_suite("slow")) {
 	for (std::uint64_t seed = 1; seed <= 5; ++seed) {
 		for (const StressFamily family : { start_scenes, tangle_scenes }) {
 			run_family(family, { .rate = 60, .quick = true, .seed = seed, .elastic = true });
@@ -43,7 +44,7 @@ TEST_CASE("ruined and tangled bodies of the default material are back in ten sec
 	}
 }
 
-TEST_CASE("what the other methods promise in stress scenes holds") {
+TEST_CASE("what the other methods promise in stress scenes holds" * doctest::test_suite("slow")) {
 	for (int i = 1; i < INTEGRATOR_COUNT; ++i) {
 		const StressSetup setup{ Integrator(i), 60, true };
 		for (const StressFamily family : { start_scenes, theory_scenes }) {

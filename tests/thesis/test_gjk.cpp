@@ -124,7 +124,7 @@ GridSet random_set(Random &random, int least_x, int most_x) {
 
 } // namespace
 
-TEST_CASE("sets overlap, touch and are apart as all their segments and triangles say") {
+TEST_CASE("sets overlap, touch and are apart as all their segments and triangles say" * doctest::test_suite("slow")) {
 	Random random(41);
 	int wrong = 0;
 	int overlapping = 0;

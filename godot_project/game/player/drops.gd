@@ -32,12 +32,12 @@ func apply_quality(quality: int) -> void:
 
 ## Throws `count` drops from the skin, within an angle around up.
 func spray(count: int, speed: float, spread: float) -> void:
-	var hull := player.get_interpolated_hull()
-	if hull.is_empty():
+	var polygon := player.get_interpolated_polygon()
+	if polygon.is_empty():
 		return
 	var low := player.get_center_of_mass_position().y
 	for i in mini(int(count * _share), MOST - _places.size()):
-		var place := hull[randi() % hull.size()]
+		var place := polygon[randi() % polygon.size()]
 		if spread < TAU: # from below
 			place.y = maxf(place.y, low + (place.y - low) * -0.8)
 		_places.append(place)

@@ -2,7 +2,7 @@
 extends SoftBody2D
 ## The player: a balloon of jelly that rolls, jumps, goes flat and blows itself up.
 ##
-## Its hull is drawn small, so that it is stretched whenever there is air in it: a skin without wrinkles at every size.
+## Its polygon is drawn small, so that it is stretched whenever there is air in it: a skin without wrinkles at every size.
 ## What it can do is what the node can do; each part says which of its features that is.
 
 signal jumped
@@ -158,7 +158,9 @@ func _wanted_size() -> Size:
 func _breathe(delta: float) -> void:
 	inflation = move_toward(inflation, INFLATION[size], BLOW_RATE[size] * delta)
 	_slip -= delta
-	friction = GRIP[size] if _slip <= 0 else SLIPPERY
+	var grip := GRIP[size] if _slip <= 0 else SLIPPERY
+	if not is_equal_approx(physics_material_override.friction, grip):
+		physics_material_override.friction = grip
 	linear_damp = DRAG[size]
 	var filled := get_area() / _round_area
 	_crushed_for = _crushed_for + delta if filled < CRUSHED * inflation / INFLATION[Size.ROUND] else 0.0

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 extends Node2D
-## The light of the moon on a jelly: drawn along the hull as it is drawn in this very frame, see
-## [method SoftBody2D.get_interpolated_hull].
+## The light of the moon on a jelly: drawn along the polygon as it is drawn in this very frame, see
+## [method SoftBody2D.get_interpolated_polygon].
 
 const LIGHT := Vector2(-0.55, -0.83)
 
 ## How directly the skin must face the light: cosine of the angle between them.
 @export var cosine := 0.7
 @export var width := 5.0
-## How far inside the hull it lies, in pixels.
+## How far inside the polygon it lies, in pixels.
 @export var depth := 9.0
 @export var color := Color(1, 1, 1, 0.7)
 
@@ -33,20 +33,20 @@ func _process(_delta: float) -> void:
 
 
 func _draw() -> void:
-	var hull := _body.get_interpolated_hull()
-	var count := hull.size()
+	var polygon := _body.get_interpolated_polygon()
+	var count := polygon.size()
 	if count < 3 or not _body.is_visible_in_tree():
 		return
 	var run := PackedVector2Array()
 	var runs: Array[PackedVector2Array] = []
 	var first := 0
-	while first < count and _outward(hull, first).dot(LIGHT) > cosine:
+	while first < count and _outward(polygon, first).dot(LIGHT) > cosine:
 		first += 1
 	for step in count + 1:
 		var i := (first + step) % count
-		var outward := _outward(hull, i)
+		var outward := _outward(polygon, i)
 		if outward.dot(LIGHT) > cosine:
-			run.append(hull[i] - outward * depth)
+			run.append(polygon[i] - outward * depth)
 		elif not run.is_empty():
 			runs.append(run)
 			run = PackedVector2Array()
@@ -59,6 +59,6 @@ func _draw() -> void:
 		draw_circle(past.lerp(_body.get_interpolated_transform().origin, 0.06), width * 0.42, color, true, -1, true)
 
 
-## Hulls of the game run clockwise on the screen, so outward is to the left of the way along.
-static func _outward(hull: PackedVector2Array, i: int) -> Vector2:
-	return (hull[(i + 1) % hull.size()] - hull[i - 1]).normalized().orthogonal()
+## Polygons of the game run clockwise on the screen, so outward is to the left of the way along.
+static func _outward(polygon: PackedVector2Array, i: int) -> Vector2:
+	return (polygon[(i + 1) % polygon.size()] - polygon[i - 1]).normalized().orthogonal()

@@ -5,8 +5,8 @@ extends SoftBody2D
 
 const TINTS: Array[Color] = [Color("ff9fb2"), Color("ffd36b"), Color("9fd8ff"), Color("c7a6ff"), Color("a8f0b8")]
 const RADIUS := 24.0
-const FIRMNESS := 1100.0 # stiffness times hull points: what decides how firm it is
-## Hull points for each quality.
+const FIRMNESS := 1100.0 # stiffness times polygon points: what decides how firm it is
+## Polygon points for each quality.
 const POINTS: Array[int] = [8, 10, 14]
 
 
@@ -16,6 +16,6 @@ func _ready() -> void:
 
 
 func apply_quality(quality: int) -> void:
-	if hull.size() != POINTS[quality]:
-		hull = SoftBody2D.make_circle_hull(RADIUS, POINTS[quality])
+	if polygon.size() != POINTS[quality]:
+		polygon = SoftBody2D.make_circle_polygon(RADIUS, POINTS[quality])
 		stiffness = FIRMNESS / POINTS[quality]

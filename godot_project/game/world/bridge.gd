@@ -12,20 +12,21 @@ const Palette := preload("res://game/palette.gd")
 
 
 func _ready() -> void:
-	hull = SoftBody2D.make_box_hull(Vector2(span, thickness), thickness)
+	polygon = SoftBody2D.make_box_polygon(Vector2(span, thickness), thickness)
 	mass = span / 160
 	stiffness = 260
 	damping = 0.5
 	center_point = false
 	shape_matching = 0.35
-	shape_damping = 0.6
-	friction = 0.9
+	shape_damping_ratio = 0.6
+	physics_material_override = PhysicsMaterial.new()
+	physics_material_override.friction = 0.9
 	antialiased = true
 	smooth = true
 	color = Palette.BRIDGE
 	outline_color = Palette.BRIDGE_DARK
 	outline_width = 4
 	add_to_group(&"soft_bodies")
-	for i in hull.size():
-		if absf(hull[i].x) > span / 2 - thickness * 0.6:
+	for i in polygon.size():
+		if absf(polygon[i].x) > span / 2 - thickness * 0.6:
 			set_point_pinned(i, true)

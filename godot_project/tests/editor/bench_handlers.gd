@@ -23,15 +23,15 @@ func _row(what: String, points: int, times: PackedFloat64Array, limit: float) ->
 
 func bench_gestures() -> void:
 	for count: int in [16, 64, 256, 1000]:
-		await open_scene({"hull": SoftBody2D.make_circle_hull(150, count)})
-		for entry: Array in [["hull", 1, 0], ["springs", 2, 0], ["brush", 2, 1]]:
+		await open_scene({"polygon": SoftBody2D.make_circle_polygon(150, count)})
+		for entry: Array in [["polygon", 1, 0], ["springs", 2, 0], ["brush", 2, 1]]:
 			plugin.set_mode(entry[1])
 			plugin.springs_mode.tool = entry[2]
 			plugin.springs_mode.brush.target = 8.0
 			await frames(3)
 			var handler := PackedFloat64Array()
 			var drawing := PackedFloat64Array()
-			press(hull_on_screen(0))
+			press(polygon_on_screen(0))
 			for i in ROUNDS:
 				move(_mouse + Vector2(1 if i % 2 == 0 else -1, 1))
 				handler.append(plugin.canvas.handler_usec)
@@ -45,7 +45,7 @@ func bench_gestures() -> void:
 
 func bench_report() -> void:
 	for count: int in [16, 64, 256]:
-		await open_scene({"hull": SoftBody2D.make_circle_hull(50, count)})
+		await open_scene({"polygon": SoftBody2D.make_circle_polygon(50, count)})
 		var times := PackedFloat64Array()
 		for i in 5:
 			var begin := Time.get_ticks_usec()

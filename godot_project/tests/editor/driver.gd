@@ -6,7 +6,8 @@ extends EditorPlugin
 ##
 ##     godot --editor --path COPY -- --editor-tests [--pictures|--bench] [FILTER...]
 ##
-## Does nothing without --editor-tests. One line a failure, last line `N passed, N failed`.
+## Does nothing without --editor-tests. One line a failure, last line `N passed, N failed`, and
+## `, N skipped` if tests could not be done here.
 
 const ErrorLog := preload("res://tests/support/error_log.gd")
 const FOLDER := "res://tests/editor"
@@ -17,6 +18,7 @@ const RELOAD := "reload_by_editor/test_the_editor_reloads_a_library_that_has_cha
 
 var _passed := 0
 var _failed := 0
+var _skipped := 0
 var _log: RefCounted
 var _last_suite: RefCounted
 var _reload_begin := 0
@@ -72,7 +74,7 @@ func _end_reload() -> void:
 func _finish() -> void:
 	if _log != null:
 		OS.call(&"remove_logger", _log)
-	print("%d passed, %d failed" % [_passed, _failed])
+	print("%d passed, %d failed" % [_passed, _failed] + (", %d skipped" % _skipped if _skipped > 0 else ""))
 	get_tree().quit(1 if _failed > 0 else 0)
 
 
@@ -99,7 +101,7 @@ func _run_suite(file: String, prefix: String, filters: Array) -> void:
 				suite.failures.append("did not end within %d s" % limit)
 				break
 		await suite.call(&"tear_down")
-		if suite.failures.is_empty() and suite.claims == 0:
+		if suite.failures.is_empty() and suite.claims == 0 and suite.skip_reason == "":
 			suite.failures.append("claimed nothing")
 		_report(label, suite, begin)
 
@@ -107,7 +109,10 @@ func _run_suite(file: String, prefix: String, filters: Array) -> void:
 func _report(label: String, suite: RefCounted, begin: int) -> void:
 	for failure: String in suite.failures:
 		print("FAILED %s: %s" % [label, failure])
-	if suite.failures.is_empty():
+	if suite.failures.is_empty() and suite.skip_reason != "":
+		_skipped += 1
+		print("skipped %s: %s" % [label, suite.skip_reason])
+	elif suite.failures.is_empty():
 		_passed += 1
 		print("passed %s (%.1f s)" % [label, (Time.get_ticks_msec() - begin) / 1000.0])
 	else:

@@ -23,15 +23,15 @@ func _around(size := Vector2i(560, 380)) -> Rect2i:
 	return Rect2i(area.get_center() - size / 2, size).intersection(area)
 
 
-func picture_hull() -> void:
-	await open_scene({"color": COLOR, "hull": SoftBody2D.make_circle_hull(60, 20)})
-	plugin.hull_mode.selection.add(body, [17, 18, 19, 0, 1, 2, 3])
-	move(hull_on_screen(10) + Vector2(200, 150))
-	await shot("hull", _around())
+func picture_polygon() -> void:
+	await open_scene({"color": COLOR, "polygon": SoftBody2D.make_circle_polygon(60, 20)})
+	plugin.polygon_mode.selection.add(body, [17, 18, 19, 0, 1, 2, 3])
+	move(polygon_on_screen(10) + Vector2(200, 150))
+	await shot("polygon", _around())
 
 
 func picture_springs() -> void:
-	await open_scene({"color": Color(COLOR, 0.35), "hull": SoftBody2D.make_circle_hull(60, 20)})
+	await open_scene({"color": Color(COLOR, 0.35), "polygon": SoftBody2D.make_circle_polygon(60, 20)})
 	plugin.shapes.set_preset(3)
 	plugin.set_mode(2)
 	plugin.springs_panel.tool_buttons[1].button_pressed = true
@@ -78,7 +78,7 @@ func picture_preview() -> void:
 		await frames(1)
 		if plugin.preview.played > 120:
 			break
-	var top: Vector2 = plugin.canvas.scene_to_screen(body) * plugin.preview.world.get_hull(0)[12]
+	var top: Vector2 = plugin.canvas.scene_to_screen(body) * plugin.preview.world.get_polygon(0)[12]
 	press(top)
 	move(top + Vector2(50, -70))
 	await frames(25)
@@ -125,7 +125,7 @@ func picture_toolbar() -> void:
 # Last: its message stays for a while.
 func picture_refused() -> void:
 	await open_scene({"color": COLOR})
-	press(hull_on_screen(0))
+	press(polygon_on_screen(0))
 	move(on_screen(Vector2(-20, 6)))
 	move(on_screen(Vector2(-72, 6)))
 	await shot("refused", _around())

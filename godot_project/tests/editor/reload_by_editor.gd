@@ -17,7 +17,7 @@ signal done
 
 var suite: TestReload
 var before := {}
-var hull := PackedVector2Array()
+var polygon := PackedVector2Array()
 var waited := 0
 var reloaded := false
 var watching := false
@@ -26,7 +26,7 @@ var watching := false
 ## The scene is open and its body selected.
 func start() -> void:
 	before = suite.stored(suite.root())
-	hull = suite.body.hull
+	polygon = suite.body.polygon
 	GDExtensionManager.extensions_reloaded.connect(_on_reloaded)
 	_replace_library_seen_by_editor()
 	watching = true
@@ -69,12 +69,12 @@ func _check() -> void:
 	var plugin := suite.plugin
 	if not suite.check(plugin != null and plugin.canvas != null and suite.body in plugin.canvas.bodies, "the addon still edits the body"):
 		return
-	suite.check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies of the server, as a script finds it by its name")
+	suite.check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies of the simulation, as a script finds it by its name")
 	# A drag, as the suites do it, but without waiting.
-	var from := suite.hull_on_screen(0)
+	var from := suite.polygon_on_screen(0)
 	suite.press(from)
 	suite.move(from + Vector2(30, -14))
 	suite.release()
-	suite.check_near(suite.hull_on_screen(0), from + Vector2(30, -14), 0.01, "place of a point dragged after the reload")
+	suite.check_near(suite.polygon_on_screen(0), from + Vector2(30, -14), 0.01, "place of a point dragged after the reload")
 	suite.history().undo()
-	suite.check_equal(suite.body.hull, hull, "hull after the drag is undone")
+	suite.check_equal(suite.body.polygon, polygon, "polygon after the drag is undone")

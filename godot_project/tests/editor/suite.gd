@@ -9,6 +9,8 @@ const SCENE := "res://editor_test.tscn"
 
 var failures := PackedStringArray()
 var claims := 0
+## Why this test did nothing, if so.
+var skip_reason := ""
 var tree: SceneTree
 ## The addon's plugin.
 var plugin: EditorPlugin
@@ -61,6 +63,11 @@ func check(condition: bool, claim: String) -> bool:
 
 func check_equal(actual: Variant, expected: Variant, what: String) -> bool:
 	return check(actual == expected, "%s is %s, not %s" % [what, actual, expected])
+
+
+## For a test that cannot be done here; it then counts as neither passed nor failed. Return after it.
+func skip(reason: String) -> void:
+	skip_reason = reason
 
 
 func check_near(actual: Variant, expected: Variant, tolerance: float, what: String) -> bool:
@@ -193,8 +200,8 @@ func on_screen(place: Vector2, of: SoftBody2D = body) -> Vector2:
 	return plugin.canvas.to_screen(of) * place
 
 
-func hull_on_screen(index: int, of: SoftBody2D = body) -> Vector2:
-	return on_screen(of.hull[index], of)
+func polygon_on_screen(index: int, of: SoftBody2D = body) -> Vector2:
+	return on_screen(of.polygon[index], of)
 
 
 func move(place: Vector2, shift := false) -> void:

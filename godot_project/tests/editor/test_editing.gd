@@ -36,7 +36,7 @@ func test_springs_are_selected_set_added_and_removed() -> void:
 	await click(_spring_middle(2))
 	check_equal(plugin.springs_mode.selection.of(body), PackedInt32Array([2]), "the spring that was clicked")
 	plugin.springs_mode.select_kind(0)
-	check_equal(plugin.springs_mode.selection.size(), 16, "all hull springs")
+	check_equal(plugin.springs_mode.selection.size(), 16, "all polygon springs")
 	plugin.springs_mode.select_kind(1)
 	check_equal(plugin.springs_mode.selection.size(), 16, "all inner springs")
 	var before := values()
@@ -44,13 +44,13 @@ func test_springs_are_selected_set_added_and_removed() -> void:
 	plugin.springs_panel.fields[0].value = 2.5
 	await frames(1)
 	check_equal(body.spring_stiffness_scales[20], 2.5, "factor of an inner spring")
-	check_equal(body.spring_stiffness_scales[3], 1.0, "factor of a hull spring")
+	check_equal(body.spring_stiffness_scales[3], 1.0, "factor of a polygon spring")
 	await check_one_step(before, version, "setting a factor")
 
 	plugin.springs_mode.tool = 2
 	before = values()
 	version = history().get_version()
-	await drag(hull_on_screen(0), hull_on_screen(8))
+	await drag(polygon_on_screen(0), polygon_on_screen(8))
 	check_equal(body.get_spring_count(), 33, "springs after one was added")
 	await check_one_step(before, version, "adding a spring")
 	before = values()
@@ -88,7 +88,7 @@ func test_points_are_pinned_in_bulk_and_follow_a_node() -> void:
 	await check_one_step(before, version, "assigning a node")
 	before = values()
 	version = history().get_version()
-	await click(hull_on_screen(12), MOUSE_BUTTON_RIGHT)
+	await click(polygon_on_screen(12), MOUSE_BUTTON_RIGHT)
 	check_equal(body.pinned_points, PackedInt32Array([10, 11, 13, 14]), "pinned points after a right-click")
 	await check_one_step(before, version, "unpinning")
 
@@ -103,15 +103,15 @@ func test_a_node_that_is_added_and_edited_is_saved_and_comes_back() -> void:
 	added.owner = root()
 	await select_body()
 	check_equal(body, added, "the body that is edited")
-	await drag(hull_on_screen(2), hull_on_screen(2) + Vector2(14, 9))
-	await click((hull_on_screen(6) + hull_on_screen(7)) / 2)
+	await drag(polygon_on_screen(2), polygon_on_screen(2) + Vector2(14, 9))
+	await click((polygon_on_screen(6) + polygon_on_screen(7)) / 2)
 	plugin.set_mode(2)
 	plugin.springs_mode.tool = 1
 	await drag(on_screen(Vector2(-45, 10)), on_screen(Vector2(-40, -20)), false, 6)
 	plugin.set_mode(3)
-	await click(hull_on_screen(4), MOUSE_BUTTON_RIGHT)
+	await click(polygon_on_screen(4), MOUSE_BUTTON_RIGHT)
 	var before := values()
-	check_equal([body.hull.size(), body.pinned_points.size(), body.spring_stiffness_scales.size()], [17, 1, 34],
+	check_equal([body.polygon.size(), body.pinned_points.size(), body.spring_stiffness_scales.size()], [17, 1, 34],
 			"points, pins and factors")
 	await save_and_reload()
 	for property: StringName in BodyValues.PROPERTIES:
@@ -125,14 +125,14 @@ func test_the_preview_leaves_the_node_as_it_was() -> void:
 	var version := history().get_version()
 	plugin.set_preview(true)
 	check(plugin.preview.is_playing(), "it plays")
-	var start: Vector2 = plugin.preview.world.get_hull(0)[4]
+	var start: Vector2 = plugin.preview.world.get_polygon(0)[4]
 	for i in 200:
 		await frames(1)
 		if plugin.preview.played > 60:
 			break
-	check(plugin.preview.world.get_hull(0)[4].y > start.y + 10, "the copy falls: %s" % plugin.preview.world.get_hull(0)[4])
+	check(plugin.preview.world.get_polygon(0)[4].y > start.y + 10, "the copy falls: %s" % plugin.preview.world.get_polygon(0)[4])
 	await shot("preview")
-	var place: Vector2 = plugin.canvas.scene_to_screen(body) * plugin.preview.world.get_hull(0)[12]
+	var place: Vector2 = plugin.canvas.scene_to_screen(body) * plugin.preview.world.get_polygon(0)[12]
 	press(place)
 	check(plugin.preview.world.is_grabbing(), "a press takes hold of a point")
 	move(place + Vector2(0, -60))
@@ -175,7 +175,10 @@ func test_raw_values_make_a_network_in_the_inspector_until_they_are_taken_back()
 
 
 func test_a_preset_that_is_chosen_in_the_inspector_is_undone_with_all_its_values() -> void:
-	await open_scene({"youngs_modulus": 333.0, "friction": 0.875})
+	var shared := PhysicsMaterial.new()
+	shared.friction = 0.875
+	await open_scene({"youngs_modulus": 333.0, "physics_material_override": shared})
+	shared = body.physics_material_override
 	await frames(30)
 	var chooser: EditorProperty = null
 	for property: EditorProperty in EditorInterface.get_inspector().find_children("*", "EditorProperty", true, false):
@@ -188,10 +191,13 @@ func test_a_preset_that_is_chosen_in_the_inspector_is_undone_with_all_its_values
 	chooser.emit_changed(&"preset", SoftBodyMaterial2D.PRESET_RUBBER)
 	await frames(2)
 	var rubber := SoftBodyMaterial2D.make_preset(SoftBodyMaterial2D.PRESET_RUBBER)
-	check_equal([body.youngs_modulus, body.friction], [rubber.youngs_modulus, rubber.friction], "values of rubber")
+	check_equal(body.youngs_modulus, rubber.youngs_modulus, "Young's modulus of rubber")
+	check(absf(body.physics_material_override.friction - rubber.friction) < 1e-6, "friction of rubber")
+	check_equal(shared.friction, 0.875, "friction of the material that others may share")
 	check_equal(history().get_version(), version + 1, "steps of undo")
 	await undo()
-	check_equal([body.youngs_modulus, body.poisson_ratio, body.friction], [333.0, 0.45, 0.875], "values after undo")
+	check_equal([body.youngs_modulus, body.poisson_ratio], [333.0, 0.45], "values after undo")
+	check_equal(body.physics_material_override, shared, "physics material after undo")
 
 
 func test_the_stability_panel_tells_and_its_advice_is_applied_in_one_step() -> void:
@@ -236,11 +242,11 @@ func test_shapes_from_other_nodes_keep_their_places() -> void:
 		await frames(1)
 		if history().get_version() > version:
 			break
-	check(body.hull.size() >= 4 and body.hull.size() <= 40, "points of the traced hull: %d" % body.hull.size())
-	check_equal(body.uv.size(), body.hull.size(), "texture coordinates")
+	check(body.polygon.size() >= 4 and body.polygon.size() <= 40, "points of the traced polygon: %d" % body.polygon.size())
+	check_equal(body.uv.size(), body.polygon.size(), "texture coordinates")
 	check(body.texture == sprite.texture, "the body shows the sprite's texture")
-	var middle := body.to_global(preload("res://addons/soft_body_2d/editor/logic/hull_edit.gd").bounds(body.hull).get_center())
-	check_near(middle, sprite.global_position, 3, "middle of the traced hull")
+	var middle := body.to_global(preload("res://addons/soft_body_2d/editor/logic/polygon_edit.gd").bounds(body.polygon).get_center())
+	check_near(middle, sprite.global_position, 3, "middle of the traced polygon")
 	await check_one_step(before, version, "tracing")
 
 
@@ -248,7 +254,7 @@ func test_locked_inherited_and_read_only_things_are_told_of_and_nothing_is_lost(
 	await open_scene()
 	body.set_meta(&"_edit_lock_", true)
 	var before := values()
-	await drag(hull_on_screen(0), hull_on_screen(0) + Vector2(20, 0))
+	await drag(polygon_on_screen(0), polygon_on_screen(0) + Vector2(20, 0))
 	check(bytes(body) == _bytes_of(before), "a locked body stays as it is")
 	check("locked" in plugin.canvas.last_message, "the message says so: " + plugin.canvas.last_message)
 	body.remove_meta(&"_edit_lock_")
@@ -277,28 +283,28 @@ func test_locked_inherited_and_read_only_things_are_told_of_and_nothing_is_lost(
 	file.close()
 	await open(inherited)
 	await select_body()
-	var from := hull_on_screen(0)
+	var from := polygon_on_screen(0)
 	await drag(from, from + Vector2(20, 0))
 	check("comes from" in plugin.canvas.last_message, "the message says so: " + plugin.canvas.last_message)
-	var moved := body.hull
+	var moved := body.polygon
 	EditorInterface.save_scene()
 	await frames(5)
 	await open(inherited)
 	await select_body()
-	check_equal(body.hull, moved, "the hull in the inherited scene after loading")
+	check_equal(body.polygon, moved, "the polygon in the inherited scene after loading")
 
 
-func test_a_hull_of_a_thousand_points_and_a_scale_of_zero_break_nothing() -> void:
-	await open_scene({"hull": SoftBody2D.make_circle_hull(150, 1000)})
+func test_a_polygon_of_a_thousand_points_and_a_scale_of_zero_break_nothing() -> void:
+	await open_scene({"polygon": SoftBody2D.make_circle_polygon(150, 1000)})
 	for mode: int in [1, 2, 3]:
 		plugin.set_mode(mode)
 		move(on_screen(Vector2(10, 10)))
 		await drawn()
 	plugin.set_mode(1)
 	await frames(3) # the panel beside the viewport goes
-	var from := hull_on_screen(0)
+	var from := polygon_on_screen(0)
 	await drag(from, from + Vector2(6, 0))
-	check_near(hull_on_screen(0), from + Vector2(6, 0), 0.05, "place of the dragged point")
+	check_near(polygon_on_screen(0), from + Vector2(6, 0), 0.05, "place of the dragged point")
 	body.scale = Vector2(0.0, 1)
 	take_errors() # the engine's own, of a node without size
 	move(Vector2(200, 200))
@@ -307,7 +313,7 @@ func test_a_hull_of_a_thousand_points_and_a_scale_of_zero_break_nothing() -> voi
 	take_errors()
 	body.scale = Vector2.ONE
 	await frames(2)
-	check_equal(body.hull.size(), 1000, "points")
+	check_equal(body.polygon.size(), 1000, "points")
 
 
 func test_the_plugin_is_switched_off_and_on_again_without_a_trace() -> void:
@@ -330,9 +336,9 @@ func test_the_plugin_is_switched_off_and_on_again_without_a_trace() -> void:
 	check_equal(Performance.get_monitor(Performance.OBJECT_ORPHAN_NODE_COUNT), orphans, "nodes outside of the tree")
 	find_plugin()
 	await select_body()
-	var from := hull_on_screen(0)
+	var from := polygon_on_screen(0)
 	await drag(from, from + Vector2(10, 0))
-	check_near(hull_on_screen(0), from + Vector2(10, 0), 0.01, "a point is dragged as before")
+	check_near(polygon_on_screen(0), from + Vector2(10, 0), 0.01, "a point is dragged as before")
 
 
 func _sprite(image: Image) -> Sprite2D:
@@ -378,7 +384,7 @@ func test_bad_pictures_are_told_of_and_large_ones_show_how_far_they_are() -> voi
 			break
 		await frames(1)
 	check_equal(history().get_version(), version + 2, "steps of undo after a picture of 4096 pixels")
-	check_near(preload("res://addons/soft_body_2d/editor/logic/hull_edit.gd").bounds(body.hull).size, Vector2(3000,
+	check_near(preload("res://addons/soft_body_2d/editor/logic/polygon_edit.gd").bounds(body.polygon).size, Vector2(3000,
 			2000), 10, "size of its outline")
 
 
@@ -394,7 +400,7 @@ func test_menus_ask_and_do_what_they_say() -> void:
 	dialog.fields["count"].get_line_edit().text = "24" # typed, without Enter
 	dialog.get_ok_button().pressed.emit()
 	await frames(2)
-	check_equal(body.hull.size(), 24, "points")
+	check_equal(body.polygon.size(), 24, "points")
 	check("spring_stiffness_scales" in plugin.canvas.last_message,
 			"the message names what is gone: " + plugin.canvas.last_message)
 	await check_one_step(before, version, "a start shape")
@@ -406,7 +412,7 @@ func test_menus_ask_and_do_what_they_say() -> void:
 	before = values()
 	version = history().get_version()
 	plugin.shapes.choose(&"mirror_horizontally", "")
-	check(body.hull != before[&"hull"], "the hull is mirrored")
+	check(body.polygon != before[&"polygon"], "the polygon is mirrored")
 	check_equal(body.get_warnings(), PackedStringArray(), "warnings")
 	await check_one_step(before, version, "mirroring")
 	plugin.shapes.choose(&"texture", "")

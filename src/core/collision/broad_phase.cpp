@@ -23,9 +23,6 @@ constexpr Real MOST_MOVED = Real(0.3);
 constexpr std::size_t BODIES_A_TASK = 256;
 constexpr std::size_t TASKS = 32;
 
-// Level of all boxes that are larger than so many doublings of the smallest cells: everybody looks at all of them.
-constexpr std::uint32_t ALL_SIZES = 23;
-
 // Extent of the largest bodies of a level, and side of the squares by which pairs are grouped, in the level's unit. Two bodies
 // of a level that touch are less than 2 units apart, so that all who share a body with a pair are within 4 of it.
 constexpr Real GROUPED_EXTENT = Real(1.99);
@@ -35,16 +32,8 @@ constexpr std::uint32_t SQUARE_COLORS = 4;
 // The level of pairs with a body that has no size one could tell: all in one group, after all others.
 constexpr std::uint32_t UNGROUPED = 1 << 16;
 
-// Bodies flung to where no cell has a number are gathered at the edge.
-constexpr Real FARTHEST_CELL = Real(1 << 30);
-
 Real extent_of(const Aabb &box) {
 	return std::max(box.max.x - box.min.x, box.max.y - box.min.y);
-}
-
-std::int32_t cell_coordinate(Real position, Real size) {
-	// In this order, what is no number gets one.
-	return std::int32_t(std::max(-FARTHEST_CELL, std::min(FARTHEST_CELL, std::floor(position / size))));
 }
 
 // The least n with extent < GROUPED_EXTENT 2^n, counted from LOWEST_LEVEL.
@@ -93,132 +82,34 @@ void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t ve
 	++rebuild_count_;
 	if (!same_bodies || moved_.size() > std::size_t(MOST_MOVED * Real(bodies.size()))) {
 		sought_bodies_ += bodies.size();
-		choose_cell_size();
-		fill_grid();
+		names_.resize(bodies.size());
+		std::iota(names_.begin(), names_.end(), 0u);
+		grid_.assign(boxes_, names_);
 		find_all_pairs(bodies, parallel_for);
 	} else {
 		sought_bodies_ += moved_.size();
-		fill_grid();
+		grid_.assign(boxes_, names_, true);
 		replace_pairs_of_moved(bodies);
 	}
 	keep_overlapping(bodies, exceptions);
 	group_pairs(bodies);
 }
 
-void BroadPhase::choose_cell_size() {
-	extents_.clear();
-	for (const Aabb &box : boxes_) {
-		if (std::isfinite(extent_of(box))) { // in endless cells nobody would find anybody
-			extents_.push_back(extent_of(box));
-		}
-	}
-	// Most bodies lie in cells of level 0, and few of those cells hold several.
-	cell_size_ = 1;
-	if (!extents_.empty()) {
-		const auto most = extents_.begin() + std::ptrdiff_t(extents_.size() * 3 / 4);
-		std::nth_element(extents_.begin(), most, extents_.end());
-		cell_size_ = *most > 0 ? *most : Real(1);
-	}
-}
-
-BroadPhase::Entry BroadPhase::cell_of(const Aabb &box, std::uint32_t body) const {
-	const Real extent = extent_of(box);
-	Entry entry;
-	entry.body = body;
-	Real size = cell_size_;
-	while (size < extent && entry.level < ALL_SIZES) {
-		size *= 2;
-		entry.level = size < std::numeric_limits<Real>::max() / 4 ? entry.level + 1 : ALL_SIZES;
-	}
-	if (entry.level == ALL_SIZES) {
-		return entry; // in no cell
-	}
-	const Vec2 center = (box.min + box.max) * Real(0.5);
-	entry.x = cell_coordinate(center.x, size);
-	entry.y = cell_coordinate(center.y, size);
-	return entry;
-}
-
-std::size_t BroadPhase::bucket_of(std::int32_t x, std::int32_t y, std::uint32_t level) const {
-	const std::uint64_t place = (std::uint64_t(std::uint32_t(x)) << 32) | std::uint32_t(y);
-	const std::size_t last_bucket = bucket_starts_.size() - 2; // their number is a power of two; the end is one more
-	return std::size_t(mix(place + (std::uint64_t(level) << 27))) & last_bucket;
-}
-
-void BroadPhase::fill_grid() {
-	const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(2 * boxes_.size(), 2));
-	bucket_starts_.assign(buckets + 1, 0);
-	cells_.clear();
-	used_levels_ = 0;
-	for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
-		cells_.push_back(cell_of(boxes_[i], i));
-		const Entry &entry = cells_.back();
-		used_levels_ |= 1u << entry.level;
-		++bucket_starts_[bucket_of(entry.x, entry.y, entry.level) + 1];
-	}
-	for (std::size_t i = 1; i < bucket_starts_.size(); ++i) {
-		bucket_starts_[i] += bucket_starts_[i - 1];
-	}
-	entries_.resize(cells_.size());
-	// Filled from the back, each start moves to where its bucket begins, and bodies stay in order.
-	for (std::size_t i = cells_.size(); i-- > 0;) {
-		const Entry &entry = cells_[i];
-		entries_[--bucket_starts_[bucket_of(entry.x, entry.y, entry.level) + 1]] = entry;
-	}
-	for (std::size_t i = 0; i + 1 < bucket_starts_.size(); ++i) {
-		bucket_starts_[i] = bucket_starts_[i + 1];
-	}
-	bucket_starts_.back() = std::uint32_t(entries_.size());
-}
-
 void BroadPhase::find_pairs_of(std::uint32_t i, std::span<const BroadPhaseBody> bodies, bool moved_only,
 		std::vector<BodyPair> &found) const {
-	const std::uint32_t own_level = cells_[i].level;
-	const Aabb &box = boxes_[i];
-	const auto meet = [&](const Entry &other) {
-		// Every pair is found once: by the finer level, within a level by the lower number; where only those that have
-		// moved ask, also by whoever meets one that has not.
-		const bool is_found_by_other = other.level < own_level || (other.level == own_level && other.body <= i);
-		if (is_found_by_other && (!moved_only || has_moved_[other.body])) {
-			return;
-		}
+	const std::uint32_t own_level = grid_.level_of(i);
+	// Every pair is found once: by the body of the lower level, within a level by the lower index; where only bodies that have
+	// moved look for others, also by one that meets a body that has not.
+	grid_.visit(boxes_[i], moved_only ? 0 : own_level, [&](std::uint32_t other, std::uint32_t level) {
+		const bool is_found_by_other = level < own_level || (level == own_level && other <= i);
+		const bool is_ours = !is_found_by_other || (moved_only && !has_moved_[other]);
 		const BroadPhaseBody &a = bodies[i];
-		const BroadPhaseBody &b = bodies[other.body];
-		const bool notice = ((a.mask & b.layer) | (b.mask & a.layer)) != 0;
-		if (notice && box.overlaps(boxes_[other.body])) {
-			found.push_back({ std::min(i, other.body), std::max(i, other.body) });
+		const BroadPhaseBody &b = bodies[other];
+		if (is_ours && ((a.mask & b.layer) | (b.mask & a.layer)) != 0) {
+			found.push_back({ std::min(i, other), std::max(i, other) });
 		}
-	};
-	const std::uint32_t first_level = moved_only ? 0 : own_level;
-	for (std::uint32_t levels = used_levels_ >> first_level << first_level; levels != 0; levels &= levels - 1) {
-		const std::uint32_t level = std::uint32_t(std::countr_zero(levels));
-		// A body of this level reaches half a cell beyond its center.
-		const Real size = std::ldexp(cell_size_, int(std::min(level, ALL_SIZES - 1)));
-		const std::int32_t left = cell_coordinate(box.min.x - size / 2, size);
-		const std::int32_t right = cell_coordinate(box.max.x + size / 2, size);
-		const std::int32_t top = cell_coordinate(box.min.y - size / 2, size);
-		const std::int32_t bottom = cell_coordinate(box.max.y + size / 2, size);
-		const Real cells = (Real(right) - Real(left) + 1) * (Real(bottom) - Real(top) + 1);
-		if (level == ALL_SIZES || cells > Real(cells_.size())) {
-			for (const Entry &other : cells_) {
-				if (other.level == level) {
-					meet(other);
-				}
-			}
-			continue;
-		}
-		for (std::int32_t y = top; y <= bottom; ++y) {
-			for (std::int32_t x = left; x <= right; ++x) {
-				const std::size_t bucket = bucket_of(x, y, level);
-				for (std::uint32_t k = bucket_starts_[bucket]; k < bucket_starts_[bucket + 1]; ++k) {
-					const Entry &other = entries_[k];
-					if (other.x == x && other.y == y && other.level == level) {
-						meet(other);
-					}
-				}
-			}
-		}
-	}
+		return false;
+	});
 }
 
 void BroadPhase::find_all_pairs(std::span<const BroadPhaseBody> bodies, const ParallelFor &parallel_for) {

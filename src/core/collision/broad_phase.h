@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/parallel_for.h"
+#include "core/collision/box_grid.h"
 #include "core/geometry/aabb.h"
 
 #include <compare>
@@ -58,23 +59,12 @@ public:
 	std::uint64_t sought_bodies() const { return sought_bodies_; }
 
 private:
-	struct Entry {
-		std::int32_t x = 0; ///< cell
-		std::int32_t y = 0;
-		std::uint32_t level = 0;
-		std::uint32_t body = 0;
-	};
-
-	void choose_cell_size();
-	void fill_grid();
 	/// Those that body `i` is part of, and whose other body has a higher number or, with `moved_only`, has not moved.
 	void find_pairs_of(std::uint32_t i, std::span<const BroadPhaseBody> bodies, bool moved_only, std::vector<BodyPair> &found) const;
 	void find_all_pairs(std::span<const BroadPhaseBody> bodies, const ParallelFor &parallel_for);
 	void replace_pairs_of_moved(std::span<const BroadPhaseBody> bodies);
 	void keep_overlapping(std::span<const BroadPhaseBody> bodies, std::span<const BodyPair> exceptions);
 	void group_pairs(std::span<const BroadPhaseBody> bodies);
-	Entry cell_of(const Aabb &box, std::uint32_t body) const;
-	std::size_t bucket_of(std::int32_t x, std::int32_t y, std::uint32_t level) const;
 
 	std::vector<Aabb> boxes_; ///< with margin
 	std::vector<BodyPair> pairs_;
@@ -84,17 +74,13 @@ private:
 	std::uint64_t rebuild_count_ = 0;
 	std::uint64_t sought_bodies_ = 0;
 
-	Real cell_size_ = 1; ///< of level 0; every further level doubles it
-	std::uint32_t used_levels_ = 0; ///< a bit each
-	std::vector<Entry> entries_; ///< by bucket
-	std::vector<std::uint32_t> bucket_starts_;
-	std::vector<Entry> cells_; ///< by body
+	BoxGrid grid_; ///< of the boxes with margin, by body
+	std::vector<std::uint32_t> names_; ///< 0, 1, 2, ...
 	std::vector<BodyPair> found_; ///< candidates, in order
 	std::vector<BodyPair> overlapping_; ///< those of them that overlap now, in order
 	// Scratch.
 	std::vector<std::uint32_t> moved_;
 	std::vector<char> has_moved_;
-	std::vector<Real> extents_;
 	std::vector<std::vector<BodyPair>> found_by_task_;
 	std::vector<BodyPair> kept_;
 	std::vector<std::uint32_t> starts_;

@@ -52,7 +52,9 @@ Bouncing bouncing(SoftBodyData &body) {
 
 void give_back_pair_bounce(SoftBodyData &first, SoftBodyData &second, Vec2 push, PairTouch &touch,
 		Real bounce_threshold, Real h) {
-	const Real restitution = std::min(first.settings().restitution + second.settings().restitution, Real(1));
+	const Real restitution = std::min(signed_restitution(first.settings().restitution, first.settings().absorbent) +
+					signed_restitution(second.settings().restitution, second.settings().absorbent),
+			Real(1));
 	if (!(restitution > 0) || (push == Vec2{} && !touch.touching)) {
 		return;
 	}

@@ -7,6 +7,7 @@
 #include "core/collision/point_edge_constraint.h"
 #include "core/geometry/aabb.h"
 #include "core/model/body_frame.h"
+#include "core/model/body_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ struct alignas(64) SolverBody { // a line of the cache, which a pair that does n
 	Real way = 0; ///< of the fastest hull point in this substep [length]
 	Real width = 0; ///< of its thinner part (SoftBodyShape::width) [length]
 	Real inverse_mass = 0; ///< of the body as a whole; 0 when a point is pinned
-	Real friction = 0;
+	Real friction = 0; ///< negative when rough; see `combine_friction`
 	std::uint32_t body_index = 0; ///< in `WorldData::soft_bodies()`
 	/// Whether its integrator leaves a velocity that is ahead of the way just gone, as it holds the forces of the whole
 	/// substep and the way does not.
@@ -69,7 +70,7 @@ struct PairContact {
 /// with the way slid. What bounces does so as a whole (give_back_pair_bounce).
 /// Moving apart gives no velocity: bodies that start inside one another part without a jump.
 /// All changes are shared out by inverse mass, with impulses equal and opposite in one place, so that linear and
-/// angular momentum stay. Friction: the smaller coefficient, as Godot combines them.
+/// angular momentum stay. Friction: `combine_friction`, as Godot combines coefficients.
 /// What is deeper than the way of this substep and DEEP_OVERLAP of the smaller body explain is not the points' doing:
 /// the bodies part as a whole, which strains no spring; what is older than the substep is undone by and by. Returns the
 /// normal impulse [mass·length/s]. O(1), or O(points) where it is deep. Inline, with all that finds a contact: the parts of
@@ -118,7 +119,7 @@ inline Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairCo
 	// Nothing where they part already. No branch: half of all contacts do, and no processor can guess which.
 	const Real normal_change = std::max(Real(0), std::min(approach, deepening));
 	const ContactChange<Real> change = contact_change(relative, normal, push, normal_change,
-			std::min(body.friction, other.friction), h);
+			combine_friction(body.friction, other.friction), h);
 	const Real per_impulse = 1 / inverse_mass;
 	const Vec2 shift = change.position * per_impulse;
 	const Vec2 impulse = change.velocity * per_impulse;

@@ -11,12 +11,13 @@
 namespace softbody {
 
 Real combined_friction(const BodySettings &settings, const Surface &surface) {
-	return surface.rough ? surface.friction : std::min(settings.friction, surface.friction);
+	return combine_friction(signed_friction(settings.friction, settings.rough), signed_friction(surface.friction, surface.rough));
 }
 
 Real combined_restitution(const BodySettings &settings, const Surface &surface) {
-	return std::clamp(settings.restitution + (surface.absorbent ? -surface.restitution : surface.restitution), Real(0),
-			Real(1));
+	return std::clamp(signed_restitution(settings.restitution, settings.absorbent) +
+					signed_restitution(surface.restitution, surface.absorbent),
+			Real(0), Real(1));
 }
 
 Real solve_surface_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,

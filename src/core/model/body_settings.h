@@ -6,6 +6,8 @@
 #include "core/base/real.h"
 #include "core/model/integrator.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -55,12 +57,16 @@ struct BodySettings {
 	Real inflation = 1;
 	/// Coulomb friction coefficient [1], >= 0. 0 slides, 1 holds a slope of 45 degrees.
 	Real friction = Real(0.4);
+	/// The body's friction counts even where the other side's is smaller. Of two that are rough the larger counts.
+	bool rough = false;
 	/// Rolling resistance [1], >= 0: the spin lost to a contact is at most this times the normal impulse
 	/// times the body's radius, over its inertia. A soft body on flat ground otherwise rocks between two
 	/// hull points for tens of seconds. On slopes up to about atan(r) it hardly rolls.
 	Real rolling_resistance = 0;
 	/// Least share of the approach speed with which the body leaves a surface [1], 0..1. Springs may return more.
 	Real restitution = 0;
+	/// The body's restitution is subtracted from that of the other side, at least 0, instead of added to it.
+	bool absorbent = false;
 	/// Factor on the world's gravity [1], any finite value.
 	Real gravity_scale = 1;
 	/// Decay of the velocity of the body as a whole [1/s], >= 0: by exp(-damp t), whatever the substeps. Springs and
@@ -104,6 +110,19 @@ struct BodySettings {
 
 	friend bool operator==(const BodySettings &, const BodySettings &) = default;
 };
+
+/// Friction with a negative sign for a rough side, so that `combine_friction` needs no more than the two numbers.
+inline Real signed_friction(Real friction, bool rough) {
+	return rough ? -friction : friction;
+}
+/// The smaller friction counts, unless a side is rough; then the largest of the rough sides.
+inline Real combine_friction(Real signed_a, Real signed_b) {
+	return std::abs(std::min(signed_a, signed_b));
+}
+/// Restitution with a negative sign for an absorbent side. Sides add up; the sum is cut off at 0 and 1.
+inline Real signed_restitution(Real restitution, bool absorbent) {
+	return absorbent ? -restitution : restitution;
+}
 
 /// Switches the limits of area and stretch on: DEFAULT_LEAST_AREA and its neighbors. What every body gets in a game.
 void set_default_limits(BodySettings &settings);

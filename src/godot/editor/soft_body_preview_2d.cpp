@@ -31,8 +31,8 @@ SoftBodyPreview2D::SoftBodyPreview2D() :
 int SoftBodyPreview2D::add_body(SoftBody2D *p_body) {
 	ERR_FAIL_NULL_V_MSG(p_body, -1, "SoftBodyPreview2D: body is null: give a SoftBody2D.");
 	auto copy = p_body->make_copy();
-	ERR_FAIL_COND_V_MSG(!copy, -1, "SoftBodyPreview2D: " + p_body->describe() + " has no body: " + to_godot(copy.error().message()) + ".");
-	const bool is_reversed = softbody::signed_area(to_core(p_body->get_global_transform().xform(p_body->get_hull()))) < 0;
+	ERR_FAIL_COND_V_MSG(!copy, -1, "SoftBodyPreview2D: " + p_body->describe() + " has no body: " + to_godot(copy.error()) + ".");
+	const bool is_reversed = softbody::signed_area(to_core(p_body->get_global_transform().xform(p_body->get_polygon()))) < 0;
 	bodies_.push_back({ world_->add_soft_body(std::move(copy.value())), is_reversed });
 	return int(bodies_.size()) - 1;
 }
@@ -41,13 +41,13 @@ void SoftBodyPreview2D::add_floor(const Vector2 &p_position, const Vector2 &p_no
 	softbody::Surface surface;
 	surface.layer = UINT32_MAX;
 	const softbody::Status status = world_->add_border({ { to_core(p_position), to_core(p_normal.normalized()) }, surface });
-	ERR_FAIL_COND_MSG(status.has_value(), "SoftBodyPreview2D: floor refused: " + to_godot(status->message()) + ".");
+	ERR_FAIL_COND_MSG(status.has_value(), "SoftBodyPreview2D: floor refused: " + to_godot(*status) + ".");
 }
 
 void SoftBodyPreview2D::step(double p_delta) {
 	pull_grabbed_point(p_delta);
 	const softbody::StepReport report = simulator_->simulate(softbody::Real(p_delta));
-	ERR_FAIL_COND_MSG(report.refused.has_value(), "SoftBodyPreview2D: step refused: " + to_godot(report.refused->message()) + ".");
+	ERR_FAIL_COND_MSG(report.refused.has_value(), "SoftBodyPreview2D: step refused: " + to_godot(*report.refused) + ".");
 }
 
 void SoftBodyPreview2D::pull_grabbed_point(double p_delta) {
@@ -98,7 +98,7 @@ const softbody::SoftBodyData *SoftBodyPreview2D::find(int p_index) const {
 	return world_->find(bodies_[size_t(p_index)].id);
 }
 
-PackedVector2Array SoftBodyPreview2D::get_hull(int p_index) const {
+PackedVector2Array SoftBodyPreview2D::get_polygon(int p_index) const {
 	const softbody::SoftBodyData *body = find(p_index);
 	return body != nullptr ? get_point_positions(p_index).slice(0, int64_t(body->hull().size())) : PackedVector2Array();
 }
@@ -130,7 +130,7 @@ void SoftBodyPreview2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("release"), &SoftBodyPreview2D::release);
 	ClassDB::bind_method(D_METHOD("is_grabbing"), &SoftBodyPreview2D::is_grabbing);
 	ClassDB::bind_method(D_METHOD("get_grabbed_position"), &SoftBodyPreview2D::get_grabbed_position);
-	ClassDB::bind_method(D_METHOD("get_hull", "index"), &SoftBodyPreview2D::get_hull);
+	ClassDB::bind_method(D_METHOD("get_polygon", "index"), &SoftBodyPreview2D::get_polygon);
 	ClassDB::bind_method(D_METHOD("get_point_positions", "index"), &SoftBodyPreview2D::get_point_positions);
 }
 

@@ -33,7 +33,7 @@ public:
 	void release();
 	bool is_grabbing() const { return grabbed_body_ >= 0; }
 	Vector2 get_grabbed_position() const;
-	PackedVector2Array get_hull(int p_index) const;
+	PackedVector2Array get_polygon(int p_index) const;
 	PackedVector2Array get_point_positions(int p_index) const;
 
 protected:

@@ -5,7 +5,7 @@
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 #include "godot/convert.h"
-#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/soft_body_simulation_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
@@ -35,7 +35,7 @@ bool same_scale(const Transform2D &p_a, const Transform2D &p_b) {
 } // namespace
 
 SoftBody2D::SoftBody2D() {
-	hull_ = make_circle_hull(DEFAULT_RADIUS, DEFAULT_POINTS);
+	polygon_ = make_circle_polygon(DEFAULT_RADIUS, DEFAULT_POINTS);
 	update_topology();
 	set_notify_transform(true);
 }
@@ -81,7 +81,7 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	}
 	built_scale_ = softbody::scale_and_skew(transform);
 	design_ = design.value();
-	hull_reversed_ = design_->is_reversed;
+	polygon_reversed_ = design_->is_reversed;
 	space_->world().remove_soft_body(body_id_);
 	body_id_ = space_->world().add_soft_body(std::move(fresh.value()));
 	apply_pins();
@@ -90,7 +90,7 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	apply_exceptions();
 	known_transform_ = transform;
 	start_first_motion();
-	body()->set_frozen(freeze_);
+	apply_freeze();
 	interpolation_.end();
 	update_topology();
 }
@@ -99,12 +99,13 @@ void SoftBody2D::enter_space() {
 	if (Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	space_ = SoftBodyServer2D::get_singleton()->add_body(this);
-	view_ = SoftBodyServer2D::get_singleton()->drawing().add(get_viewport());
+	space_ = SoftBodySimulation2D::get_singleton()->add_body(this);
+	view_ = SoftBodySimulation2D::get_singleton()->drawing().add(get_viewport());
 	if (stored_body_) {
 		body_id_ = space_->world().add_soft_body(std::move(*stored_body_));
 		stored_body_.reset();
 		apply_exceptions();
+		apply_freeze();
 		take_over_transform();
 	} else {
 		rebuild_body(false);
@@ -130,13 +131,13 @@ void SoftBody2D::leave_space() {
 	space_ = nullptr;
 	body_id_ = {};
 	interpolation_.end();
-	SoftBodyServer2D::get_singleton()->drawing().remove(view_);
+	SoftBodySimulation2D::get_singleton()->drawing().remove(view_);
 	view_ = nullptr;
-	unseen_frames_ = 0; // whoever comes in is shown to a frame first
+	unseen_frames_ = 0; // a body that comes in is shown to a frame first
 	debug_drawing_.reset();
-	contacts_.clear(); // whom it touched it remembers: it may come back
-	// Last: the server drops a space that has no nodes left.
-	SoftBodyServer2D::get_singleton()->remove_body(this);
+	contacts_.clear(); // `touched_` is kept: the body may come back
+	// Last: the simulation drops a space that has no nodes left.
+	SoftBodySimulation2D::get_singleton()->remove_body(this);
 }
 
 void SoftBody2D::_notification(int p_what) {
@@ -144,6 +145,7 @@ void SoftBody2D::_notification(int p_what) {
 		case NOTIFICATION_ENTER_TREE: {
 			unfit_.tell(*this);
 			tell_network_once();
+			note_enabled();
 			enter_space();
 		} break;
 		case NOTIFICATION_EXIT_TREE: {
@@ -151,7 +153,7 @@ void SoftBody2D::_notification(int p_what) {
 		} break;
 		case NOTIFICATION_DISABLED:
 		case NOTIFICATION_ENABLED: {
-			update_proxy_presence();
+			note_enabled();
 		} break;
 		case NOTIFICATION_WORLD_2D_CHANGED: {
 			if (space_ != nullptr) {
@@ -207,9 +209,9 @@ void SoftBody2D::take_over_transform() {
 		// Another size is another body: keep how it is deformed and how it moves.
 		const PackedVector2Array deformed = known_transform_.affine_inverse().xform(to_godot(body()->positions()));
 		const std::vector<softbody::Vec2> velocities(body()->velocities().begin(), body()->velocities().end());
-		const bool was_reversed = hull_reversed_;
+		const bool was_reversed = polygon_reversed_;
 		rebuild_body(false);
-		if (was_reversed == hull_reversed_) {
+		if (was_reversed == polygon_reversed_) {
 			for (uint32_t i = 0; i < velocities.size(); i++) {
 				body()->set_point(i, to_core(transform.xform(deformed[i])), velocities[i]);
 			}
@@ -219,8 +221,7 @@ void SoftBody2D::take_over_transform() {
 	area_checked_ = false;
 }
 
-// The engine reports a changed transform at the end of the frame; whoever asks earlier gets the body
-// where the node has been put.
+// The engine reports a changed transform at the end of the frame. A caller before that gets the body at the node's new place.
 const softbody::SoftBodyData *SoftBody2D::followed_body() const {
 	const_cast<SoftBody2D *>(this)->take_over_transform();
 	return body();
@@ -235,7 +236,7 @@ void SoftBody2D::prepare_step() {
 	take_over_transform();
 	follow_pin_targets();
 	if (softbody::SoftBodyData *found = body()) {
-		found->set_active(can_process() && (simulate_off_screen_ || !is_off_screen()));
+		found->set_active(takes_part() && (simulate_off_screen_ || !is_off_screen()));
 		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
 			apply_constant_forces();
 		}

@@ -18,6 +18,7 @@
 #include "godot/surroundings/hull_proxy.h"
 
 #include <godot_cpp/classes/node2d.hpp>
+#include <godot_cpp/classes/physics_material.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/templates/hash_map.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
@@ -46,8 +47,8 @@ namespace godot {
 /// See doc_classes/SoftBody2D.xml for what each property means to a user; this comment says how the
 /// node is built. Its properties describe a body; the body itself (`softbody::SoftBodyData`) lives in
 /// the world of the node's space while the node is in the tree, and in `stored_body_` while it is not,
-/// so that re-parenting keeps its motion. Point indices of the public interface follow `hull`; the
-/// core may hold the hull reversed (`hull_reversed_`), and `core_index` translates.
+/// so that re-parenting keeps its motion. Point indices of the public interface follow `polygon`; the
+/// core may hold the hull reversed (`polygon_reversed_`), and `core_index` translates.
 class SoftBody2D : public Node2D {
 	GDCLASS(SoftBody2D, Node2D)
 
@@ -82,6 +83,13 @@ public:
 		DAMP_MODE_REPLACE,
 	};
 
+	/// As CollisionObject2D.DisableMode.
+	enum DisableMode {
+		DISABLE_MODE_REMOVE,
+		DISABLE_MODE_MAKE_STATIC,
+		DISABLE_MODE_KEEP_ACTIVE,
+	};
+
 	/// What becomes of a body whose motion is no longer finite.
 	enum FailureMode {
 		FAILURE_MODE_RESET,
@@ -97,8 +105,8 @@ public:
 	SoftBody2D();
 	~SoftBody2D();
 
-	void set_hull(const PackedVector2Array &p_hull);
-	PackedVector2Array get_hull() const { return hull_; }
+	void set_polygon(const PackedVector2Array &p_polygon);
+	PackedVector2Array get_polygon() const { return polygon_; }
 	void set_mass(double p_mass);
 	double get_mass() const { return mass_; }
 	double get_total_mass() const { return mass_in_use(); }
@@ -113,7 +121,9 @@ public:
 		return own_material_.*VALUE;
 	}
 	void set_preset(SoftBodyMaterial2D::Preset p_preset);
-	SoftBodyMaterial2D::Preset get_preset() const { return SoftBodyMaterial2D::Preset(softbody::preset_of(own_material_)); }
+	SoftBodyMaterial2D::Preset get_preset() const;
+	void set_physics_material_override(const Ref<PhysicsMaterial> &p_material);
+	Ref<PhysicsMaterial> get_physics_material_override() const { return physics_material_override_; }
 	void set_network_values_set(bool p_set);
 	void clear_network_values() { set_network_values_set(false); }
 	bool has_network_values() const { return own_material_.has_network_values; }
@@ -138,6 +148,10 @@ public:
 	uint32_t get_collision_layer() const { return collision_layer_; }
 	void set_collision_mask(uint32_t p_mask);
 	uint32_t get_collision_mask() const { return collision_mask_; }
+	void set_collision_layer_value(int p_layer_number, bool p_value);
+	bool get_collision_layer_value(int p_layer_number) const;
+	void set_collision_mask_value(int p_layer_number, bool p_value);
+	bool get_collision_mask_value(int p_layer_number) const;
 	void set_self_collision(SelfCollision p_self_collision);
 	SelfCollision get_self_collision() const { return self_collision_; }
 	/// Whether it is in use.
@@ -194,14 +208,14 @@ public:
 	Ref<Texture2D> get_outline_texture() const { return skin_.style().outline_texture; }
 	void set_outline_texture_mode(OutlineTextureMode p_mode);
 	OutlineTextureMode get_outline_texture_mode() const;
-	PackedVector2Array get_interpolated_hull(double p_fraction) const;
+	PackedVector2Array get_interpolated_polygon(double p_fraction) const;
 	Transform2D get_interpolated_transform(double p_fraction) const;
 
-	/// What keeps these points from being a hull, as the setter would say it; empty when nothing does.
-	static String get_hull_problem(const PackedVector2Array &p_hull);
-	static PackedVector2Array make_circle_hull(double p_radius, int p_point_count);
-	static PackedVector2Array make_box_hull(const Vector2 &p_size, double p_spacing);
-	static PackedVector2Array make_capsule_hull(double p_radius, double p_height, double p_spacing);
+	/// What keeps these points from being a polygon of a body, as the setter would say it; empty when nothing does.
+	static String get_polygon_problem(const PackedVector2Array &p_polygon);
+	static PackedVector2Array make_circle_polygon(double p_radius, int p_point_count);
+	static PackedVector2Array make_box_polygon(const Vector2 &p_size, double p_spacing);
+	static PackedVector2Array make_capsule_polygon(double p_radius, double p_height, double p_spacing);
 
 	// Structure: soft_body_2d_structure.cpp.
 	void set_inner_points(const PackedVector2Array &p_points);
@@ -252,7 +266,9 @@ public:
 	void set_failure_mode(FailureMode p_mode);
 	FailureMode get_failure_mode() const { return failure_mode_; }
 	/// The core has put the body back, and frozen it if that is its mode: says so, and follows.
-	void note_failure();
+	void note_failure(softbody::BodySignals &r_signals);
+	void set_disable_mode(DisableMode p_mode);
+	DisableMode get_disable_mode() const { return disable_mode_; }
 	void set_simulate_off_screen(bool p_enabled) { simulate_off_screen_ = p_enabled; }
 	bool is_simulating_off_screen() const { return simulate_off_screen_; }
 	void set_freeze_enabled(bool p_freeze);
@@ -334,7 +350,7 @@ public:
 	/// What the project gives every world, areas left aside [px/s²].
 	static softbody::Vec2 project_gravity();
 
-	// For the server.
+	// For the simulation.
 	softbody::BodyId get_body_id() const { return body_id_; }
 	/// Its place in the space's list of nodes.
 	size_t get_space_index() const { return space_index_; }
@@ -351,8 +367,8 @@ public:
 	bool draw_frame(const softbody::DrawingFrame &p_frame);
 	/// Whether it monitors contacts, or has signals about former ones to emit.
 	bool watches_contacts() const { return contact_monitor_; }
-	/// After the step: contacts and touches of this body, whom they are with by instance id (0 for nobody), and where to
-	/// put what is to be told. Nothing is emitted before all nodes are up to date.
+	/// After the step: takes the contacts and touches of this body. `p_colliders` has the instance id of the other side of
+	/// each contact, 0 for none. Signals go to `r_signals`: none is emitted before all nodes are up to date.
 	void take_contacts(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders,
 			std::vector<uint64_t> p_touched, softbody::BodySignals &r_signals);
 	void take_sleep(softbody::BodySignals &r_signals);
@@ -363,7 +379,8 @@ public:
 	/// After the step: moves the proxy along. True when `flush_hull_proxies` must follow.
 	bool follow_with_proxy(bool p_may_detail);
 	softbody::HullProxy &proxy() { return proxy_; }
-	/// For joints: it passes through what has this instance id, which is no soft body, until it is removed as often.
+	/// For joints: the body passes through the object of this instance id, which is no soft body, until the id has been
+	/// removed as often as it was added.
 	void add_joined(uint64_t p_id);
 	void remove_joined(uint64_t p_id);
 
@@ -372,13 +389,21 @@ protected:
 	void _notification(int p_what);
 	void _validate_property(PropertyInfo &p_property) const;
 	bool _set(const StringName &p_name, const Variant &p_value) {
-		return unfit_.set(*this, get_class_static(), p_name, p_value);
+		return set_former(p_name, p_value) || unfit_.set(*this, get_class_static(), p_name, p_value);
 	}
-	bool _get(const StringName &p_name, Variant &r_value) const { return unfit_.get(p_name, r_value); }
+	bool _get(const StringName &p_name, Variant &r_value) const {
+		return get_former(p_name, r_value) || unfit_.get(p_name, r_value);
+	}
 	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:
-	static void bind_hull();
+	// Names of earlier versions, in soft_body_2d_former.cpp. True if the property had that name.
+	bool set_former(const StringName &p_name, const Variant &p_value);
+	bool get_former(const StringName &p_name, Variant &r_value) const;
+	void set_former_surface(const StringName &p_name, const Variant &p_value);
+
+	static void bind_properties();
+	static void bind_polygon();
 	static void bind_mass();
 	static void bind_structure();
 	static void bind_contacts();
@@ -387,6 +412,7 @@ private:
 	static void bind_motion();
 	static void bind_points();
 	static void bind_material();
+	static void bind_surface();
 	static void bind_network();
 	static void bind_springs();
 	static void bind_limits();
@@ -419,9 +445,19 @@ private:
 		ModelChoice wanted; ///< model by the node's properties
 		ModelChoice used;
 		softbody::Status model_problem; ///< why `used` is not `wanted`
-		bool is_reversed = false; ///< see `hull_reversed_`
+		bool is_reversed = false; ///< see `polygon_reversed_`
 		bool has_deep_dents = false; ///< see `softbody::has_deep_dents`
 		PackedStringArray problems; ///< parts of the structure that do not fit the others and were left out
+	};
+
+	/// Friction and bounce as contacts use them.
+	struct Surface {
+		double friction = 0; ///< [1], >= 0
+		double bounce = 0; ///< [1], 0..1
+		bool rough = false;
+		bool absorbent = false;
+		/// Whether it has these values and is neither rough nor absorbent.
+		bool is_plain(double p_friction, double p_bounce) const;
 	};
 
 	/// What a contact of the last step was, for scripts.
@@ -434,8 +470,8 @@ private:
 		uint64_t collider = 0; ///< instance id
 	};
 
-	/// Of a bound method of this node, for whoever keeps it beyond the call: by name, as the node outlives the code that it
-	/// runs when the editor reloads the extension, and a `callable_mp` points into that code.
+	/// A callable of a bound method of this node that may be kept beyond the call. It is by name: the node outlives its code
+	/// when the editor reloads the extension, and a `callable_mp` points into that code.
 	Callable own_callable(const char *p_method) { return Callable(this, p_method); }
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
 	bool accept_shape(const StringName &p_property);
@@ -445,6 +481,10 @@ private:
 	void set_own_material_value(const softbody::MaterialField &p_field, double p_value);
 	bool take_over_own_values(const StringName &p_property, const softbody::MaterialValues &p_values);
 	void take_over_material();
+	void take_over_physics_material();
+	/// Of `physics_material_override` where there is one, else of the material.
+	Surface surface() const;
+	static Ref<PhysicsMaterial> make_physics_material(const Surface &p_surface);
 	const softbody::MaterialValues &material_values() const;
 	ModelChoice choose_model() const;
 	double mass_of_area(double p_area) const;
@@ -495,6 +535,11 @@ private:
 	void apply_settings();
 	void take_over_transform();
 	void update_proxy_presence();
+	void note_enabled();
+	/// Whether its process mode lets it be stepped, and if not, its disable mode.
+	bool takes_part() const;
+	bool is_held_static() const { return !enabled_ && disable_mode_ == DISABLE_MODE_MAKE_STATIC; }
+	void apply_freeze();
 	void apply_exceptions();
 	softbody::Real proxy_inset() const;
 	Transform2D transform_at(const softbody::BodyFrame &p_frame) const;
@@ -525,7 +570,7 @@ private:
 	void leave_screen() { on_screen_ = false; }
 	bool is_off_screen() const;
 
-	PackedVector2Array hull_;
+	PackedVector2Array polygon_;
 	PackedVector2Array inner_points_;
 	PackedInt32Array springs_;
 	PackedFloat32Array spring_stiffness_scales_;
@@ -535,11 +580,14 @@ private:
 	bool center_point_ = true;
 	softbody::MaterialValues own_material_;
 	Ref<SoftBodyMaterial2D> material_;
+	Ref<PhysicsMaterial> physics_material_override_;
+	Ref<PhysicsMaterial> former_surface_; ///< made for values that an old scene set under their former names
+	std::optional<Surface> surface_override_; ///< of `physics_material_override` when its values last were finite
 	ElasticModel elastic_model_ = ELASTIC_MODEL_AUTOMATIC;
 	double least_area_ = 0.5;
 	double least_stretch_ = 0.2;
 	double most_stretch_ = 3;
-	bool density_decides_ = false; ///< whose density makes the mass
+	bool density_decides_ = false; ///< whether the density of the material makes the mass
 	double gravity_scale_ = 1;
 	Vector2 first_linear_velocity_; ///< of a body that is still to be made
 	double first_angular_velocity_ = 0;
@@ -547,6 +595,8 @@ private:
 	double constant_torque_ = 0;
 	bool can_sleep_ = true;
 	FailureMode failure_mode_ = FAILURE_MODE_RESET;
+	DisableMode disable_mode_ = DISABLE_MODE_REMOVE;
+	bool enabled_ = true; ///< whether its process mode, or the one that it inherits, is another than disabled
 	bool simulate_off_screen_ = true;
 	bool freeze_ = false;
 	Integrator integrator_ = INTEGRATOR_AUTOMATIC;
@@ -570,7 +620,7 @@ private:
 
 	PackedInt32Array pinned_points_;
 	TypedArray<NodePath> pin_targets_; ///< one a pinned point; missing ones are the world
-	std::vector<Pin> pins_; ///< likewise
+	std::vector<Pin> pins_; ///< one a pinned point
 	uint64_t rest_version_ = 0;
 
 	softbody::SoftBodySpace2D *space_ = nullptr;
@@ -579,7 +629,7 @@ private:
 	std::optional<softbody::SoftBodyData> stored_body_;
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
-	bool hull_reversed_ = false;
+	bool polygon_reversed_ = false;
 	mutable std::optional<Design> design_; ///< forgotten when the structure changes
 	PackedStringArray told_problems_;
 	bool sleeping_ = false; ///< as last told, or as wanted of a body that is still to be made
@@ -595,7 +645,7 @@ private:
 	std::unique_ptr<softbody::DebugDrawing> debug_drawing_; ///< while collision shapes are visible
 	softbody::BodyView *view_ = nullptr; ///< while in a space
 	bool settled_ = false; ///< whether what is drawn holds until the body moves again
-	bool area_checked_ = false; ///< since the last tick, of a body that nobody sees
+	bool area_checked_ = false; ///< since the last tick, of a body that no camera sees
 	bool item_displaced_ = false; ///< whether the canvas item stands where the body is drawn, not where the node is
 	bool on_screen_ = false; ///< as the rendering server saw it last
 	int unseen_frames_ = 0; ///< in a row, counted no further than needed
@@ -611,4 +661,5 @@ VARIANT_ENUM_CAST(SoftBody2D::ElasticModel);
 VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);
 VARIANT_ENUM_CAST(SoftBody2D::DampMode);
 VARIANT_ENUM_CAST(SoftBody2D::FailureMode);
+VARIANT_ENUM_CAST(SoftBody2D::DisableMode);
 VARIANT_ENUM_CAST(SoftBody2D::SelfCollision);

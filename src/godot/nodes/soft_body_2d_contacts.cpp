@@ -154,7 +154,7 @@ double SoftBody2D::get_contact_depth(int p_index) const {
 
 int SoftBody2D::get_contact_point(int p_index) const {
 	const ContactRecord *contact = find_contact(p_index);
-	return contact != nullptr ? public_index(contact->core_point, hull_reversed_) : -1;
+	return contact != nullptr ? public_index(contact->core_point, polygon_reversed_) : -1;
 }
 
 Object *SoftBody2D::get_contact_collider(int p_index) const {
@@ -187,9 +187,6 @@ void SoftBody2D::bind_contacts() {
 	ClassDB::bind_method(D_METHOD("get_contact_collider", "index"), &SoftBody2D::get_contact_collider);
 	ClassDB::bind_method(D_METHOD("get_colliding_bodies"), &SoftBody2D::get_colliding_bodies);
 	ClassDB::bind_method(D_METHOD("_on_collider_exiting", "collider"), &SoftBody2D::on_collider_exiting);
-
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "contact_monitor"), "set_contact_monitor", "is_contact_monitor_enabled");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "max_contacts_reported", PROPERTY_HINT_RANGE, "0,64,1,or_greater"), "set_max_contacts_reported", "get_max_contacts_reported");
 
 	const PropertyInfo body(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node");
 	ADD_SIGNAL(MethodInfo("body_entered", body));

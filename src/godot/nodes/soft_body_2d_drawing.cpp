@@ -19,8 +19,8 @@ namespace godot {
 namespace {
 
 // Hull, inner points and middle in the order the core holds them.
-std::vector<Vec2> rest_points(const PackedVector2Array &p_hull, const PackedVector2Array &p_inner_points, bool p_reversed, bool p_center_point) {
-	std::vector<Vec2> points = softbody::to_core(p_hull);
+std::vector<Vec2> rest_points(const PackedVector2Array &p_polygon, const PackedVector2Array &p_inner_points, bool p_reversed, bool p_center_point) {
+	std::vector<Vec2> points = softbody::to_core(p_polygon);
 	if (p_reversed) {
 		std::reverse(points.begin() + 1, points.end());
 	}
@@ -56,8 +56,8 @@ softbody::Status check_finite(const char *p_name, const Array &p_values) {
 	return std::nullopt;
 }
 
-String size_warning(const char *p_property, int64_t p_size, int64_t p_hull_size) {
-	return "'" + String(p_property) + "' has " + String::num_int64(p_size) + " entries and the hull " + String::num_int64(p_hull_size) + " points, so it is not used. Give it one entry for each point of the hull, or none.";
+String size_warning(const char *p_property, int64_t p_size, int64_t p_polygon_size) {
+	return "'" + String(p_property) + "' has " + String::num_int64(p_size) + " entries and the polygon " + String::num_int64(p_polygon_size) + " points, so it is not used. Give it one entry for each point of the polygon, or none.";
 }
 
 } // namespace
@@ -67,7 +67,7 @@ void SoftBody2D::update_topology() {
 	// Of the node's scale one pixel is this part; the parent's and the camera's are left out, as Godot's own lines do.
 	const Vector2 scale = built_scale_.get_scale().abs();
 	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);
-	skin_.set_rest(rest_points(hull_, inner_points_, hull_reversed_, center_point_), std::size_t(hull_.size()), hull_reversed_, softbody::Real(pixel));
+	skin_.set_rest(rest_points(polygon_, inner_points_, polygon_reversed_, center_point_), std::size_t(polygon_.size()), polygon_reversed_, softbody::Real(pixel));
 	remake_skin();
 }
 
@@ -80,11 +80,11 @@ void SoftBody2D::remake_skin() {
 
 void SoftBody2D::append_drawing_warnings(PackedStringArray &r_warnings) const {
 	const SkinStyle &style = skin_.style();
-	if (!style.vertex_colors.is_empty() && style.vertex_colors.size() != hull_.size()) {
-		r_warnings.push_back(size_warning("vertex_colors", style.vertex_colors.size(), hull_.size()));
+	if (!style.vertex_colors.is_empty() && style.vertex_colors.size() != polygon_.size()) {
+		r_warnings.push_back(size_warning("vertex_colors", style.vertex_colors.size(), polygon_.size()));
 	}
-	if (!style.uv.is_empty() && style.uv.size() != hull_.size()) {
-		r_warnings.push_back(size_warning("uv", style.uv.size(), hull_.size()));
+	if (!style.uv.is_empty() && style.uv.size() != polygon_.size()) {
+		r_warnings.push_back(size_warning("uv", style.uv.size(), polygon_.size()));
 	}
 }
 
@@ -217,28 +217,11 @@ void SoftBody2D::bind_drawing() {
 	ClassDB::bind_method(D_METHOD("get_outline_texture"), &SoftBody2D::get_outline_texture);
 	ClassDB::bind_method(D_METHOD("set_outline_texture_mode", "outline_texture_mode"), &SoftBody2D::set_outline_texture_mode);
 	ClassDB::bind_method(D_METHOD("get_outline_texture_mode"), &SoftBody2D::get_outline_texture_mode);
-	ClassDB::bind_method(D_METHOD("get_interpolated_hull", "fraction"), &SoftBody2D::get_interpolated_hull, DEFVAL(-1.0));
+	ClassDB::bind_method(D_METHOD("get_interpolated_polygon", "fraction"), &SoftBody2D::get_interpolated_polygon, DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("get_interpolated_transform", "fraction"), &SoftBody2D::get_interpolated_transform, DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("_follow_texture"), &SoftBody2D::follow_texture);
 	ClassDB::bind_method(D_METHOD("_enter_screen"), &SoftBody2D::enter_screen);
 	ClassDB::bind_method(D_METHOD("_leave_screen"), &SoftBody2D::leave_screen);
-
-	ADD_GROUP("Drawing", "");
-	ADD_PROPERTY(PropertyInfo(Variant::COLOR, "color"), "set_color", "get_color");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_COLOR_ARRAY, "vertex_colors"), "set_vertex_colors", "get_vertex_colors");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "antialiased"), "set_antialiased", "is_antialiased");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "smooth"), "set_smooth", "is_smooth");
-	ADD_SUBGROUP("Texture", "");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_texture", "get_texture");
-	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "texture_offset", PROPERTY_HINT_NONE, "suffix:px"), "set_texture_offset", "get_texture_offset");
-	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "texture_scale", PROPERTY_HINT_LINK), "set_texture_scale", "get_texture_scale");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "texture_rotation", PROPERTY_HINT_RANGE, "-360,360,0.1,or_less,or_greater,radians_as_degrees"), "set_texture_rotation", "get_texture_rotation");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "uv", PROPERTY_HINT_NONE, "suffix:px"), "set_uv", "get_uv");
-	ADD_SUBGROUP("Outline", "outline_");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "outline_width", PROPERTY_HINT_RANGE, "0,64,0.1,or_greater,suffix:px"), "set_outline_width", "get_outline_width");
-	ADD_PROPERTY(PropertyInfo(Variant::COLOR, "outline_color"), "set_outline_color", "get_outline_color");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "outline_texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_outline_texture", "get_outline_texture");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "outline_texture_mode", PROPERTY_HINT_ENUM, "Tile,Stretch"), "set_outline_texture_mode", "get_outline_texture_mode");
 
 	BIND_ENUM_CONSTANT(OUTLINE_TEXTURE_TILE);
 	BIND_ENUM_CONSTANT(OUTLINE_TEXTURE_STRETCH);

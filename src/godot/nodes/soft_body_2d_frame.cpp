@@ -3,7 +3,7 @@
 #include "godot/nodes/soft_body_2d.h"
 
 #include "godot/convert.h"
-#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/soft_body_simulation_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -66,19 +66,19 @@ bool SoftBody2D::check_fraction(double &r_fraction) const {
 	return true;
 }
 
-PackedVector2Array SoftBody2D::get_interpolated_hull(double p_fraction) const {
-	PackedVector2Array hull;
+PackedVector2Array SoftBody2D::get_interpolated_polygon(double p_fraction) const {
+	PackedVector2Array polygon;
 	if (!check_fraction(p_fraction) || followed_body() == nullptr || space_ == nullptr) {
-		return hull;
+		return polygon;
 	}
 	const Transform2D frame = interpolation_.frame(known_transform_, p_fraction);
 	const std::span<const Vec2> points = local_points(p_fraction);
-	hull.resize(hull_.size());
-	Vector2 *write = hull.ptrw();
-	for (int i = 0; i < int(hull_.size()); i++) {
+	polygon.resize(polygon_.size());
+	Vector2 *write = polygon.ptrw();
+	for (int i = 0; i < int(polygon_.size()); i++) {
 		write[i] = frame.xform(softbody::to_godot(points[core_index(i)]));
 	}
-	return hull;
+	return polygon;
 }
 
 Transform2D SoftBody2D::get_interpolated_transform(double p_fraction) const {
@@ -95,8 +95,7 @@ void SoftBody2D::draw() {
 	update_seen_area();
 }
 
-// While nobody sees the body, its skin stays as it was seen last. All that has to be known then is whether it might
-// grow into view.
+// While no camera sees the body, its skin stays as it was drawn last, and only its area is followed: it may grow into view.
 bool SoftBody2D::draw_frame(const softbody::DrawingFrame &p_frame) {
 	unseen_frames_ = on_screen_ ? 0 : MIN(unseen_frames_ + 1, UNSEEN_FRAMES);
 	if (settled_) {

@@ -12,36 +12,37 @@ namespace godot {
 
 namespace {
 
-PackedVector2Array hull_or_error(const softbody::Result<std::vector<softbody::Vec2>> &p_hull) {
-	if (!p_hull) {
-		ERR_FAIL_V_MSG(PackedVector2Array(), "SoftBody2D: " + softbody::to_godot(p_hull.error().message()) + ".");
+PackedVector2Array polygon_or_error(const softbody::Result<std::vector<softbody::Vec2>> &p_polygon) {
+	if (!p_polygon) {
+		ERR_FAIL_V_MSG(PackedVector2Array(), "SoftBody2D: " + softbody::to_godot(p_polygon.error()) + ".");
 	}
-	return softbody::to_godot(p_hull.value());
+	return softbody::to_godot(p_polygon.value());
 }
 
 } // namespace
 
-String SoftBody2D::get_hull_problem(const PackedVector2Array &p_hull) {
-	const softbody::Status status = softbody::check_hull(softbody::to_core(p_hull));
-	return status ? softbody::to_godot(status->message()) : String();
+String SoftBody2D::get_polygon_problem(const PackedVector2Array &p_polygon) {
+	const softbody::Status status = softbody::check_hull(softbody::to_core(p_polygon));
+	return status ? softbody::to_godot(*status) : String();
 }
 
-PackedVector2Array SoftBody2D::make_circle_hull(double p_radius, int p_point_count) {
-	return hull_or_error(softbody::circle_hull(softbody::Real(p_radius), p_point_count));
+PackedVector2Array SoftBody2D::make_circle_polygon(double p_radius, int p_point_count) {
+	return polygon_or_error(softbody::circle_hull(softbody::Real(p_radius), p_point_count));
 }
 
-PackedVector2Array SoftBody2D::make_box_hull(const Vector2 &p_size, double p_spacing) {
-	return hull_or_error(softbody::box_hull(softbody::to_core(p_size), softbody::Real(p_spacing)));
+PackedVector2Array SoftBody2D::make_box_polygon(const Vector2 &p_size, double p_spacing) {
+	return polygon_or_error(softbody::box_hull(softbody::to_core(p_size), softbody::Real(p_spacing)));
 }
 
-PackedVector2Array SoftBody2D::make_capsule_hull(double p_radius, double p_height, double p_spacing) {
-	return hull_or_error(softbody::capsule_hull(softbody::Real(p_radius), softbody::Real(p_height), softbody::Real(p_spacing)));
+PackedVector2Array SoftBody2D::make_capsule_polygon(double p_radius, double p_height, double p_spacing) {
+	return polygon_or_error(softbody::capsule_hull(softbody::Real(p_radius), softbody::Real(p_height), softbody::Real(p_spacing)));
 }
 
-// In the order of the inspector. Each of these stands in the file of what it binds.
+// Methods, signals and constants are bound in the file of what they do; properties in one list, the inspector's.
 void SoftBody2D::_bind_methods() {
-	bind_hull();
+	bind_polygon();
 	bind_mass();
+	bind_surface();
 	bind_material();
 	bind_network();
 	bind_limits();
@@ -58,6 +59,7 @@ void SoftBody2D::_bind_methods() {
 	bind_solver();
 	bind_report();
 	bind_drawing();
+	bind_properties();
 }
 
 } // namespace godot

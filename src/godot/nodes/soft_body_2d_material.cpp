@@ -49,14 +49,6 @@ bool SoftBody2D::take_over_own_values(const StringName &p_property, const softbo
 	return true;
 }
 
-void SoftBody2D::set_preset(SoftBodyMaterial2D::Preset p_preset) {
-	if (accept("preset", softbody::check_between("preset", p_preset, 0, softbody::MATERIAL_PRESET_COUNT - 1, ""))) {
-		softbody::MaterialValues changed = own_material_;
-		softbody::apply_preset(softbody::MaterialPreset(p_preset), changed);
-		take_over_own_values("preset", changed);
-	}
-}
-
 void SoftBody2D::set_network_values_set(bool p_set) {
 	softbody::MaterialValues changed = own_material_;
 	softbody::set_network_values_set(changed, p_set);
@@ -89,7 +81,7 @@ SoftBody2D::ModelChoice SoftBody2D::choose_model() const {
 	if (material_values().has_network_values) {
 		return { ELASTIC_MODEL_NETWORK, REASON_NETWORK_VALUES };
 	}
-	return { ElasticModel(ELASTIC_MODEL_SPRINGS + int(softbody::choose_elastic_model(std::size_t(hull_.size())))), REASON_MATERIAL };
+	return { ElasticModel(ELASTIC_MODEL_SPRINGS + int(softbody::choose_elastic_model(std::size_t(polygon_.size())))), REASON_MATERIAL };
 }
 
 SoftBody2D::ElasticModel SoftBody2D::get_elastic_model_in_use() const {
@@ -162,11 +154,8 @@ void SoftBody2D::_validate_property(PropertyInfo &p_property) const {
 }
 
 void SoftBody2D::bind_material() {
-	ADD_GROUP("Material", "");
 	ClassDB::bind_method(D_METHOD("set_soft_body_material", "material"), &SoftBody2D::set_soft_body_material);
 	ClassDB::bind_method(D_METHOD("get_soft_body_material"), &SoftBody2D::get_soft_body_material);
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "soft_body_material", PROPERTY_HINT_RESOURCE_TYPE, "SoftBodyMaterial2D"), "set_soft_body_material", "get_soft_body_material");
-	softbody::bind_material_values<SoftBody2D>();
 	ClassDB::bind_method(D_METHOD("_take_over_material"), &SoftBody2D::take_over_material);
 }
 
@@ -175,9 +164,6 @@ void SoftBody2D::bind_network() {
 	ClassDB::bind_method(D_METHOD("get_elastic_model"), &SoftBody2D::get_elastic_model);
 	ClassDB::bind_method(D_METHOD("get_elastic_model_in_use"), &SoftBody2D::get_elastic_model_in_use);
 
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "elastic_model", PROPERTY_HINT_ENUM, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes,Triangles"), "set_elastic_model", "get_elastic_model");
-	ADD_GROUP("Network", "");
-	softbody::bind_network_values<SoftBody2D>();
 	bind_springs();
 
 	BIND_ENUM_CONSTANT(ELASTIC_MODEL_AUTOMATIC);

@@ -224,17 +224,6 @@ void SoftBody2D::bind_motion() {
 	ClassDB::bind_method(D_METHOD("get_kinetic_energy"), &SoftBody2D::get_kinetic_energy);
 	ClassDB::bind_method(D_METHOD("teleport", "transform"), &SoftBody2D::teleport);
 	ClassDB::bind_method(D_METHOD("reset"), &SoftBody2D::reset);
-
-	ADD_GROUP("Linear", "linear_");
-	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "linear_velocity", PROPERTY_HINT_NONE, "suffix:px/s"), "set_linear_velocity", "get_linear_velocity");
-	ADD_GROUP("Angular", "angular_");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "angular_velocity", PROPERTY_HINT_NONE, String::utf8("radians_as_degrees,suffix:°/s")), "set_angular_velocity", "get_angular_velocity");
-	ADD_GROUP("Constant Forces", "constant_");
-	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "constant_force", PROPERTY_HINT_NONE, String::utf8("suffix:kg⋅px/s²")), "set_constant_force", "get_constant_force");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "constant_torque", PROPERTY_HINT_NONE, String::utf8("suffix:kg⋅px²/s²/rad")), "set_constant_torque", "get_constant_torque");
-	// What follows from the points is read, and neither set nor saved.
-	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "center_of_mass", PROPERTY_HINT_NONE, "suffix:px", PROPERTY_USAGE_NONE), "", "get_center_of_mass");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "inertia", PROPERTY_HINT_NONE, String::utf8("suffix:kg⋅px²"), PROPERTY_USAGE_NONE), "", "get_inertia");
 }
 
 } // namespace godot

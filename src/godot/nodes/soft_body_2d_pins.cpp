@@ -142,10 +142,6 @@ void SoftBody2D::bind_pins() {
 	ClassDB::bind_method(D_METHOD("set_point_pinned", "point_index", "pinned", "target"), &SoftBody2D::set_point_pinned, DEFVAL(NodePath()));
 	ClassDB::bind_method(D_METHOD("is_point_pinned", "point_index"), &SoftBody2D::is_point_pinned);
 	ClassDB::bind_method(D_METHOD("get_pin_target", "point_index"), &SoftBody2D::get_pin_target);
-
-	ADD_GROUP("Pins", "");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_INT32_ARRAY, "pinned_points"), "set_pinned_points", "get_pinned_points");
-	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "pin_targets", PROPERTY_HINT_ARRAY_TYPE, String::num_int64(Variant::NODE_PATH) + "/" + String::num_int64(PROPERTY_HINT_NODE_PATH_VALID_TYPES) + ":Node2D"), "set_pin_targets", "get_pin_targets");
 }
 
 } // namespace godot

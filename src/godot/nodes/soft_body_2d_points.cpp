@@ -20,13 +20,13 @@ namespace godot {
 // Points.
 
 std::size_t SoftBody2D::core_index(int p_index) const {
-	return std::size_t(public_index(std::size_t(p_index), hull_reversed_)); // a reversal undoes itself
+	return std::size_t(public_index(std::size_t(p_index), polygon_reversed_)); // a reversal undoes itself
 }
 
 int SoftBody2D::public_index(std::size_t p_core_index, bool p_reversed) const {
 	const int index = int(p_core_index);
-	const int hull_count = int(hull_.size());
-	return p_reversed && index < hull_count ? (hull_count - index) % hull_count : index;
+	const int polygon_count = int(polygon_.size());
+	return p_reversed && index < polygon_count ? (polygon_count - index) % polygon_count : index;
 }
 
 bool SoftBody2D::check_index(int p_index) const {
@@ -41,7 +41,7 @@ int SoftBody2D::get_point_count() const {
 			return int(found->shape->point_count());
 		}
 	}
-	return int(hull_.size() + inner_points_.size()) + (center_point_ ? 1 : 0);
+	return int(polygon_.size() + inner_points_.size()) + (center_point_ ? 1 : 0);
 }
 
 PackedVector2Array SoftBody2D::get_point_positions() const {
@@ -100,7 +100,7 @@ PackedVector2Array SoftBody2D::get_point_forces() const {
 		forces.resize(get_point_count());
 		forces.fill(Vector2());
 		for (const softbody::ExternalForce &each : found->external_forces()) {
-			const int index = public_index(each.point, hull_reversed_);
+			const int index = public_index(each.point, polygon_reversed_);
 			forces.set(index, forces[index] + to_godot(each.force));
 		}
 	}
@@ -179,7 +179,7 @@ double SoftBody2D::get_area() const {
 
 double SoftBody2D::get_rest_area() const {
 	const softbody::SoftBodyData *found = followed_body();
-	return found ? double(found->shape().rest_area()) : std::abs(double(softbody::signed_area(to_core(hull_))));
+	return found ? double(found->shape().rest_area()) : std::abs(double(softbody::signed_area(to_core(polygon_))));
 }
 
 double SoftBody2D::get_penetration() const {

@@ -5,7 +5,7 @@
 #include "core/base/constants.h"
 #include "core/model/material.h"
 #include "godot/convert.h"
-#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/soft_body_simulation_2d.h"
 #include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -26,7 +26,7 @@ bool SoftBody2D::accept(const StringName &p_property, const softbody::Status &p_
 		}
 		return true;
 	}
-	const String message = to_godot(p_status->message());
+	const String message = to_godot(*p_status);
 	refused_[p_property] = message;
 	update_configuration_warnings();
 	ERR_FAIL_V_MSG(false, describe() + ": " + String(p_property) + " refused: " + message + ". The old value stays.");
@@ -136,6 +136,40 @@ void SoftBody2D::set_collision_mask(uint32_t p_mask) {
 	apply_settings();
 }
 
+namespace {
+
+bool is_layer_number(int p_number, const char *p_what) {
+	ERR_FAIL_COND_V_MSG(p_number < 1 || p_number > 32, false, vformat("Collision %s number must be between 1 and 32 inclusive.", p_what));
+	return true;
+}
+
+uint32_t with_bit(uint32_t p_bits, int p_number, bool p_value) {
+	const uint32_t bit = 1u << (p_number - 1);
+	return p_value ? p_bits | bit : p_bits & ~bit;
+}
+
+} // namespace
+
+void SoftBody2D::set_collision_layer_value(int p_layer_number, bool p_value) {
+	if (is_layer_number(p_layer_number, "layer")) {
+		set_collision_layer(with_bit(collision_layer_, p_layer_number, p_value));
+	}
+}
+
+bool SoftBody2D::get_collision_layer_value(int p_layer_number) const {
+	return is_layer_number(p_layer_number, "layer") && (collision_layer_ & (1u << (p_layer_number - 1))) != 0;
+}
+
+void SoftBody2D::set_collision_mask_value(int p_layer_number, bool p_value) {
+	if (is_layer_number(p_layer_number, "mask")) {
+		set_collision_mask(with_bit(collision_mask_, p_layer_number, p_value));
+	}
+}
+
+bool SoftBody2D::get_collision_mask_value(int p_layer_number) const {
+	return is_layer_number(p_layer_number, "mask") && (collision_mask_ & (1u << (p_layer_number - 1))) != 0;
+}
+
 void SoftBody2D::set_self_collision(SelfCollision p_self_collision) {
 	if (accept("self_collision", softbody::check_between("self_collision", p_self_collision, SELF_COLLISION_OFF, SELF_COLLISION_AUTOMATIC, ""))) {
 		self_collision_ = p_self_collision;
@@ -161,7 +195,7 @@ softbody::Status SoftBody2D::apply_elasticity(const Design &p_design, softbody::
 		r_settings.spring_damping_scale = softbody::Real(material.damping);
 		r_settings.shape_stiffness = softbody::Real(shape_stiffness);
 		// The shape-matching oscillator of one point has the frequency sqrt(k_s/m): c = 2 ζ sqrt(k_s m).
-		r_settings.shape_damping = softbody::Real(2 * material.shape_damping * std::sqrt(shape_stiffness * point_mass));
+		r_settings.shape_damping = softbody::Real(2 * material.shape_damping_ratio * std::sqrt(shape_stiffness * point_mass));
 	} else if ((p_design.used.model == ELASTIC_MODEL_MODES && shape.modes() == nullptr) ||
 			(p_design.used.model == ELASTIC_MODEL_TRIANGLES && shape.triangles() == nullptr)) { // of a draft
 		return softbody::check_material(softbody::to_material(material));
@@ -194,12 +228,15 @@ softbody::Result<softbody::BodySettings> SoftBody2D::make_settings(const Design 
 	settings.least_stretch = softbody::Real(least_stretch_);
 	settings.most_stretch = softbody::Real(most_stretch_);
 	settings.inflation = softbody::Real(material.inflation);
-	settings.friction = softbody::Real(material.friction);
-	settings.restitution = softbody::Real(material.bounce);
+	const Surface surface_values = surface();
+	settings.friction = softbody::Real(surface_values.friction);
+	settings.rough = surface_values.rough;
+	settings.restitution = softbody::Real(surface_values.bounce);
+	settings.absorbent = surface_values.absorbent;
 	settings.rolling_resistance = softbody::Real(material.rolling_resistance);
 	settings.gravity_scale = softbody::Real(gravity_scale_);
 	settings.integrator = softbody::Integrator(integrator_);
-	settings.substeps = substeps_ != 0 ? substeps_ : SoftBodyServer2D::get_singleton()->settings().substeps;
+	settings.substeps = substeps_ != 0 ? substeps_ : SoftBodySimulation2D::get_singleton()->settings().substeps;
 	settings.collision_layer = collision_layer_;
 	settings.collision_mask = collision_mask_;
 	settings.can_sleep = can_sleep_;
@@ -278,11 +315,6 @@ void SoftBody2D::bind_limits() {
 	ClassDB::bind_method(D_METHOD("get_least_stretch"), &SoftBody2D::get_least_stretch);
 	ClassDB::bind_method(D_METHOD("set_most_stretch", "most_stretch"), &SoftBody2D::set_most_stretch);
 	ClassDB::bind_method(D_METHOD("get_most_stretch"), &SoftBody2D::get_most_stretch);
-
-	ADD_GROUP("Limits", "");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "least_area", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_least_area", "get_least_area");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "least_stretch", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_least_stretch", "get_least_stretch");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "most_stretch", PROPERTY_HINT_RANGE, "1,10,0.01,or_greater"), "set_most_stretch", "get_most_stretch");
 }
 
 void SoftBody2D::bind_mass() {
@@ -291,10 +323,6 @@ void SoftBody2D::bind_mass() {
 	ClassDB::bind_method(D_METHOD("set_gravity_scale", "gravity_scale"), &SoftBody2D::set_gravity_scale);
 	ClassDB::bind_method(D_METHOD("get_gravity_scale"), &SoftBody2D::get_gravity_scale);
 	ClassDB::bind_method(D_METHOD("get_total_mass"), &SoftBody2D::get_total_mass);
-
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "mass", PROPERTY_HINT_RANGE, "0.001,1000,0.001,or_greater,exp,suffix:kg"), "set_mass", "get_mass");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "gravity_scale", PROPERTY_HINT_RANGE, "-8,8,0.001,or_less,or_greater"), "set_gravity_scale", "get_gravity_scale");
-
 }
 
 void SoftBody2D::bind_collision() {
@@ -302,14 +330,13 @@ void SoftBody2D::bind_collision() {
 	ClassDB::bind_method(D_METHOD("get_collision_layer"), &SoftBody2D::get_collision_layer);
 	ClassDB::bind_method(D_METHOD("set_collision_mask", "mask"), &SoftBody2D::set_collision_mask);
 	ClassDB::bind_method(D_METHOD("get_collision_mask"), &SoftBody2D::get_collision_mask);
+	ClassDB::bind_method(D_METHOD("set_collision_layer_value", "layer_number", "value"), &SoftBody2D::set_collision_layer_value);
+	ClassDB::bind_method(D_METHOD("get_collision_layer_value", "layer_number"), &SoftBody2D::get_collision_layer_value);
+	ClassDB::bind_method(D_METHOD("set_collision_mask_value", "layer_number", "value"), &SoftBody2D::set_collision_mask_value);
+	ClassDB::bind_method(D_METHOD("get_collision_mask_value", "layer_number"), &SoftBody2D::get_collision_mask_value);
 	ClassDB::bind_method(D_METHOD("set_self_collision", "self_collision"), &SoftBody2D::set_self_collision);
 	ClassDB::bind_method(D_METHOD("get_self_collision"), &SoftBody2D::get_self_collision);
 	ClassDB::bind_method(D_METHOD("has_self_collision"), &SoftBody2D::has_self_collision);
-
-	ADD_GROUP("Collision", "");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "collision_layer", PROPERTY_HINT_LAYERS_2D_PHYSICS), "set_collision_layer", "get_collision_layer");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "collision_mask", PROPERTY_HINT_LAYERS_2D_PHYSICS), "set_collision_mask", "get_collision_mask");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "self_collision", PROPERTY_HINT_ENUM, "Off,On,Automatic"), "set_self_collision", "get_self_collision");
 
 	BIND_ENUM_CONSTANT(SELF_COLLISION_OFF);
 	BIND_ENUM_CONSTANT(SELF_COLLISION_ON);
@@ -321,10 +348,6 @@ void SoftBody2D::bind_solver() {
 	ClassDB::bind_method(D_METHOD("get_integrator"), &SoftBody2D::get_integrator);
 	ClassDB::bind_method(D_METHOD("set_substeps", "substeps"), &SoftBody2D::set_substeps);
 	ClassDB::bind_method(D_METHOD("get_substeps"), &SoftBody2D::get_substeps);
-
-	ADD_GROUP("Solver", "");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "integrator", PROPERTY_HINT_ENUM, "Automatic,Explicit Euler,Semi-Implicit Euler,Midpoint,Heun,Runge-Kutta 4,Velocity Verlet,XPBD"), "set_integrator", "get_integrator");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "substeps", PROPERTY_HINT_RANGE, "0,64,1"), "set_substeps", "get_substeps");
 
 	BIND_ENUM_CONSTANT(INTEGRATOR_AUTOMATIC);
 	BIND_ENUM_CONSTANT(INTEGRATOR_EXPLICIT_EULER);

@@ -20,16 +20,6 @@ namespace {
 // character the force to push, without changing where a body seems to end.
 constexpr double AUTOMATIC_MARGIN = 0.06;
 
-// Whether the node takes part in physics at all; a paused one does.
-bool is_enabled(const Node *p_node) {
-	for (const Node *node = p_node; node != nullptr; node = node->get_parent()) {
-		if (node->get_process_mode() != Node::PROCESS_MODE_INHERIT) {
-			return node->get_process_mode() != Node::PROCESS_MODE_DISABLED;
-		}
-	}
-	return true;
-}
-
 } // namespace
 
 void SoftBody2D::set_collision_proxy_enabled(bool p_enabled) {
@@ -57,7 +47,7 @@ softbody::Real SoftBody2D::proxy_inset() const {
 
 // The proxy is in the space while the body is, unless it is switched off or the node is.
 void SoftBody2D::update_proxy_presence() {
-	const bool wanted = collision_proxy_enabled_ && space_ != nullptr && body() != nullptr && is_inside_tree() && is_enabled(this);
+	const bool wanted = collision_proxy_enabled_ && space_ != nullptr && body() != nullptr && is_inside_tree() && (enabled_ || disable_mode_ != DISABLE_MODE_REMOVE);
 	if (wanted && !proxy_.is_in_space()) {
 		proxy_.set_collider(get_instance_id());
 		proxy_.set_layer(collision_layer_);
@@ -164,9 +154,6 @@ void SoftBody2D::bind_proxy() {
 	ClassDB::bind_method(D_METHOD("add_collision_exception_with", "body"), &SoftBody2D::add_collision_exception_with);
 	ClassDB::bind_method(D_METHOD("remove_collision_exception_with", "body"), &SoftBody2D::remove_collision_exception_with);
 	ClassDB::bind_method(D_METHOD("get_collision_exceptions"), &SoftBody2D::get_collision_exceptions);
-
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "collision_proxy_enabled"), "set_collision_proxy_enabled", "is_collision_proxy_enabled");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "collision_proxy_margin", PROPERTY_HINT_RANGE, "-1,32,0.1,or_greater,suffix:px"), "set_collision_proxy_margin", "get_collision_proxy_margin");
 }
 
 } // namespace godot

@@ -131,7 +131,7 @@ Dictionary SoftBody2D::get_substep_plan() const {
 		result["elastic_model"] = int(found->used.model);
 		result["elastic_reason"] = found->used.reason;
 		const bool is_network = found->used.model == ELASTIC_MODEL_NETWORK;
-		result["elastic_error"] = is_network ? 0.0 : softbody::expected_error(softbody::ElasticModel(found->used.model - ELASTIC_MODEL_SPRINGS), std::size_t(hull_.size()));
+		result["elastic_error"] = is_network ? 0.0 : softbody::expected_error(softbody::ElasticModel(found->used.model - ELASTIC_MODEL_SPRINGS), std::size_t(polygon_.size()));
 	}
 	return result;
 }
@@ -192,7 +192,7 @@ void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringA
 	// A network of its own is no fault. It is one that a material was given and has no effect.
 	const softbody::MaterialValues defaults;
 	if (decided_by_network_values(p_design) && !(softbody::to_material(material) == softbody::to_material(defaults))) {
-		r_warnings.push_back("youngs_modulus, poisson_ratio and damping_ratio have no effect, as raw values of the spring network are set as well (stiffness, damping, shape_matching, shape_damping or pressure): these are kept and used. To use the material, set elastic_model to Modes; to keep the network without this warning, set it to Network.");
+		r_warnings.push_back("youngs_modulus, poisson_ratio and damping_ratio have no effect, as raw values of the spring network are set as well (stiffness, damping, shape_matching, shape_damping_ratio or pressure): these are kept and used. To use the material, set elastic_model to Modes; to keep the network without this warning, set it to Network.");
 	}
 	const auto settings = make_settings(p_design);
 	if (!settings) {
@@ -213,7 +213,7 @@ void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringA
 	}
 	if (!report.plan.safe) {
 		const String remedy = is_network ? "the stiffness or the damping" : "youngs_modulus or damping_ratio";
-		r_warnings.push_back("With these values a step is not stable in " + String::num_int64(report.plan.substeps) + " substeps. Lower " + remedy + ", raise the mass, use fewer hull points, or set substeps to 0 (automatic).");
+		r_warnings.push_back("With these values a step is not stable in " + String::num_int64(report.plan.substeps) + " substeps. Lower " + remedy + ", raise the mass, use fewer polygon points, or set substeps to 0 (automatic).");
 	}
 }
 
@@ -227,7 +227,7 @@ void SoftBody2D::tell_network_once() const {
 #ifdef DEBUG_ENABLED
 	static std::atomic<bool> told = false;
 	if (choose_model().reason == REASON_NETWORK_VALUES && !told.exchange(true)) {
-		print_line("Note: " + describe() + ", perhaps among others, has raw values of a spring network (stiffness, damping, shape_matching, shape_damping or pressure), set by a scene or a script. They are kept and used instead of youngs_modulus, poisson_ratio and damping_ratio. Set elastic_model to Network to say that this is meant, or to Modes to use the material.");
+		print_line("Note: " + describe() + ", perhaps among others, has raw values of a spring network (stiffness, damping, shape_matching, shape_damping_ratio or pressure), set by a scene or a script. They are kept and used instead of youngs_modulus, poisson_ratio and damping_ratio. Set elastic_model to Network to say that this is meant, or to Modes to use the material.");
 	}
 #endif
 }
@@ -244,10 +244,10 @@ PackedStringArray SoftBody2D::get_warnings() const {
 			warnings.push_back("Left out of the body, as it does not fit the rest of its structure: " + problem + ".");
 		}
 	}
-	const std::vector<softbody::Vec2> hull = to_core(hull_);
+	const std::vector<softbody::Vec2> hull = to_core(polygon_);
 	for (int64_t i = 0; i < inner_points_.size(); i++) {
 		if (!softbody::point_in_polygon(to_core(inner_points_[i]), hull)) {
-			warnings.push_back("inner_points[" + String::num_int64(i) + "] lies outside the hull: it is part of the body, but touches nothing. Move it inside.");
+			warnings.push_back("inner_points[" + String::num_int64(i) + "] lies outside the polygon: it is part of the body, but touches nothing. Move it inside.");
 		}
 	}
 	if (found != nullptr) {

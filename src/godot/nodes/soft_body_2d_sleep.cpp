@@ -4,9 +4,24 @@
 
 #include "godot/server/body_signals.h"
 
+#include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 namespace godot {
+
+namespace {
+
+// Whether the node takes part in physics at all; a paused one does.
+bool is_enabled(const Node *p_node) {
+	for (const Node *node = p_node; node != nullptr; node = node->get_parent()) {
+		if (node->get_process_mode() != Node::PROCESS_MODE_INHERIT) {
+			return node->get_process_mode() != Node::PROCESS_MODE_DISABLED;
+		}
+	}
+	return true;
+}
+
+} // namespace
 
 void SoftBody2D::set_sleeping(bool p_sleeping) {
 	sleeping_ = p_sleeping;
@@ -31,9 +46,35 @@ void SoftBody2D::set_can_sleep(bool p_able) {
 
 void SoftBody2D::set_freeze_enabled(bool p_freeze) {
 	freeze_ = p_freeze;
-	if (softbody::SoftBodyData *found = followed_body()) {
-		found->set_frozen(p_freeze);
+	if (followed_body() != nullptr) {
+		apply_freeze();
 	}
+}
+
+// A frozen body is what Godot calls static.
+void SoftBody2D::apply_freeze() {
+	if (softbody::SoftBodyData *found = body()) {
+		found->set_frozen(freeze_ || is_held_static());
+	}
+}
+
+void SoftBody2D::set_disable_mode(DisableMode p_mode) {
+	if (accept("disable_mode", softbody::check_between("disable_mode", p_mode, DISABLE_MODE_REMOVE, DISABLE_MODE_KEEP_ACTIVE, ""))) {
+		disable_mode_ = p_mode;
+		apply_freeze();
+		update_proxy_presence();
+	}
+}
+
+void SoftBody2D::note_enabled() {
+	enabled_ = is_enabled(this);
+	apply_freeze();
+	update_proxy_presence();
+}
+
+// While the tree is paused Godot's physics rests, whatever the disable mode.
+bool SoftBody2D::takes_part() const {
+	return enabled_ || disable_mode_ == DISABLE_MODE_REMOVE ? can_process() : !get_tree()->is_paused();
 }
 
 void SoftBody2D::set_failure_mode(FailureMode p_mode) {
@@ -43,7 +84,8 @@ void SoftBody2D::set_failure_mode(FailureMode p_mode) {
 	}
 }
 
-void SoftBody2D::note_failure() {
+void SoftBody2D::note_failure(softbody::BodySignals &r_signals) {
+	r_signals.add_failed(get_instance_id());
 	String consequence = "it has its rest shape again, where it was before this tick";
 	if (failure_mode_ == FAILURE_MODE_FREEZE) {
 		freeze_ = true;
@@ -67,20 +109,19 @@ void SoftBody2D::bind_sleep() {
 	ClassDB::bind_method(D_METHOD("is_able_to_sleep"), &SoftBody2D::is_able_to_sleep);
 	ClassDB::bind_method(D_METHOD("set_failure_mode", "mode"), &SoftBody2D::set_failure_mode);
 	ClassDB::bind_method(D_METHOD("get_failure_mode"), &SoftBody2D::get_failure_mode);
+	ClassDB::bind_method(D_METHOD("set_disable_mode", "mode"), &SoftBody2D::set_disable_mode);
+	ClassDB::bind_method(D_METHOD("get_disable_mode"), &SoftBody2D::get_disable_mode);
 	ClassDB::bind_method(D_METHOD("set_simulate_off_screen", "enabled"), &SoftBody2D::set_simulate_off_screen);
 	ClassDB::bind_method(D_METHOD("is_simulating_off_screen"), &SoftBody2D::is_simulating_off_screen);
 	ClassDB::bind_method(D_METHOD("set_freeze_enabled", "freeze"), &SoftBody2D::set_freeze_enabled);
 	ClassDB::bind_method(D_METHOD("is_freeze_enabled"), &SoftBody2D::is_freeze_enabled);
 
-	ADD_GROUP("Deactivation", "");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "sleeping"), "set_sleeping", "is_sleeping");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "can_sleep"), "set_can_sleep", "is_able_to_sleep");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "freeze"), "set_freeze_enabled", "is_freeze_enabled");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "simulate_off_screen"), "set_simulate_off_screen", "is_simulating_off_screen");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "failure_mode", PROPERTY_HINT_ENUM, "Reset,Freeze"), "set_failure_mode", "get_failure_mode");
-
 	ADD_SIGNAL(MethodInfo("sleeping_state_changed"));
+	ADD_SIGNAL(MethodInfo("failed"));
 
+	BIND_ENUM_CONSTANT(DISABLE_MODE_REMOVE);
+	BIND_ENUM_CONSTANT(DISABLE_MODE_MAKE_STATIC);
+	BIND_ENUM_CONSTANT(DISABLE_MODE_KEEP_ACTIVE);
 	BIND_ENUM_CONSTANT(FAILURE_MODE_RESET);
 	BIND_ENUM_CONSTANT(FAILURE_MODE_FREEZE);
 }

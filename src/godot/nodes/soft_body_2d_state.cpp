@@ -28,16 +28,19 @@ Error SoftBody2D::set_state(const PackedByteArray &p_state) {
 	ERR_FAIL_NULL_V_MSG(found, ERR_UNCONFIGURED, describe() + ": has no body yet; add the node to the scene tree first.");
 	const auto state = softbody::body_state_from_bytes({ p_state.ptr(), std::size_t(p_state.size()) });
 	softbody::Status status = state ? found->restore_state(state.value()) : softbody::Status(state.error());
-	ERR_FAIL_COND_V_MSG(status, ERR_INVALID_DATA, describe() + ": state refused: " + softbody::to_godot(status->message()) + ". The body goes on as it was.");
+	ERR_FAIL_COND_V_MSG(status, ERR_INVALID_DATA, describe() + ": state refused: " + softbody::to_godot(*status) + ". The body goes on as it was.");
 	follow_body();
 	found->set_rotation_memory(state.value().rotation_memory); // which the node's following measured anew
-	freeze_ = found->is_frozen();
+	if (!is_held_static()) {
+		freeze_ = found->is_frozen();
+	}
+	apply_freeze();
 	sleeping_ = found->is_asleep();
 	take_over_pins();
 	return OK;
 }
 
-// The state knows which points are pinned, and not at whom: a pin that goes on keeps its target.
+// The state holds which points are pinned, but not their targets: a point that stays pinned keeps its target.
 void SoftBody2D::take_over_pins() {
 	const softbody::SoftBodyData &data = *body();
 	PackedInt32Array points;

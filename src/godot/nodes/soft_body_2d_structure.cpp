@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and springs of the node: hull, inner points, who is joined to whom and how strongly.
+// Points and springs of the node: polygon, inner points, which points springs join and how strong these are.
 //
 // A scene file sets properties one after the other, so what must fit the others can be judged only by them all: a
 // property refuses what can never be right, and what does not fit now is kept, left out of the body, and told.
@@ -102,8 +102,8 @@ bool leave_out(softbody::StructureOptions &r_options, const std::string &p_refus
 
 // Properties.
 
-void SoftBody2D::set_hull(const PackedVector2Array &p_hull) {
-	change_structure("hull", hull_, p_hull, softbody::check_hull(to_core(p_hull)));
+void SoftBody2D::set_polygon(const PackedVector2Array &p_polygon) {
+	change_structure("polygon", polygon_, p_polygon, softbody::check_hull(to_core(p_polygon)));
 }
 
 void SoftBody2D::set_center_point(bool p_center_point) {
@@ -145,7 +145,7 @@ bool SoftBody2D::change_structure(const StringName &p_property, Value &r_member,
 		return false;
 	}
 	const void *member = &r_member;
-	if (member == &hull_ || member == &center_point_ || member == &inner_points_) {
+	if (member == &polygon_ || member == &center_point_ || member == &inner_points_) {
 		rebuild_body(true);
 	} else {
 		apply_shape();
@@ -158,7 +158,7 @@ bool SoftBody2D::change_structure(const StringName &p_property, Value &r_member,
 
 softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &p_transform, bool p_is_draft) const {
 	const Transform2D scale = softbody::scale_and_skew(p_transform);
-	const std::vector<softbody::Vec2> hull = to_core(scale.xform(hull_));
+	const std::vector<softbody::Vec2> hull = to_core(scale.xform(polygon_));
 	const double area = softbody::signed_area(hull);
 	Design made;
 	made.scale = scale;
@@ -186,7 +186,7 @@ softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &
 	for (;;) {
 		auto shape = softbody::find_or_create_shape(hull, options);
 		if (!shape && leave_out(options, shape.error().name)) {
-			made.problems.push_back(to_godot(shape.error().message()));
+			made.problems.push_back(to_godot(shape.error()));
 			continue;
 		}
 		const bool is_solid = options.elastic || options.elastic_triangles;
@@ -203,7 +203,7 @@ softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &
 			return made;
 		}
 		made.model_problem = problem;
-		made.problems.push_back(to_godot(problem->message()));
+		made.problems.push_back(to_godot(*problem));
 		made.used = { ELASTIC_MODEL_NETWORK, "unfit" };
 		if (!is_solid) {
 			return made;
@@ -345,15 +345,13 @@ void SoftBody2D::set_spring_length_scale(int p_index, double p_scale) {
 	set_scale_of_spring("spring_length_scales", spring_length_scales_, p_index, p_scale, false);
 }
 
-void SoftBody2D::bind_hull() {
-	ClassDB::bind_method(D_METHOD("set_hull", "hull"), &SoftBody2D::set_hull);
-	ClassDB::bind_method(D_METHOD("get_hull"), &SoftBody2D::get_hull);
-	ClassDB::bind_static_method("SoftBody2D", D_METHOD("get_hull_problem", "hull"), &SoftBody2D::get_hull_problem);
-	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_circle_hull", "radius", "point_count"), &SoftBody2D::make_circle_hull);
-	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_box_hull", "size", "spacing"), &SoftBody2D::make_box_hull);
-	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_capsule_hull", "radius", "height", "spacing"), &SoftBody2D::make_capsule_hull);
-
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "hull", PROPERTY_HINT_NONE, "suffix:px"), "set_hull", "get_hull");
+void SoftBody2D::bind_polygon() {
+	ClassDB::bind_method(D_METHOD("set_polygon", "polygon"), &SoftBody2D::set_polygon);
+	ClassDB::bind_method(D_METHOD("get_polygon"), &SoftBody2D::get_polygon);
+	ClassDB::bind_static_method("SoftBody2D", D_METHOD("get_polygon_problem", "polygon"), &SoftBody2D::get_polygon_problem);
+	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_circle_polygon", "radius", "point_count"), &SoftBody2D::make_circle_polygon);
+	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_box_polygon", "size", "spacing"), &SoftBody2D::make_box_polygon);
+	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_capsule_polygon", "radius", "height", "spacing"), &SoftBody2D::make_capsule_polygon);
 }
 
 void SoftBody2D::bind_structure() {
@@ -361,13 +359,8 @@ void SoftBody2D::bind_structure() {
 	ClassDB::bind_method(D_METHOD("has_center_point"), &SoftBody2D::has_center_point);
 	ClassDB::bind_method(D_METHOD("set_inner_points", "points"), &SoftBody2D::set_inner_points);
 	ClassDB::bind_method(D_METHOD("get_inner_points"), &SoftBody2D::get_inner_points);
-
-	ADD_GROUP("Structure", "");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "center_point"), "set_center_point", "has_center_point");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "inner_points", PROPERTY_HINT_NONE, "suffix:px"), "set_inner_points", "get_inner_points");
 }
 
-// The springs' own values, after the raw values that they share: the group is bind_network's.
 void SoftBody2D::bind_springs() {
 	ClassDB::bind_method(D_METHOD("set_springs", "springs"), &SoftBody2D::set_springs);
 	ClassDB::bind_method(D_METHOD("get_springs"), &SoftBody2D::get_springs);
@@ -388,11 +381,6 @@ void SoftBody2D::bind_springs() {
 	ClassDB::bind_method(D_METHOD("set_spring_stiffness_scale", "index", "scale"), &SoftBody2D::set_spring_stiffness_scale);
 	ClassDB::bind_method(D_METHOD("set_spring_damping_scale", "index", "scale"), &SoftBody2D::set_spring_damping_scale);
 	ClassDB::bind_method(D_METHOD("set_spring_length_scale", "index", "scale"), &SoftBody2D::set_spring_length_scale);
-
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_INT32_ARRAY, "springs"), "set_springs", "get_springs");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "spring_stiffness_scales"), "set_spring_stiffness_scales", "get_spring_stiffness_scales");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "spring_damping_scales"), "set_spring_damping_scales", "get_spring_damping_scales");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "spring_length_scales"), "set_spring_length_scales", "get_spring_length_scales");
 }
 
 } // namespace godot

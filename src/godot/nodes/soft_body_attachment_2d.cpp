@@ -80,7 +80,7 @@ void SoftBodyAttachment2D::follow(double p_fraction) {
 	}
 	if (!attachment_ || rest_version_ != body->get_rest_version()) {
 		auto made = softbody::Attachment::create(body->get_rest_positions(), softbody::to_core(rest_position_));
-		ERR_FAIL_COND_MSG(!made, "SoftBodyAttachment2D '" + String(get_name()) + "': " + softbody::to_godot(made.error().message()) + ".");
+		ERR_FAIL_COND_MSG(!made, "SoftBodyAttachment2D '" + String(get_name()) + "': " + softbody::to_godot(made.error()) + ".");
 		attachment_ = std::move(made.value());
 		rest_version_ = body->get_rest_version();
 	}

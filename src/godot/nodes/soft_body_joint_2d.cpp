@@ -5,7 +5,7 @@
 #include "core/geometry/segment.h"
 #include "godot/convert.h"
 #include "godot/nodes/soft_body_2d.h"
-#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/soft_body_simulation_2d.h"
 
 #include <godot_cpp/classes/collision_object2d.hpp>
 #include <godot_cpp/classes/engine.hpp>
@@ -74,7 +74,7 @@ SoftBodyJoint2D::~SoftBodyJoint2D() {
 // Properties.
 
 bool SoftBodyJoint2D::change(const char *p_name, double &r_member, double p_value, const softbody::Status &p_status) {
-	ERR_FAIL_COND_V_MSG(p_status.has_value(), false, "SoftBodyJoint2D '" + String(get_name()) + "': " + String(p_name) + " refused: " + to_godot(p_status->message()) + ". The old value stays.");
+	ERR_FAIL_COND_V_MSG(p_status.has_value(), false, "SoftBodyJoint2D '" + String(get_name()) + "': " + String(p_name) + " refused: " + to_godot(*p_status) + ". The old value stays.");
 	r_member = p_value;
 	complained_ = false;
 	return true;
@@ -250,7 +250,7 @@ void SoftBodyJoint2D::_notification(int p_what) {
 
 void SoftBodyJoint2D::enter_space() {
 	if (!Engine::get_singleton()->is_editor_hint()) {
-		space_ = SoftBodyServer2D::get_singleton()->add_joint(this);
+		space_ = SoftBodySimulation2D::get_singleton()->add_joint(this);
 	}
 }
 
@@ -260,7 +260,7 @@ void SoftBodyJoint2D::leave_space() {
 		space_->world().remove_joint(id_);
 		space_ = nullptr;
 		id_ = {};
-		SoftBodyServer2D::get_singleton()->remove_joint(this);
+		SoftBodySimulation2D::get_singleton()->remove_joint(this);
 	}
 }
 
@@ -317,7 +317,7 @@ void SoftBodyJoint2D::prepare_step() {
 		known_ = joint;
 	} else if (!complained_) {
 		complained_ = true;
-		ERR_PRINT("SoftBodyJoint2D '" + String(get_name()) + "' joins nothing: " + to_godot(refused->message()) + ".");
+		ERR_PRINT("SoftBodyJoint2D '" + String(get_name()) + "' joins nothing: " + to_godot(*refused) + ".");
 	}
 }
 

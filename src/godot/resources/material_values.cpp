@@ -30,7 +30,7 @@ constexpr std::array FIELDS{
 	MaterialField{ "stiffness", &Values::stiffness, UNBOUNDED, "N/m", "0,10000,0.1,or_greater,exp,suffix:N/m", true },
 	MaterialField{ "damping", &Values::damping, UNBOUNDED, "N·s/m", "0,20,0.001,or_greater,suffix:N·s/m", true },
 	MaterialField{ "shape_matching", &Values::shape_matching, UNBOUNDED, "", "0,2,0.01,or_greater", true },
-	MaterialField{ "shape_damping", &Values::shape_damping, UNBOUNDED, "", "0,1,0.01,or_greater", true },
+	MaterialField{ "shape_damping_ratio", &Values::shape_damping_ratio, UNBOUNDED, "", "0,1,0.01,or_greater", true },
 	MaterialField{ "pressure", &Values::pressure, UNBOUNDED, "N/m", "0,10000,0.1,or_greater,exp,suffix:N/m", true },
 	MaterialField{ "density", &Values::density, UNBOUNDED, "kg/m²", "0,10,0.01,or_greater,suffix:kg/m²" },
 };

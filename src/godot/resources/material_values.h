@@ -20,7 +20,7 @@ struct MaterialValues {
 	double stiffness = 100; ///< [N/m]
 	double damping = 0.12; ///< [N·s/m]
 	double shape_matching = 0.4; ///< share of the stiffness [1]
-	double shape_damping = 0.25; ///< damping ratio [1]
+	double shape_damping_ratio = 0.25; ///< damping ratio [1]
 	double pressure = 0; ///< [N/m]
 	double inflation = 1; ///< [1]
 	double friction = 0.4; ///< [1]
@@ -77,10 +77,16 @@ MaterialPreset preset_of(const MaterialValues &values);
 /// Refuses what is out of range, also what is finite here and not in the core's precision.
 Status check_material_value(const MaterialField &field, double value);
 
-/// Binds setter, getter and property of each field to `Class::set_material_value<…>` and `Class::get_material_value<…>`.
 template <class Class>
-void bind_material_values();
-/// The same for the raw values of the spring network, and after them a stored property that tells whether they count as set.
+void bind_preset();
+/// Each binds setter, getter and property of its fields to `Class::set_material_value<…>` and `Class::get_material_value<…>`.
+/// These are Young's modulus, Poisson's ratio and damping ratio.
+template <class Class>
+void bind_elastic_values();
+/// Friction, bounce and rolling resistance.
+template <class Class>
+void bind_surface_values();
+/// The raw values of the spring network, and after them a stored property that tells whether they count as set.
 /// A scene does not store a value that equals its default: without that property, saving would forget that it was set. And
 /// `duplicate` sets every stored property, whatever its value: the property comes last, so it takes that back.
 template <class Class>
@@ -104,20 +110,28 @@ void bind() {
 } // namespace material_binding
 
 template <class Class>
-void bind_material_values() {
-	using Values = MaterialValues;
+void bind_preset() {
 	godot::ClassDB::bind_method(godot::D_METHOD("set_preset", "preset"), &Class::set_preset);
 	godot::ClassDB::bind_method(godot::D_METHOD("get_preset"), &Class::get_preset);
 	godot::ClassDB::add_property(Class::get_class_static(),
 			godot::PropertyInfo(godot::Variant::INT, "preset", godot::PROPERTY_HINT_ENUM, MATERIAL_PRESET_NAMES, godot::PROPERTY_USAGE_EDITOR),
 			"set_preset", "get_preset");
+}
+
+template <class Class>
+void bind_elastic_values() {
+	using Values = MaterialValues;
 	material_binding::bind<Class, &Values::youngs_modulus>();
 	material_binding::bind<Class, &Values::poisson_ratio>();
 	material_binding::bind<Class, &Values::damping_ratio>();
+}
+
+template <class Class>
+void bind_surface_values() {
+	using Values = MaterialValues;
 	material_binding::bind<Class, &Values::friction>();
 	material_binding::bind<Class, &Values::bounce>();
 	material_binding::bind<Class, &Values::rolling_resistance>();
-	material_binding::bind<Class, &Values::inflation>();
 }
 
 template <class Class>
@@ -126,7 +140,7 @@ void bind_network_values() {
 	material_binding::bind<Class, &Values::stiffness>();
 	material_binding::bind<Class, &Values::damping>();
 	material_binding::bind<Class, &Values::shape_matching>();
-	material_binding::bind<Class, &Values::shape_damping>();
+	material_binding::bind<Class, &Values::shape_damping_ratio>();
 	material_binding::bind<Class, &Values::pressure>();
 	godot::ClassDB::bind_method(godot::D_METHOD("clear_network_values"), &Class::clear_network_values);
 	godot::ClassDB::bind_method(godot::D_METHOD("has_network_values"), &Class::has_network_values);

@@ -52,9 +52,34 @@ void SoftBodyMaterial2D::set_network_values_set(bool p_set) {
 	take_over(changed);
 }
 
+// A value that an old resource sets under a former name still counts.
+bool SoftBodyMaterial2D::_set(const StringName &p_name, const Variant &p_value) {
+	static const StringName SHAPE_DAMPING = "shape_damping";
+	if (p_name != SHAPE_DAMPING) {
+		return unfit_.set(*this, get_class_static(), p_name, p_value);
+	}
+	if (!unfit_.set(*this, get_class_static(), "shape_damping_ratio", p_value)) {
+		set_material_value<&softbody::MaterialValues::shape_damping_ratio>(p_value);
+		unfit_.note_former(*this, p_name, "'shape_damping' is called 'shape_damping_ratio' now. Its value was taken over: save the resource to store it as 'shape_damping_ratio', and change scripts that name 'shape_damping'.");
+	}
+	return true;
+}
+
+bool SoftBodyMaterial2D::_get(const StringName &p_name, Variant &r_value) const {
+	static const StringName SHAPE_DAMPING = "shape_damping";
+	if (p_name == SHAPE_DAMPING) {
+		r_value = values_.shape_damping_ratio;
+		return true;
+	}
+	return unfit_.get(p_name, r_value);
+}
+
 void SoftBodyMaterial2D::_bind_methods() {
 	ADD_GROUP("Material", "");
-	softbody::bind_material_values<SoftBodyMaterial2D>();
+	softbody::bind_preset<SoftBodyMaterial2D>();
+	softbody::bind_elastic_values<SoftBodyMaterial2D>();
+	softbody::bind_surface_values<SoftBodyMaterial2D>();
+	softbody::material_binding::bind<SoftBodyMaterial2D, &softbody::MaterialValues::inflation>();
 	softbody::material_binding::bind<SoftBodyMaterial2D, &softbody::MaterialValues::density>();
 	ADD_GROUP("Network", "");
 	softbody::bind_network_values<SoftBodyMaterial2D>();

@@ -44,10 +44,8 @@ public:
 
 protected:
 	static void _bind_methods();
-	bool _set(const StringName &p_name, const Variant &p_value) {
-		return unfit_.set(*this, get_class_static(), p_name, p_value);
-	}
-	bool _get(const StringName &p_name, Variant &r_value) const { return unfit_.get(p_name, r_value); }
+	bool _set(const StringName &p_name, const Variant &p_value);
+	bool _get(const StringName &p_name, Variant &r_value) const;
 	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:

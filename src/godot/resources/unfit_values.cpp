@@ -91,6 +91,17 @@ bool UnfitValues::set(Object &p_owner, const StringName &p_class, const StringNa
 #endif
 }
 
+void UnfitValues::note_former(const Object &p_owner, const StringName &p_name, const String &p_text) {
+#ifdef DEBUG_ENABLED
+	if (std::ranges::find(notes_, p_name, &Note::name) == notes_.end()) {
+		notes_.push_back({ p_name, p_text });
+		tell_if_known(p_owner);
+	}
+#else
+	(void)p_owner, (void)p_name, (void)p_text;
+#endif
+}
+
 bool UnfitValues::get(const StringName &p_name, Variant &r_value) const {
 	const auto found = std::ranges::find(entries_, p_name, &Entry::name);
 	if (found == entries_.end() || found->wanted != Variant::NIL) {
@@ -131,6 +142,12 @@ void UnfitValues::tell_if_known(const Object &p_owner) {
 }
 
 void UnfitValues::tell(const Object &p_owner) {
+	for (Note &note : notes_) {
+		if (!note.is_told) {
+			note.is_told = true;
+			WARN_PRINT(name_of(p_owner) + ": " + note.text);
+		}
+	}
 	for (Entry &entry : entries_) {
 		if (!entry.is_told) {
 			entry.is_told = true;

@@ -14,13 +14,14 @@
 
 namespace softbody {
 
-/// The engine drops values of properties that a class does not have without a word, and makes an empty array of what is no
-/// array; whoever then saves the scene has lost what was there.
+/// Values that the engine would drop or change in silence: it ignores properties that a class does not have, and turns a value
+/// of a wrong type into an empty array. Saving the scene then loses them.
 ///
-/// - **Unknown names.** In the editor their values are kept, shown as warnings and saved again, so that a scene of a newer
-///   version survives an older one. A game saves no scenes: there it is as the engine has it. So it is for an object with
-///   a script, as what nobody knows was then a variable of its script once.
-/// - **Wrong types.** Said by name, in debug builds; the old value stays.
+/// - **Unknown names.** The editor keeps their values, shows them as warnings and saves them again, so that a scene of a newer
+///   version survives an older one. A game saves no scenes and ignores them. They are ignored, too, for an object with a
+///   script, where an unknown name was a variable of the script once.
+/// - **Wrong types.** A message of debug builds names the property; the old value stays.
+/// - **Former names.** The class takes such a value over itself; this class prints a warning.
 ///
 /// Each class of ours hands its `_set`, `_get` and `_get_property_list` on to one of these. Release builds ask nothing.
 class UnfitValues {
@@ -29,6 +30,8 @@ public:
 	/// dealt with. From any thread, for different owners.
 	bool set(godot::Object &p_owner, const godot::StringName &p_class, const godot::StringName &p_name,
 			const godot::Variant &p_value);
+	/// Has a warning printed, once for each name: a value came under a name that the property had in an earlier version.
+	void note_former(const godot::Object &p_owner, const godot::StringName &p_name, const godot::String &p_text);
 	/// A value that was kept.
 	bool get(const godot::StringName &p_name, godot::Variant &r_value) const;
 	void append_to(godot::List<godot::PropertyInfo> *r_list) const;
@@ -39,6 +42,11 @@ public:
 	void tell(const godot::Object &p_owner);
 
 private:
+	struct Note {
+		godot::StringName name;
+		godot::String text;
+		bool is_told = false;
+	};
 	struct Entry {
 		godot::StringName name;
 		godot::Variant value;
@@ -49,6 +57,7 @@ private:
 	void tell_if_known(const godot::Object &p_owner);
 
 	std::vector<Entry> entries_;
+	std::vector<Note> notes_;
 };
 
 } // namespace softbody

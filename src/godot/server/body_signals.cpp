@@ -29,9 +29,9 @@ void BodySignals::emit() {
 	// A listener must not step anything, but it may add to this list: the loop works on a list of its own.
 	std::vector<Pending> now = std::exchange(pending_, {});
 	for (const Pending &each : now) {
-		if (each.kind == Kind::SLEEP_CHANGED) {
+		if (each.kind == Kind::SLEEP_CHANGED || each.kind == Kind::FAILED) {
 			if (SoftBody2D *body = find<SoftBody2D>(each.body)) {
-				body->emit_signal("sleeping_state_changed");
+				body->emit_signal(each.kind == Kind::FAILED ? "failed" : "sleeping_state_changed");
 			}
 			continue;
 		}

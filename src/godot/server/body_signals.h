@@ -25,6 +25,7 @@ public:
 	}
 	void add_exited(uint64_t p_body, uint64_t p_collider) { pending_.push_back({ Kind::EXITED, p_body, p_collider, {} }); }
 	void add_broken(uint64_t p_joint) { pending_.push_back({ Kind::BROKEN, p_joint, 0, {} }); }
+	void add_failed(uint64_t p_body) { pending_.push_back({ Kind::FAILED, p_body, 0, {} }); }
 	void add_sleep_changed(uint64_t p_body) { pending_.push_back({ Kind::SLEEP_CHANGED, p_body, 0, {} }); }
 
 	/// Emits the signals in the order in which they were added. Signals of, or about, a node that is gone are dropped.
@@ -36,6 +37,7 @@ private:
 		EXITED,
 		SLEEP_CHANGED,
 		BROKEN,
+		FAILED,
 	};
 	struct Pending {
 		Kind kind;

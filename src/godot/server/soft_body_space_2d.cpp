@@ -38,7 +38,7 @@ private:
 
 } // namespace
 
-StepProfile &StepProfile::operator+=(const StepProfile &p_other) {
+TickProfile &TickProfile::operator+=(const TickProfile &p_other) {
 	prepare += p_other.prepare;
 	surroundings += p_other.surroundings;
 	simulate += p_other.simulate;
@@ -147,7 +147,7 @@ void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
 	awake_body_count_ = count_awake();
 	for (const BodyId id : report.reset_bodies) {
 		if (SoftBody2D *node = node_of(id)) {
-			node->note_failure();
+			node->note_failure(r_signals);
 		}
 	}
 	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });

@@ -22,14 +22,14 @@ namespace softbody {
 class BodySignals;
 
 /// Time of the parts of a step [µs].
-struct StepProfile {
+struct TickProfile {
 	double prepare = 0; ///< taking over changes of users
 	double surroundings = 0; ///< reading the environment near bodies
 	double simulate = 0; ///< in the core
 	double finish = 0; ///< moving nodes along
 	double proxies = 0; ///< showing the hulls to the engine
 
-	StepProfile &operator+=(const StepProfile &p_other);
+	TickProfile &operator+=(const TickProfile &p_other);
 };
 
 /// Joins the core's world of one `World2D` with the nodes of its bodies.
@@ -52,7 +52,7 @@ public:
 	/// Contacts solved in the last step, counted in every substep.
 	int64_t contact_count() const { return contact_count_; }
 	/// Times of the last step.
-	const StepProfile &profile() const { return profile_; }
+	const TickProfile &profile() const { return profile_; }
 
 	void add(godot::SoftBody2D *p_node);
 	void remove(godot::SoftBody2D *p_node);
@@ -97,7 +97,7 @@ private:
 	bool stepping_ = false;
 	int64_t awake_body_count_ = 0;
 	int64_t contact_count_ = 0;
-	StepProfile profile_;
+	TickProfile profile_;
 };
 
 } // namespace softbody

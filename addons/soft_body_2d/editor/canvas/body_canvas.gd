@@ -22,7 +22,7 @@ signal changed
 var plugin: EditorPlugin
 var bodies: Array[SoftBody2D] = []
 var snapping := preload("../logic/snapping.gd").new()
-## Times of the last handlers, for whoever measures [us].
+## Times of the last handlers [us], for benchmarks.
 var handler_usec := 0
 var draw_usec := 0
 var last_message := ""

@@ -5,7 +5,7 @@ extends RefCounted
 
 const BodyCanvas := preload("body_canvas.gd")
 const BodyValues := preload("../logic/body_values.gd")
-const HullEdit := preload("../logic/hull_edit.gd")
+const PolygonEdit := preload("../logic/polygon_edit.gd")
 const Selection := preload("../logic/selection.gd")
 const Words := preload("../logic/words.gd")
 
@@ -39,7 +39,7 @@ func follow_bodies() -> void:
 	pass
 
 
-## What is said to whom asks for a change and has nothing selected.
+## The request that is shown when a change needs a selection and nothing is selected.
 func selection_request() -> String:
 	return ""
 
@@ -85,13 +85,13 @@ func is_key(event: InputEvent, key: Key) -> bool:
 
 
 ## The body and point nearest to a place of the overlay: [body, index], or an empty list.
-func find_point(place: Vector2, hull_only := false) -> Array:
+func find_point(place: Vector2, polygon_only := false) -> Array:
 	var found := []
 	var least := canvas.grab_radius()
 	for body in canvas.bodies:
 		if canvas.is_editable(body):
-			var points := canvas.to_screen(body) * (body.hull if hull_only else BodyValues.points(BodyValues.take(body)))
-			var index := HullEdit.nearest_point(points, place, least)
+			var points := canvas.to_screen(body) * (body.polygon if polygon_only else BodyValues.points(BodyValues.take(body)))
+			var index := PolygonEdit.nearest_point(points, place, least)
 			if index >= 0:
 				least = points[index].distance_to(place)
 				found = [body, index]

@@ -46,7 +46,7 @@ func input(event: InputEvent) -> bool:
 		if is_boxing():
 			for body in canvas.bodies:
 				if canvas.is_editable(body):
-					selection.add(body, HullEdit.points_in_box(canvas.to_screen(body) * BodyValues.points(BodyValues.take(body)),
+					selection.add(body, PolygonEdit.points_in_box(canvas.to_screen(body) * BodyValues.points(BodyValues.take(body)),
 							box()))
 			box_from = Vector2.INF
 			canvas.changed.emit()
@@ -114,7 +114,7 @@ func draw(overlay: Control) -> void:
 func _draw_body(overlay: Control, body: SoftBody2D) -> void:
 	var view := canvas.to_screen(body)
 	var points := view * BodyValues.points(BodyValues.take(body))
-	canvas.draw_outline(overlay, view * body.hull, Color(BodyCanvas.LINE, 0.6))
+	canvas.draw_outline(overlay, view * body.polygon, Color(BodyCanvas.LINE, 0.6))
 	for i in points.size():
 		var pinned := body.is_point_pinned(i)
 		if pinned:

@@ -50,11 +50,11 @@ func cancel() -> void:
 	_join_from = []
 
 
-## "All hull", "all inner".
+## "All polygon", "all inner".
 func select_kind(kind: int) -> void:
 	selection.clear()
 	for body in canvas.bodies:
-		selection.add(body, SpringEdit.of_kind(body.get_all_springs(), body.hull.size(), kind))
+		selection.add(body, SpringEdit.of_kind(body.get_all_springs(), body.polygon.size(), kind))
 	canvas.redraw()
 	canvas.changed.emit()
 
@@ -200,11 +200,11 @@ func _add_inner_point(place: Vector2) -> void:
 	for body in canvas.bodies:
 		if canvas.is_editable(body):
 			var local := canvas.to_body(body, place)
-			if Geometry2D.is_point_in_polygon(local, body.hull):
+			if Geometry2D.is_point_in_polygon(local, body.polygon):
 				var before := {body: BodyValues.take(body)}
 				canvas.commit(Words.say("Add Inner Point"), before, {body: SpringEdit.with_inner_point(before[body], local)})
 				return
-	canvas.tell(Words.say("Inner points belong inside the hull. Drag from point to point to add a spring."))
+	canvas.tell(Words.say("Inner points belong inside the polygon. Drag from point to point to add a spring."))
 
 
 func _erase(place: Vector2) -> void:
@@ -213,7 +213,7 @@ func _erase(place: Vector2) -> void:
 	var point := find_point(place)
 	if not point.is_empty() and tool == Tool.ADD:
 		var body: SoftBody2D = point[0]
-		var inner: int = point[1] - body.hull.size()
+		var inner: int = point[1] - body.polygon.size()
 		if inner >= 0 and inner < body.inner_points.size():
 			var before := {body: BodyValues.take(body)}
 			canvas.commit(Words.say("Remove Inner Point"), before, {body: SpringEdit.without_inner_point(before[body], inner)})
@@ -281,7 +281,7 @@ func _draw_body(overlay: Control, body: SoftBody2D) -> void:
 			overlay.draw_multiline(halo, BodyCanvas.SELECTED, 6 * canvas.scale(), true)
 		overlay.draw_multiline_colors(lines, colors, 2.5 * canvas.scale(), true)
 	for i in points.size():
-		canvas.draw_point(overlay, points[i], BodyCanvas.LINE if i < body.hull.size() else Color("b8c4d0"))
+		canvas.draw_point(overlay, points[i], BodyCanvas.LINE if i < body.polygon.size() else Color("b8c4d0"))
 	if not _join_from.is_empty() and _join_from[0] == body:
 		overlay.draw_line(points[_join_from[1]], _mouse, BodyCanvas.SELECTED, 2 * canvas.scale(), true)
 

@@ -5,7 +5,7 @@ extends RefCounted
 
 const BodyCanvas := preload("body_canvas.gd")
 const BodyValues := preload("../logic/body_values.gd")
-const HullEdit := preload("../logic/hull_edit.gd")
+const PolygonEdit := preload("../logic/polygon_edit.gd")
 const Words := preload("../logic/words.gd")
 const Advice := preload("../logic/stability_advice.gd")
 
@@ -29,21 +29,21 @@ func _init(canvas: BodyCanvas) -> void:
 	_canvas = canvas
 
 
-## Mean distance of the hull's points from their mean: of a circle its radius.
-static func radius_of(hull: PackedVector2Array) -> float:
-	var center := HullEdit.mean(hull)
+## Mean distance of the polygon's points from their mean: of a circle its radius.
+static func radius_of(polygon: PackedVector2Array) -> float:
+	var center := PolygonEdit.mean(polygon)
 	var sum := 0.0
-	for point in hull:
+	for point in polygon:
 		sum += point.distance_to(center)
-	return sum / maxf(1, hull.size())
+	return sum / maxf(1, polygon.size())
 
 
-## The hull with another radius, about its mean, in the body's own plane.
-static func with_radius(hull: PackedVector2Array, radius: float) -> PackedVector2Array:
-	var center := HullEdit.mean(hull)
-	var factor := maxf(radius, LEAST_RADIUS) / maxf(radius_of(hull), 1e-6)
+## The polygon with another radius, about its mean, in the body's own plane.
+static func with_radius(polygon: PackedVector2Array, radius: float) -> PackedVector2Array:
+	var center := PolygonEdit.mean(polygon)
+	var factor := maxf(radius, LEAST_RADIUS) / maxf(radius_of(polygon), 1e-6)
 	return Transform2D(0, center) * Transform2D(0, Vector2(factor, factor), 0, Vector2.ZERO) * Transform2D(0,
-			-center) * hull
+			-center) * polygon
 
 
 func press(place: Vector2) -> bool:
@@ -72,21 +72,21 @@ func press(place: Vector2) -> bool:
 func drag(place: Vector2) -> void:
 	if _kind == Kind.RADIUS:
 		var inverse := _canvas.to_screen(_body).affine_inverse()
-		var hull: PackedVector2Array = _before[_body][&"hull"]
-		var center := HullEdit.mean(hull)
-		var reach := (inverse * _canvas.snapped_on_screen(_body, place - (_press - _edge_place(hull)))).distance_to(center)
-		var first := (inverse * _edge_place(hull)).distance_to(center)
+		var polygon: PackedVector2Array = _before[_body][&"polygon"]
+		var center := PolygonEdit.mean(polygon)
+		var reach := (inverse * _canvas.snapped_on_screen(_body, place - (_press - _edge_place(polygon)))).distance_to(center)
+		var first := (inverse * _edge_place(polygon)).distance_to(center)
 		var factor := reach / maxf(first, 1e-6)
 		for body in _canvas.bodies:
-			var resized := with_radius(_before[body][&"hull"], radius_of(_before[body][&"hull"]) * factor)
-			if SoftBody2D.get_hull_problem(resized) == "":
-				body.hull = resized
+			var resized := with_radius(_before[body][&"polygon"], radius_of(_before[body][&"polygon"]) * factor)
+			if SoftBody2D.get_polygon_problem(resized) == "":
+				body.polygon = resized
 				if not _before[body][&"inner_points"].is_empty():
-					var real := radius_of(resized) / radius_of(_before[body][&"hull"])
-					var middle := HullEdit.mean(resized)
+					var real := radius_of(resized) / radius_of(_before[body][&"polygon"])
+					var middle := PolygonEdit.mean(resized)
 					body.inner_points = Transform2D(0, middle) * Transform2D(0, Vector2(real, real), 0,
 							Vector2.ZERO) * Transform2D(0, -middle) * (_before[body][&"inner_points"] as PackedVector2Array)
-		_text = Words.say("radius %s px") % Advice.number(radius_of(_body.hull))
+		_text = Words.say("radius %s px") % Advice.number(radius_of(_body.polygon))
 	elif _kind == Kind.PRESSURE:
 		var unit := 2 * _body.stiffness / (ARROW * _canvas.scale())
 		var pressure: float = maxf(0, _pressures[_body] + (_press.y - place.y) * unit)
@@ -149,12 +149,12 @@ func draw(overlay: Control) -> void:
 
 
 func _box(body: SoftBody2D) -> Rect2:
-	return HullEdit.bounds(_canvas.to_screen(body) * body.hull)
+	return PolygonEdit.bounds(_canvas.to_screen(body) * body.polygon)
 
 
 # The middle of the right edge of its box on the screen.
-func _edge_place(hull: PackedVector2Array) -> Vector2:
-	var box := HullEdit.bounds(_canvas.to_screen(_body) * hull)
+func _edge_place(polygon: PackedVector2Array) -> Vector2:
+	var box := PolygonEdit.bounds(_canvas.to_screen(_body) * polygon)
 	return Vector2(box.end.x, box.get_center().y)
 
 

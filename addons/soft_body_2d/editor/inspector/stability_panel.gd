@@ -58,13 +58,13 @@ func _look() -> void:
 	for body in _bodies:
 		if not is_instance_valid(body):
 			return
-		values.append([body.hull, body.inner_points, body.center_point, body.springs, body.spring_stiffness_scales,
+		values.append([body.polygon, body.inner_points, body.center_point, body.springs, body.spring_stiffness_scales,
 				body.spring_damping_scales, body.spring_length_scales, body.pinned_points, body.get_total_mass(),
 				body.gravity_scale, body.integrator, body.substeps, body.collision_mask, body.global_transform.x,
 				body.global_transform.y, body.elastic_model, body.least_area, body.least_stretch, body.most_stretch])
 		var source: Object = body if body.soft_body_material == null else body.soft_body_material
 		for property: StringName in [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"stiffness", &"damping",
-				&"shape_matching", &"shape_damping", &"pressure", &"inflation"]:
+				&"shape_matching", &"shape_damping_ratio", &"pressure", &"inflation"]:
 			values.append(source.get(property))
 	values.append(Engine.physics_ticks_per_second)
 	var known := hash(values)

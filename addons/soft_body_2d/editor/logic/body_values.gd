@@ -4,7 +4,7 @@ extends RefCounted
 ## The shape and structure of a body as plain values: what an edit starts from, what it makes, and what undo restores.
 
 ## In the order in which they are set: entries of the later ones count points of the earlier ones.
-const PROPERTIES: Array[StringName] = [&"hull", &"inner_points", &"center_point", &"springs",
+const PROPERTIES: Array[StringName] = [&"polygon", &"inner_points", &"center_point", &"springs",
 		&"spring_stiffness_scales", &"spring_damping_scales", &"spring_length_scales", &"texture", &"uv",
 		&"vertex_colors", &"pinned_points", &"pin_targets"]
 const SCALES: Array[StringName] = [&"spring_stiffness_scales", &"spring_damping_scales", &"spring_length_scales"]
@@ -52,12 +52,12 @@ static func changed(before: Dictionary, after: Dictionary) -> Array[StringName]:
 
 
 static func point_count(values: Dictionary) -> int:
-	return values[&"hull"].size() + values[&"inner_points"].size() + int(values[&"center_point"])
+	return values[&"polygon"].size() + values[&"inner_points"].size() + int(values[&"center_point"])
 
 
-## All points in the node's coordinates: hull, inner points, center point.
+## All points in the node's coordinates: polygon, inner points, center point.
 static func points(values: Dictionary) -> PackedVector2Array:
-	var all := PackedVector2Array(values[&"hull"])
+	var all := PackedVector2Array(values[&"polygon"])
 	if values[&"center_point"]:
 		var sum := Vector2.ZERO
 		for point in all:
@@ -75,7 +75,7 @@ static func springs(values: Dictionary) -> PackedInt32Array:
 	if not values[&"springs"].is_empty():
 		return values[&"springs"]
 	var scratch := SoftBody2D.new()
-	scratch.hull = values[&"hull"]
+	scratch.polygon = values[&"polygon"]
 	scratch.center_point = values[&"center_point"]
 	scratch.inner_points = values[&"inner_points"]
 	var all := scratch.get_all_springs()

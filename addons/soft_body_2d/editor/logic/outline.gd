@@ -3,7 +3,7 @@
 extends RefCounted
 ## Outlines made of other outlines: evenly spaced points, fewer points, mirrored, grown.
 
-const HullEdit := preload("hull_edit.gd")
+const PolygonEdit := preload("polygon_edit.gd")
 
 
 static func perimeter(outline: PackedVector2Array) -> float:
@@ -40,7 +40,7 @@ static func simplified(outline: PackedVector2Array, budget: int) -> PackedVector
 	if count <= budget or budget < 3:
 		return outline.duplicate()
 	# A closed outline is divided at two points that are far out, and so will not be missed.
-	var middle := HullEdit.mean(outline)
+	var middle := PolygonEdit.mean(outline)
 	var start := 0
 	for i in count:
 		if outline[i].distance_squared_to(middle) > outline[start].distance_squared_to(middle):
@@ -101,7 +101,7 @@ static func mirrored(points: PackedVector2Array, horizontally: bool, about: Vect
 ## The half of it on one side of a line through `about`, and its mirror image: a symmetric outline, or an empty one where
 ## that is not in one piece. `side` is -1 to keep what lies left of an upright line or above a level one, 1 for the other.
 static func symmetric(outline: PackedVector2Array, horizontally: bool, about: Vector2, side: int) -> PackedVector2Array:
-	var box := HullEdit.bounds(outline).grow(1)
+	var box := PolygonEdit.bounds(outline).grow(1)
 	var half := Rect2(box)
 	if horizontally:
 		half = Rect2(about.x, box.position.y, box.end.x - about.x, box.size.y) if side > 0 \
@@ -132,17 +132,17 @@ static func without_repeats(outline: PackedVector2Array, least := 0.01) -> Packe
 ## A simple outline near one that may meet itself: the largest part of what it encloses. Empty if there is none.
 static func repaired(outline: PackedVector2Array) -> PackedVector2Array:
 	var clean := without_repeats(outline)
-	if clean.size() < 3 or SoftBody2D.get_hull_problem(clean) == "":
+	if clean.size() < 3 or SoftBody2D.get_polygon_problem(clean) == "":
 		return clean if clean.size() >= 3 else PackedVector2Array()
 	# Grown and shrunk by the same way, necks without width and spikes are gone.
-	var size := HullEdit.bounds(clean).size.length()
+	var size := PolygonEdit.bounds(clean).size.length()
 	for share: float in [0.001, 0.005, 0.02]:
 		for grown in Geometry2D.offset_polygon(clean, share * size):
 			for shrunk in Geometry2D.offset_polygon(grown, -share * size):
 				var candidate := without_repeats(shrunk)
-				if candidate.size() >= 3 and SoftBody2D.get_hull_problem(candidate) == "":
+				if candidate.size() >= 3 and SoftBody2D.get_polygon_problem(candidate) == "":
 					return candidate
 	var around := Geometry2D.convex_hull(clean)
 	if around.size() > 1 and around[0] == around[-1]:
 		around.remove_at(around.size() - 1)
-	return around if around.size() >= 3 and SoftBody2D.get_hull_problem(around) == "" else PackedVector2Array()
+	return around if around.size() >= 3 and SoftBody2D.get_polygon_problem(around) == "" else PackedVector2Array()

@@ -5,18 +5,18 @@ extends RefCounted
 
 const BodyValues := preload("body_values.gd")
 
-enum Kind { HULL, INNER }
+enum Kind { POLYGON, INNER }
 
 
-static func kind(a: int, b: int, hull_count: int) -> Kind:
+static func kind(a: int, b: int, polygon_count: int) -> Kind:
 	var apart := absi(a - b)
-	return Kind.HULL if a < hull_count and b < hull_count and (apart == 1 or apart == hull_count - 1) else Kind.INNER
+	return Kind.POLYGON if a < polygon_count and b < polygon_count and (apart == 1 or apart == polygon_count - 1) else Kind.INNER
 
 
-static func of_kind(springs: PackedInt32Array, hull_count: int, wanted: Kind) -> PackedInt32Array:
+static func of_kind(springs: PackedInt32Array, polygon_count: int, wanted: Kind) -> PackedInt32Array:
 	var found := PackedInt32Array()
 	for i in springs.size() / 2:
-		if kind(springs[2 * i], springs[2 * i + 1], hull_count) == wanted:
+		if kind(springs[2 * i], springs[2 * i + 1], polygon_count) == wanted:
 			found.append(i)
 	return found
 
@@ -110,7 +110,7 @@ static func with_inner_point(values: Dictionary, place: Vector2) -> Dictionary:
 	inner.append(place)
 	after[&"inner_points"] = inner
 	# The center point comes last: what names it names the next place now.
-	var center: int = values[&"hull"].size() + inner.size() - 1
+	var center: int = values[&"polygon"].size() + inner.size() - 1
 	if values[&"center_point"]:
 		after[&"springs"] = _renamed(values[&"springs"], center, center + 1)
 		after[&"pinned_points"] = _renamed(values[&"pinned_points"], center, center + 1)
@@ -130,7 +130,7 @@ static func with_inner_point(values: Dictionary, place: Vector2) -> Dictionary:
 
 
 static func without_inner_point(values: Dictionary, index: int) -> Dictionary:
-	var point: int = values[&"hull"].size() + index
+	var point: int = values[&"polygon"].size() + index
 	var springs := BodyValues.springs(values)
 	var gone := PackedInt32Array()
 	for i in springs.size() / 2:

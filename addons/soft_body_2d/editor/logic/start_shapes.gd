@@ -3,7 +3,7 @@
 extends RefCounted
 ## Outlines to start from, in the node's coordinates. An empty one was refused; `last_problem` says why.
 
-const HullEdit := preload("hull_edit.gd")
+const PolygonEdit := preload("polygon_edit.gd")
 const Outline := preload("outline.gd")
 const Words := preload("words.gd")
 const MOST_POINTS := 4096
@@ -14,14 +14,14 @@ static var last_problem := ""
 static func circle(radius: float, count: int) -> PackedVector2Array:
 	if not _check(radius > 0, Words.say("A circle needs a radius above 0.")) or not _check_count(count):
 		return PackedVector2Array()
-	return SoftBody2D.make_circle_hull(radius, count)
+	return SoftBody2D.make_circle_polygon(radius, count)
 
 
 static func rectangle(size: Vector2, spacing: float) -> PackedVector2Array:
 	if not _check(size.x > 0 and size.y > 0, Words.say("A rectangle needs a size above 0.")) \
 			or not _check_spacing(2 * (size.x + size.y), spacing):
 		return PackedVector2Array()
-	return SoftBody2D.make_box_hull(size, spacing)
+	return SoftBody2D.make_box_polygon(size, spacing)
 
 
 static func capsule(radius: float, height: float, spacing: float) -> PackedVector2Array:
@@ -29,7 +29,7 @@ static func capsule(radius: float, height: float, spacing: float) -> PackedVecto
 			or not _check(height > 2 * radius, Words.say("A capsule must be higher than twice its radius.")) \
 			or not _check_spacing(2 * height + TAU * radius, spacing):
 		return PackedVector2Array()
-	return SoftBody2D.make_capsule_hull(radius, height, spacing)
+	return SoftBody2D.make_capsule_polygon(radius, height, spacing)
 
 
 ## `sides` corners on a circle, the first at the top, with `per_side` pieces an edge.
@@ -68,12 +68,12 @@ static func from_path(path: Path2D, to_body: Transform2D, count: int) -> PackedV
 
 static func _checked(outline: PackedVector2Array) -> PackedVector2Array:
 	var clean := Outline.without_repeats(outline)
-	var problem := SoftBody2D.get_hull_problem(clean)
-	return clean if _check(problem == "", Words.say("This outline cannot be a hull: %s.") % HullEdit.readable(problem)) else PackedVector2Array()
+	var problem := SoftBody2D.get_polygon_problem(clean)
+	return clean if _check(problem == "", Words.say("This outline cannot be a polygon: %s.") % PolygonEdit.readable(problem)) else PackedVector2Array()
 
 
 static func _check_count(count: int) -> bool:
-	return _check(count >= 3 and count <= MOST_POINTS, Words.say("A hull needs 3 to %d points.") % MOST_POINTS)
+	return _check(count >= 3 and count <= MOST_POINTS, Words.say("A polygon needs 3 to %d points.") % MOST_POINTS)
 
 
 static func _check_spacing(length: float, spacing: float) -> bool:

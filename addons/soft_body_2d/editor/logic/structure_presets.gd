@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 @tool
 extends RefCounted
-## Ready-made insides: what a hull is filled with.
+## Ready-made insides: what a polygon is filled with.
 
 const BodyValues := preload("body_values.gd")
-const HullEdit := preload("hull_edit.gd")
+const PolygonEdit := preload("polygon_edit.gd")
 const Outline := preload("outline.gd")
 
 enum Preset { NONE, CENTER_POINT, CROSS_BRACED, LATTICE }
@@ -13,7 +13,7 @@ const MOST_LATTICE_POINTS := 400
 
 
 ## The values of a body with that inside. Factors and pins that spoke of other points and springs are gone; pins of the
-## hull stay.
+## polygon stay.
 static func with_preset(values: Dictionary, preset: Preset) -> Dictionary:
 	var after := BodyValues.copy(values)
 	after[&"inner_points"] = PackedVector2Array()
@@ -21,18 +21,18 @@ static func with_preset(values: Dictionary, preset: Preset) -> Dictionary:
 	after[&"center_point"] = preset == Preset.CENTER_POINT
 	for scales in BodyValues.SCALES:
 		after[scales] = PackedFloat32Array()
-	var hull: PackedVector2Array = values[&"hull"]
+	var polygon: PackedVector2Array = values[&"polygon"]
 	match preset:
 		Preset.NONE:
-			after[&"springs"] = _ring(hull.size())
+			after[&"springs"] = _ring(polygon.size())
 		Preset.CROSS_BRACED:
-			after[&"springs"] = _braces(hull)
+			after[&"springs"] = _braces(polygon)
 		Preset.LATTICE:
-			after[&"inner_points"] = _lattice(hull)
+			after[&"inner_points"] = _lattice(polygon)
 	var pins := PackedInt32Array()
 	var targets: Array[NodePath] = []
 	for i in values[&"pinned_points"].size():
-		if values[&"pinned_points"][i] < hull.size():
+		if values[&"pinned_points"][i] < polygon.size():
 			pins.append(values[&"pinned_points"][i])
 			targets.append(values[&"pin_targets"][i] if i < values[&"pin_targets"].size() else NodePath())
 	after[&"pinned_points"] = pins
@@ -48,8 +48,8 @@ static func _ring(count: int) -> PackedInt32Array:
 
 
 ## The ring, each point with the next but one, and with the one across, as far as they see each other.
-static func _braces(hull: PackedVector2Array) -> PackedInt32Array:
-	var count := hull.size()
+static func _braces(polygon: PackedVector2Array) -> PackedInt32Array:
+	var count := polygon.size()
 	var springs := _ring(count)
 	var joined := {}
 	for i in count:
@@ -58,32 +58,32 @@ static func _braces(hull: PackedVector2Array) -> PackedInt32Array:
 		for i in count:
 			var other := (i + step) % count
 			var pair := Vector2i(mini(i, other), maxi(i, other))
-			if step >= 2 and i != other and not joined.has(pair) and sees(hull, i, other):
+			if step >= 2 and i != other and not joined.has(pair) and sees(polygon, i, other):
 				joined[pair] = true
 				springs.append_array([i, other])
 	return springs
 
 
 ## Whether the line from one point of the outline to another stays inside.
-static func sees(hull: PackedVector2Array, a: int, b: int) -> bool:
-	var count := hull.size()
-	if not Geometry2D.is_point_in_polygon((hull[a] + hull[b]) / 2, hull):
+static func sees(polygon: PackedVector2Array, a: int, b: int) -> bool:
+	var count := polygon.size()
+	if not Geometry2D.is_point_in_polygon((polygon[a] + polygon[b]) / 2, polygon):
 		return false
 	for i in count:
 		var next := (i + 1) % count
 		if i in [a, b] or next in [a, b]:
 			continue
-		if Geometry2D.segment_intersects_segment(hull[a], hull[b], hull[i], hull[next]) != null:
+		if Geometry2D.segment_intersects_segment(polygon[a], polygon[b], polygon[i], polygon[next]) != null:
 			return false
 	return true
 
 
 ## Points on a grid about as fine as the outline, not too near to it.
-static func _lattice(hull: PackedVector2Array) -> PackedVector2Array:
-	var box := HullEdit.bounds(hull)
-	var area := absf(HullEdit.signed_area(hull))
-	var spacing := maxf(Outline.perimeter(hull) / hull.size(), sqrt(area / MOST_LATTICE_POINTS))
-	var inner: Array[PackedVector2Array] = Geometry2D.offset_polygon(hull, -0.6 * spacing)
+static func _lattice(polygon: PackedVector2Array) -> PackedVector2Array:
+	var box := PolygonEdit.bounds(polygon)
+	var area := absf(PolygonEdit.signed_area(polygon))
+	var spacing := maxf(Outline.perimeter(polygon) / polygon.size(), sqrt(area / MOST_LATTICE_POINTS))
+	var inner: Array[PackedVector2Array] = Geometry2D.offset_polygon(polygon, -0.6 * spacing)
 	var points := PackedVector2Array()
 	var middle := box.get_center()
 	var reach := Vector2i((box.size / 2 / spacing).ceil())

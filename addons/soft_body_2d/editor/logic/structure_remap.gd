@@ -7,11 +7,11 @@ const BodyValues := preload("body_values.gd")
 const NEW := -1
 
 
-## The values of a body whose hull becomes `hull`. `old_points` says for each of its points which one it was, or NEW. New
+## The values of a body whose polygon becomes `polygon`. `old_points` says for each of its points which one it was, or NEW. New
 ## springs beside a new point take after those of its neighbors.
-static func with_hull(values: Dictionary, hull: PackedVector2Array, old_points: PackedInt32Array) -> Dictionary:
+static func with_polygon(values: Dictionary, polygon: PackedVector2Array, old_points: PackedInt32Array) -> Dictionary:
 	var after := BodyValues.copy(values)
-	after[&"hull"] = hull.duplicate() # packed arrays are shared, and this one goes into the undo history
+	after[&"polygon"] = polygon.duplicate() # packed arrays are shared, and this one goes into the undo history
 	var new_points := _new_points(values, old_points)
 	_remap_pins(after, new_points)
 	_remap_skin(values, after, old_points)
@@ -24,9 +24,9 @@ static func with_hull(values: Dictionary, hull: PackedVector2Array, old_points: 
 
 ## The values of a body whose points become others altogether: what was said of single points and springs would mean
 ## nothing there. Pins go to the nearest points if `keeps_pins`.
-static func with_other_outline(values: Dictionary, hull: PackedVector2Array, keeps_pins := false) -> Dictionary:
+static func with_other_outline(values: Dictionary, polygon: PackedVector2Array, keeps_pins := false) -> Dictionary:
 	var after := BodyValues.copy(values)
-	after[&"hull"] = hull.duplicate()
+	after[&"polygon"] = polygon.duplicate()
 	after[&"inner_points"] = PackedVector2Array()
 	after[&"springs"] = PackedInt32Array()
 	for scales in BodyValues.SCALES:
@@ -39,7 +39,7 @@ static func with_other_outline(values: Dictionary, hull: PackedVector2Array, kee
 		for i in values[&"pinned_points"].size():
 			var point: int = values[&"pinned_points"][i]
 			if point < before.size():
-				pins[_nearest(hull, before[point])] = values[&"pin_targets"][i] if i < values[&"pin_targets"].size() else NodePath()
+				pins[_nearest(polygon, before[point])] = values[&"pin_targets"][i] if i < values[&"pin_targets"].size() else NodePath()
 	_set_pins(after, pins)
 	return after
 
@@ -67,8 +67,8 @@ static func _new_points(values: Dictionary, old_points: PackedInt32Array) -> Dic
 	for i in old_points.size():
 		if old_points[i] != NEW:
 			new_points[old_points[i]] = i
-	var shift := old_points.size() - int(values[&"hull"].size())
-	for i in range(values[&"hull"].size(), BodyValues.point_count(values)):
+	var shift := old_points.size() - int(values[&"polygon"].size())
+	for i in range(values[&"polygon"].size(), BodyValues.point_count(values)):
 		new_points[i] = i + shift
 	return new_points
 
@@ -91,7 +91,7 @@ static func _set_pins(after: Dictionary, pins: Dictionary) -> void:
 
 static func _remap_skin(values: Dictionary, after: Dictionary, old_points: PackedInt32Array) -> void:
 	for property: StringName in [&"uv", &"vertex_colors"]:
-		if values[property].size() != values[&"hull"].size():
+		if values[property].size() != values[&"polygon"].size():
 			continue # empty, or unused until it fits
 		var entries: Variant = values[property].duplicate()
 		entries.resize(old_points.size())
@@ -100,7 +100,7 @@ static func _remap_skin(values: Dictionary, after: Dictionary, old_points: Packe
 				entries[i] = values[property][old_points[i]]
 			else:
 				var beside := _old_neighbors(old_points, i)
-				var share := _share(values[&"hull"], beside, after[&"hull"][i])
+				var share := _share(values[&"polygon"], beside, after[&"polygon"][i])
 				entries[i] = values[property][beside.x].lerp(values[property][beside.y], share)
 		after[property] = entries
 
@@ -120,10 +120,10 @@ static func _old_neighbors(old_points: PackedInt32Array, index: int) -> Vector2i
 	return found
 
 
-static func _share(hull: PackedVector2Array, beside: Vector2i, place: Vector2) -> float:
-	var edge := hull[beside.y] - hull[beside.x]
+static func _share(polygon: PackedVector2Array, beside: Vector2i, place: Vector2) -> float:
+	var edge := polygon[beside.y] - polygon[beside.x]
 	var square := edge.length_squared()
-	return clampf((place - hull[beside.x]).dot(edge) / square, 0, 1) if square > 0 else 0.5
+	return clampf((place - polygon[beside.x]).dot(edge) / square, 0, 1) if square > 0 else 0.5
 
 
 static func _remap_springs(values: Dictionary, after: Dictionary, new_points: Dictionary,
@@ -149,7 +149,7 @@ static func _remap_springs(values: Dictionary, after: Dictionary, new_points: Di
 				springs.append_array([i, neighbor])
 				sources.append(divided)
 		removed[divided] = true
-		for point in range(values[&"hull"].size(), BodyValues.point_count(values)):
+		for point in range(values[&"polygon"].size(), BodyValues.point_count(values)):
 			var first: int = index_of.get(_key(beside.x, point), -1)
 			if first >= 0 and index_of.has(_key(beside.y, point)):
 				springs.append_array([i, new_points[point]])

@@ -3,7 +3,7 @@
 extends RefCounted
 ## Finds the outline of what is opaque in a picture, within a budget of points. Can run in a thread.
 
-const HullEdit := preload("hull_edit.gd")
+const PolygonEdit := preload("polygon_edit.gd")
 const Outline := preload("outline.gd")
 const Words := preload("words.gd")
 
@@ -63,15 +63,15 @@ func trace(picture: Image, budget: int, threshold := 0.5, margin := 0.0) -> void
 	var largest := PackedVector2Array()
 	var total := 0.0
 	for part in parts:
-		var area := absf(HullEdit.signed_area(part))
+		var area := absf(PolygonEdit.signed_area(part))
 		total += area
 		islands += int(part.size() >= 3)
-		if part.size() >= 3 and (largest.is_empty() or area > absf(HullEdit.signed_area(largest))):
+		if part.size() >= 3 and (largest.is_empty() or area > absf(PolygonEdit.signed_area(largest))):
 			largest = part
 	if largest.is_empty():
 		problem = Words.say("What is opaque in the picture is too thin to have an outline. Lower the threshold, or choose another picture.")
 		return
-	var share := absf(HullEdit.signed_area(largest)) / maxf(total, 1e-9)
+	var share := absf(PolygonEdit.signed_area(largest)) / maxf(total, 1e-9)
 	outline = _finish(Transform2D(0, scale, 0, Vector2.ZERO) * largest, budget, margin)
 	progress = 1.0
 	if outline.is_empty():
@@ -105,7 +105,7 @@ func _finish(traced: PackedVector2Array, budget: int, margin: float) -> PackedVe
 		whole = PackedVector2Array()
 		for part in grown:
 			if not Geometry2D.is_polygon_clockwise(part) or grown.size() == 1:
-				if absf(HullEdit.signed_area(part)) > absf(HullEdit.signed_area(whole)):
+				if absf(PolygonEdit.signed_area(part)) > absf(PolygonEdit.signed_area(whole)):
 					whole = part
 	# What is left out may make edges cross where arms are thin; other points may do.
 	var points := budget
@@ -113,7 +113,7 @@ func _finish(traced: PackedVector2Array, budget: int, margin: float) -> PackedVe
 		var reduced := Outline.simplified(whole, points)
 		# Steps of pixels leave points side by side, which a body has nothing of.
 		reduced = Outline.without_repeats(reduced, LEAST_SPACING * Outline.perimeter(reduced) / reduced.size())
-		if SoftBody2D.get_hull_problem(reduced) == "":
+		if SoftBody2D.get_polygon_problem(reduced) == "":
 			return reduced
 		points = mini(points - 1, int(points * 0.9))
 	return PackedVector2Array()

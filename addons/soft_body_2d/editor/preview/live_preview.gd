@@ -30,11 +30,11 @@ func start() -> void:
 	for body in canvas.bodies:
 		if not canvas.is_editable(body) or copied.add_body(body) < 0:
 			continue
-		var hull := body.get_global_transform() * body.hull
-		var box := HullEdit.bounds(hull)
+		var polygon := body.get_global_transform() * body.polygon
+		var box := PolygonEdit.bounds(polygon)
 		bounds = box if _played_bodies.is_empty() else bounds.merge(box)
 		_played_bodies.append(body)
-		_triangles.append(Geometry2D.triangulate_polygon(body.hull))
+		_triangles.append(Geometry2D.triangulate_polygon(body.polygon))
 		_uvs.append(_uv_of(body))
 	if _played_bodies.is_empty():
 		canvas.warn(Words.say("There is nothing to play: select a SoftBody2D whose scale is not 0."))
@@ -106,7 +106,7 @@ func input(event: InputEvent) -> bool:
 	if is_left(event, true):
 		var reach := 0.0
 		for body in _played_bodies:
-			reach = maxf(reach, HullEdit.bounds(body.get_global_transform() * body.hull).size.length())
+			reach = maxf(reach, PolygonEdit.bounds(body.get_global_transform() * body.polygon).size.length())
 		world.grab(_in_scene(event.position), reach)
 		return true
 	if is_left(event, false):
@@ -119,18 +119,18 @@ func _in_scene(place: Vector2) -> Vector2:
 	return canvas.scene_to_screen(_played_bodies[0]).affine_inverse() * place
 
 
-# As the node itself shows its texture; [0, 1] over the hull's box where nothing else is said.
+# As the node itself shows its texture; [0, 1] over the polygon's box where nothing else is said.
 func _uv_of(body: SoftBody2D) -> PackedVector2Array:
 	var uvs := PackedVector2Array()
 	if body.texture == null:
 		return uvs
-	var box := HullEdit.bounds(body.hull)
+	var box := PolygonEdit.bounds(body.polygon)
 	var size := body.texture.get_size()
-	for i in body.hull.size():
-		if body.uv.size() == body.hull.size():
+	for i in body.polygon.size():
+		if body.uv.size() == body.polygon.size():
 			uvs.append((body.uv[i] + body.texture_offset) / size)
 		else:
-			uvs.append((body.hull[i] - box.position) / box.size)
+			uvs.append((body.polygon[i] - box.position) / box.size)
 	return uvs
 
 
@@ -146,15 +146,15 @@ func draw(overlay: Control) -> void:
 				Color(BodyCanvas.SELECTED, 0.35), canvas.scale())
 	for i in _played_bodies.size():
 		var body := _played_bodies[i]
-		var hull := view * world.get_hull(i)
+		var polygon := view * world.get_polygon(i)
 		# One that has folded over itself keeps the triangles of its last good frame.
-		var triangles := Geometry2D.triangulate_polygon(hull)
+		var triangles := Geometry2D.triangulate_polygon(polygon)
 		if not triangles.is_empty():
 			_triangles[i] = triangles
 		if not _triangles[i].is_empty():
 			var texture := body.texture.get_rid() if body.texture != null else RID()
-			RenderingServer.canvas_item_add_triangle_array(overlay.get_canvas_item(), _triangles[i], hull,
+			RenderingServer.canvas_item_add_triangle_array(overlay.get_canvas_item(), _triangles[i], polygon,
 					PackedColorArray([body.color * body.modulate]), _uvs[i], PackedInt32Array(), PackedFloat32Array(), texture)
-		canvas.draw_outline(overlay, hull, BodyCanvas.LINE)
+		canvas.draw_outline(overlay, polygon, BodyCanvas.LINE)
 	if world.is_grabbing():
 		canvas.draw_point(overlay, view * world.get_grabbed_position(), BodyCanvas.SELECTED, true)

@@ -5,7 +5,7 @@ extends Node
 
 const BodyCanvas := preload("../canvas/body_canvas.gd")
 const BodyValues := preload("../logic/body_values.gd")
-const HullEdit := preload("../logic/hull_edit.gd")
+const PolygonEdit := preload("../logic/polygon_edit.gd")
 const Outline := preload("../logic/outline.gd")
 const Presets := preload("../logic/structure_presets.gd")
 const ShapeDialog := preload("shape_dialog.gd")
@@ -45,10 +45,10 @@ func choose(shape: StringName, title: String) -> void:
 			return
 		var defaults := {}
 		if shape == &"circle":
-			defaults = {"radius": snappedf(ValueHandles.radius_of(canvas.bodies[0].hull), 0.5),
-					"count": canvas.bodies[0].hull.size()}
+			defaults = {"radius": snappedf(ValueHandles.radius_of(canvas.bodies[0].polygon), 0.5),
+					"count": canvas.bodies[0].polygon.size()}
 		elif shape == &"resample":
-			defaults = {"count": canvas.bodies[0].hull.size()}
+			defaults = {"count": canvas.bodies[0].polygon.size()}
 		dialog.ask(shape, title, defaults)
 	else:
 		run(shape, {})
@@ -86,18 +86,18 @@ func run(shape: StringName, values: Dictionary, source: Node2D = _source) -> voi
 		if not made.has(&"keeps"):
 			lost.append_array(StructureRemap.losses(before[body], shape == &"resample"))
 		made.erase(&"keeps")
-	canvas.commit(Words.say("Change Hull Shape"), before, after)
+	canvas.commit(Words.say("Change Polygon Shape"), before, after)
 	_tell_losses(lost)
 
 
 func _tell_losses(lost: PackedStringArray) -> void:
 	if not lost.is_empty():
-		canvas.tell(Words.say("What was set for single points and springs does not fit the new hull and is gone (undo brings it back): %s.") % ", ".join(lost))
+		canvas.tell(Words.say("What was set for single points and springs does not fit the new polygon and is gone (undo brings it back): %s.") % ", ".join(lost))
 
 
 # The values that the body gets, or none, with the reason in `last_problem`.
 func _make(shape: StringName, values: Dictionary, body: SoftBody2D, before: Dictionary, source: Node2D) -> Dictionary:
-	var hull: PackedVector2Array = before[&"hull"]
+	var polygon: PackedVector2Array = before[&"polygon"]
 	var outline := PackedVector2Array()
 	match shape:
 		&"circle":
@@ -115,26 +115,26 @@ func _make(shape: StringName, values: Dictionary, body: SoftBody2D, before: Dict
 			outline = StartShapes.from_path(source as Path2D,
 					body.get_global_transform().affine_inverse() * source.get_global_transform(), int(values["count"]))
 		&"resample":
-			outline = Outline.resampled(hull, int(values["count"]))
+			outline = Outline.resampled(polygon, int(values["count"]))
 		&"mirror_horizontally", &"mirror_vertically":
 			return _mirrored(before, shape == &"mirror_horizontally")
 		&"symmetric_left", &"symmetric_right":
-			outline = Outline.symmetric(hull, true, HullEdit.bounds(hull).get_center(), -1 if shape == &"symmetric_left" else 1)
+			outline = Outline.symmetric(polygon, true, PolygonEdit.bounds(polygon).get_center(), -1 if shape == &"symmetric_left" else 1)
 			if outline.is_empty():
-				StartShapes.last_problem = Words.say("This half of the hull is not in one piece: it cannot be mirrored onto the other.")
-	var problem := SoftBody2D.get_hull_problem(outline)
+				StartShapes.last_problem = Words.say("This half of the polygon is not in one piece: it cannot be mirrored onto the other.")
+	var problem := SoftBody2D.get_polygon_problem(outline)
 	if outline.is_empty() or problem != "":
 		if not outline.is_empty():
-			StartShapes.last_problem = Words.say("This outline cannot be a hull: %s.") % HullEdit.readable(problem)
+			StartShapes.last_problem = Words.say("This outline cannot be a polygon: %s.") % PolygonEdit.readable(problem)
 		return {}
 	return StructureRemap.with_other_outline(before, outline, shape == &"resample")
 
 
 # Every point keeps its index, its springs and its pin.
 func _mirrored(before: Dictionary, horizontally: bool) -> Dictionary:
-	var middle := HullEdit.bounds(before[&"hull"]).get_center()
+	var middle := PolygonEdit.bounds(before[&"polygon"]).get_center()
 	var after := BodyValues.copy(before)
-	after[&"hull"] = Outline.mirrored(before[&"hull"], horizontally, middle)
+	after[&"polygon"] = Outline.mirrored(before[&"polygon"], horizontally, middle)
 	after[&"inner_points"] = Outline.mirrored(before[&"inner_points"], horizontally, middle)
 	after[&"keeps"] = true
 	return after
@@ -177,11 +177,11 @@ func _on_traced(trace: TextureTrace, body: SoftBody2D, sprite: Sprite2D, texture
 	else:
 		after = StructureRemap.with_other_outline(before[body], Transform2D(0, -texture.get_size() / 2) * outline)
 		after[&"uv"] = outline
-	var problem := SoftBody2D.get_hull_problem(after[&"hull"])
+	var problem := SoftBody2D.get_polygon_problem(after[&"polygon"])
 	if problem != "":
-		canvas.warn(Words.say("This outline cannot be a hull: %s.") % HullEdit.readable(problem))
+		canvas.warn(Words.say("This outline cannot be a polygon: %s.") % PolygonEdit.readable(problem))
 		return
-	canvas.commit(Words.say("Trace Hull"), before, {body: after})
+	canvas.commit(Words.say("Trace Polygon"), before, {body: after})
 	_tell_losses(StructureRemap.losses(before[body]))
 	if trace.note != "":
 		canvas.warn(trace.note)

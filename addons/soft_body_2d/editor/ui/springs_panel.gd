@@ -13,7 +13,7 @@ const SCALES: Array = [
 ]
 
 var tool_buttons: Array[Button] = []
-var all_hull_button: Button
+var all_polygon_button: Button
 var all_inner_button: Button
 var fields: Array[SpinBox] = []
 var brush_fields := {}
@@ -48,7 +48,7 @@ func set_up(mode: SpringsMode) -> void:
 
 	var selecting := HBoxContainer.new()
 	add_child(selecting)
-	all_hull_button = _add_button(selecting, Words.say("All Hull"), _mode.select_kind.bind(SpringEdit.Kind.HULL))
+	all_polygon_button = _add_button(selecting, Words.say("All Polygon"), _mode.select_kind.bind(SpringEdit.Kind.POLYGON))
 	all_inner_button = _add_button(selecting, Words.say("All Inner"), _mode.select_kind.bind(SpringEdit.Kind.INNER))
 	_add_button(selecting, Words.say("None"), _mode.select_none)
 	add_child(_count)

@@ -14,7 +14,7 @@ signal preset_chosen(preset: int)
 signal preview_toggled(enabled: bool)
 signal help_wanted
 
-enum Mode { NONE, HULL, SPRINGS, PINS }
+enum Mode { NONE, POLYGON, SPRINGS, PINS }
 
 const SHAPES: Array = [
 	[&"circle", "Circle…"], [&"rectangle", "Rectangle…"], [&"capsule", "Capsule…"],
@@ -42,7 +42,7 @@ func _ready() -> void:
 	add_child(VSeparator.new())
 	var group := ButtonGroup.new()
 	group.allow_unpress = true
-	for entry: Array in [["hull", "Shape the hull.\nDrag points; click an edge to insert one; right-click erases.\nShift+drag selects by a box; Escape takes a drag back."],
+	for entry: Array in [["polygon", "Shape the polygon.\nDrag points; click an edge to insert one; right-click erases.\nShift+drag selects by a box; Escape takes a drag back."],
 			["springs", "Edit and paint springs."], ["pins", "Pin points."]]:
 		var button := _add_button(Words.say(entry[1]))
 		button.toggle_mode = true
@@ -50,18 +50,18 @@ func _ready() -> void:
 		button.set_meta(&"icon", entry[0])
 		mode_buttons.append(button)
 	group.pressed.connect(func(_button: BaseButton) -> void: mode_chosen.emit(mode()))
-	create_button = _add_button(Words.say("Draw a new hull: click to place its points, click the first one again to close it."))
+	create_button = _add_button(Words.say("Draw a new polygon: click to place its points, click the first one again to close it."))
 	create_button.toggle_mode = true
 	create_button.set_meta(&"icon", "create")
 	create_button.toggled.connect(func(enabled: bool) -> void: create_toggled.emit(enabled))
-	shape_menu = _add_menu(Words.say("Shape"), Words.say("Start from a shape, or change the hull as a whole."))
+	shape_menu = _add_menu(Words.say("Shape"), Words.say("Start from a shape, or change the polygon as a whole."))
 	for i in SHAPES.size():
 		if SHAPES[i][0] == &"":
 			shape_menu.get_popup().add_separator()
 		else:
 			shape_menu.get_popup().add_item(Words.say(SHAPES[i][1]), i)
 	shape_menu.get_popup().id_pressed.connect(func(id: int) -> void: shape_chosen.emit(SHAPES[id][0]))
-	structure_menu = _add_menu(Words.say("Structure"), Words.say("What the hull is filled with."))
+	structure_menu = _add_menu(Words.say("Structure"), Words.say("What the polygon is filled with."))
 	for i in PRESETS.size():
 		structure_menu.get_popup().add_item(Words.say(PRESETS[i]), i)
 	structure_menu.get_popup().id_pressed.connect(func(id: int) -> void: preset_chosen.emit(id))
@@ -88,7 +88,7 @@ func mode() -> Mode:
 func show_mode(mode: Mode) -> void:
 	for i in mode_buttons.size():
 		mode_buttons[i].set_pressed_no_signal(i + 1 == mode)
-	create_button.visible = mode == Mode.HULL
+	create_button.visible = mode == Mode.POLYGON
 
 
 func show_creating(enabled: bool) -> void:

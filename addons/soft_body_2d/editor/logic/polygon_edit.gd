@@ -87,9 +87,9 @@ static func crossing_edges(outline: PackedVector2Array, indices: PackedInt32Arra
 	return PackedInt32Array(crossing.keys())
 
 
-## What the core says of a hull, as one reads it at a glance: "edge 0-1 meets edge 7-8".
+## What the core says of a polygon, as one reads it at a glance: "edge 0-1 meets edge 7-8".
 static func readable(problem: String) -> String:
-	var text := problem.trim_prefix("hull = ").get_slice(";", 0)
+	var text := problem.trim_prefix("polygon = ").get_slice(";", 0)
 	for rest: String in [" must not intersect itself", " must have distinct neighboring points"]:
 		text = text.replace(rest, "")
 	return text

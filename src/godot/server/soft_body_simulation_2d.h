@@ -23,14 +23,14 @@ namespace godot {
 /// Owns one `SoftBodySpace2D` for each `World2D` in use. It steps on the scene tree's `physics_frame` signal: after
 /// Godot's own physics of the previous tick has been read back and before any `_physics_process`, when a RigidBody2D's
 /// new transform appears, too.
-class SoftBodyServer2D : public Object {
-	GDCLASS(SoftBodyServer2D, Object)
+class SoftBodySimulation2D : public Object {
+	GDCLASS(SoftBodySimulation2D, Object)
 
 public:
-	static SoftBodyServer2D *get_singleton();
+	static SoftBodySimulation2D *get_singleton();
 
-	SoftBodyServer2D();
-	~SoftBodyServer2D();
+	SoftBodySimulation2D();
+	~SoftBodySimulation2D();
 
 	/// Registers a node with the space of its World2D and returns that space's world.
 	softbody::SoftBodySpace2D *add_body(SoftBody2D *p_node);
@@ -86,7 +86,7 @@ private:
 	uint64_t watched_tree_ = 0; ///< instance id of the tree whose ticks step the spaces
 	int64_t tick_count_ = 0;
 	double last_step_usec_ = 0;
-	softbody::StepProfile profile_; ///< summed since the last reset
+	softbody::TickProfile profile_; ///< summed since the last reset
 	double total_step_usec_ = 0;
 	int64_t counted_steps_ = 0;
 	softbody::DrawingFrame drawing_;

@@ -29,7 +29,7 @@ func test_project_settings_are_registered_with_defaults_and_hints() -> void:
 
 func test_a_setting_out_of_range_is_refused_and_its_default_holds() -> void:
 	await change(THREADS, 1)
-	add_pile(1) # the server reads settings once it has a body
+	add_pile(1) # the simulation reads settings once it has a body
 	check_refused(func() -> void:
 		ProjectSettings.set_setting(THREADS, -3)
 		ProjectSettings.settings_changed.emit()
@@ -40,9 +40,9 @@ func test_a_setting_out_of_range_is_refused_and_its_default_holds() -> void:
 func test_the_number_of_threads_follows_the_setting() -> void:
 	add_pile(1)
 	await change(THREADS, 1)
-	check_equal(SoftBodyServer2D.get_thread_count(), 1, "threads")
+	check_equal(SoftBodySimulation2D.get_thread_count(), 1, "threads")
 	await change(THREADS, 2)
-	check_equal(SoftBodyServer2D.get_thread_count(), mini(2, OS.get_processor_count()), "threads")
+	check_equal(SoftBodySimulation2D.get_thread_count(), mini(2, OS.get_processor_count()), "threads")
 
 
 ## Bits, not tolerances: a replay must not depend on the machine it runs on.
@@ -73,7 +73,7 @@ func test_contact_substeps_follow_the_setting() -> void:
 		var answered := 0
 		for i in 60:
 			await ticks(1)
-			answered += SoftBodyServer2D.get_contact_count()
+			answered += SoftBodySimulation2D.get_contact_count()
 		counts.append(answered)
 		for body in pile:
 			body.free()
@@ -95,10 +95,10 @@ func test_sleep_can_be_switched_off_for_a_project() -> void:
 	add_floor(0)
 	var body := add_body(Vector2(0, -60))
 	await ticks(240)
-	check_equal(SoftBodyServer2D.get_awake_body_count(), 0, "bodies awake after four seconds on the floor")
+	check_equal(SoftBodySimulation2D.get_awake_body_count(), 0, "bodies awake after four seconds on the floor")
 	await change(SLEEP, false)
 	await ticks(2)
-	check_equal(SoftBodyServer2D.get_awake_body_count(), 1, "bodies awake without sleep")
+	check_equal(SoftBodySimulation2D.get_awake_body_count(), 1, "bodies awake without sleep")
 	body.free()
 
 
@@ -106,17 +106,17 @@ func test_the_debugger_has_monitors() -> void:
 	add_floor(0)
 	add_body(Vector2(0, -60))
 	await ticks(60)
-	check_equal(Performance.get_custom_monitor("SoftBody2D/Awake Bodies"), SoftBodyServer2D.get_awake_body_count(), "monitor of bodies awake")
-	check_equal(Performance.get_custom_monitor("SoftBody2D/Contacts"), SoftBodyServer2D.get_contact_count(), "monitor of contacts")
-	check_equal(Performance.get_custom_monitor("SoftBody2D/Step (usec)"), SoftBodyServer2D.get_last_step_usec(), "monitor of the step's time")
+	check_equal(Performance.get_custom_monitor("SoftBody2D/Awake Bodies"), SoftBodySimulation2D.get_awake_body_count(), "monitor of bodies awake")
+	check_equal(Performance.get_custom_monitor("SoftBody2D/Contacts"), SoftBodySimulation2D.get_contact_count(), "monitor of contacts")
+	check_equal(Performance.get_custom_monitor("SoftBody2D/Step (usec)"), SoftBodySimulation2D.get_last_step_usec(), "monitor of the step's time")
 	check_above(Performance.get_custom_monitor("SoftBody2D/Contacts"), 0, "contacts of a body on the floor")
 
 
 func test_the_parts_of_the_profile_lie_within_the_step() -> void:
 	add_pile(20)
-	SoftBodyServer2D.reset_statistics()
+	SoftBodySimulation2D.reset_statistics()
 	await ticks(10)
-	var profile := SoftBodyServer2D.get_step_profile()
+	var profile := SoftBodySimulation2D.get_step_profile()
 	check_equal(profile.keys(), ["prepare", "surroundings", "simulate", "finish", "proxies"], "parts of the profile")
 	var sum := 0.0
 	for part: String in profile:
@@ -125,7 +125,7 @@ func test_the_parts_of_the_profile_lie_within_the_step() -> void:
 	# One clock is read at the ends of the parts and of the step, which they follow one another in, so no load of the
 	# machine can make them longer than the whole.
 	check_above(sum, 0, "sum of the parts")
-	check(sum <= SoftBodyServer2D.get_mean_step_usec() + 1e-6, "the parts are no longer than the step")
+	check(sum <= SoftBodySimulation2D.get_mean_step_usec() + 1e-6, "the parts are no longer than the step")
 
 
 ## A node that is moved along runs code of the user at once, if it asked for it.
@@ -145,7 +145,7 @@ func test_bodies_may_be_freed_and_added_while_a_step_moves_nodes() -> void:
 	var before: float = fuse.added.position.y
 	await ticks(10)
 	check_above(fuse.added.position.y, before, "y of the body that was added during the step, after a while")
-	check_equal(SoftBodyServer2D.get_body_count(), 13, "bodies in the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 13, "bodies in the simulation")
 
 
 func test_a_body_may_leave_the_tree_while_it_is_moved_and_be_the_last_of_its_space() -> void:
@@ -155,24 +155,24 @@ func test_a_body_may_leave_the_tree_while_it_is_moved_and_be_the_last_of_its_spa
 	fuse.armed = true
 	await ticks(3)
 	check(not fuse.is_inside_tree(), "the body has left")
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies in the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies in the simulation")
 	fuse.free()
 
 
 func test_ten_thousand_nodes_come_and_go() -> void:
-	var hull := SoftBody2D.make_circle_hull(10, 8)
+	var polygon := SoftBody2D.make_circle_polygon(10, 8)
 	var parent := Node2D.new()
 	for i in 10000:
 		var body := SoftBody2D.new()
-		body.hull = hull
+		body.polygon = polygon
 		body.collision_mask = 0
 		body.position = Vector2(30 * (i % 100), 30.0 * (i / 100.0))
 		parent.add_child(body)
 	stage.add_child(parent)
 	await ticks(1)
-	check_equal(SoftBodyServer2D.get_body_count(), 10000, "bodies in the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 10000, "bodies in the simulation")
 	parent.free()
-	check_equal(SoftBodyServer2D.get_body_count(), 0, "bodies in the server")
+	check_equal(SoftBodySimulation2D.get_body_count(), 0, "bodies in the simulation")
 	await ticks(1)
 
 
@@ -222,8 +222,8 @@ func test_frozen_and_paused_bodies_do_not_count_as_awake() -> void:
 	for i in 4:
 		bodies.append(add_weightless_body(Vector2(200 * i, 0), { "linear_velocity": Vector2(0, 5), "can_sleep": false }))
 	await ticks(3)
-	check_equal(SoftBodyServer2D.get_awake_body_count(), 4, "awake bodies")
+	check_equal(SoftBodySimulation2D.get_awake_body_count(), 4, "awake bodies")
 	bodies[0].freeze = true
 	bodies[1].process_mode = Node.PROCESS_MODE_DISABLED
 	await ticks(2)
-	check_equal(SoftBodyServer2D.get_awake_body_count(), 2, "awake bodies with one frozen and one paused")
+	check_equal(SoftBodySimulation2D.get_awake_body_count(), 2, "awake bodies with one frozen and one paused")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The singleton that steps every soft body once a physics tick.
-#include "godot/server/soft_body_server_2d.h"
+#include "godot/server/soft_body_simulation_2d.h"
 
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_joint_2d.h"
@@ -22,7 +22,7 @@ namespace godot {
 
 namespace {
 
-SoftBodyServer2D *singleton = nullptr;
+SoftBodySimulation2D *singleton = nullptr;
 
 // Name in the debugger's list of monitors.
 const char *const AWAKE_MONITOR = "SoftBody2D/Awake Bodies";
@@ -31,17 +31,17 @@ const char *const STEP_MONITOR = "SoftBody2D/Step (usec)";
 
 } // namespace
 
-SoftBodyServer2D *SoftBodyServer2D::get_singleton() {
+SoftBodySimulation2D *SoftBodySimulation2D::get_singleton() {
 	return singleton;
 }
 
-SoftBodyServer2D::SoftBodyServer2D() {
+SoftBodySimulation2D::SoftBodySimulation2D() {
 	if (singleton == nullptr) {
 		singleton = this;
 	}
 }
 
-SoftBodyServer2D::~SoftBodyServer2D() {
+SoftBodySimulation2D::~SoftBodySimulation2D() {
 	if (Performance *performance = Performance::get_singleton()) {
 		for (const char *monitor : { AWAKE_MONITOR, CONTACT_MONITOR, STEP_MONITOR }) {
 			if (performance->has_custom_monitor(monitor)) {
@@ -55,11 +55,11 @@ SoftBodyServer2D::~SoftBodyServer2D() {
 }
 
 // The space of the node's World2D, made on first use.
-softbody::SoftBodySpace2D &SoftBodyServer2D::space_of(const CanvasItem *p_node) {
+softbody::SoftBodySpace2D &SoftBodySimulation2D::space_of(const CanvasItem *p_node) {
 	watch(p_node->get_tree());
 	if (!settings_known_) {
 		read_settings();
-		ProjectSettings::get_singleton()->connect("settings_changed", callable_mp(this, &SoftBodyServer2D::read_settings));
+		ProjectSettings::get_singleton()->connect("settings_changed", callable_mp(this, &SoftBodySimulation2D::read_settings));
 	}
 	const RID rid = p_node->get_world_2d()->get_space();
 	auto found = std::find_if(spaces_.begin(), spaces_.end(), [&](const Space &p_space) { return p_space.rid == rid; });
@@ -71,39 +71,39 @@ softbody::SoftBodySpace2D &SoftBodyServer2D::space_of(const CanvasItem *p_node) 
 	return *found->content;
 }
 
-softbody::SoftBodySpace2D *SoftBodyServer2D::add_body(SoftBody2D *p_node) {
+softbody::SoftBodySpace2D *SoftBodySimulation2D::add_body(SoftBody2D *p_node) {
 	softbody::SoftBodySpace2D &space = space_of(p_node);
 	space.add(p_node);
 	return &space;
 }
 
-softbody::SoftBodySpace2D *SoftBodyServer2D::add_joint(SoftBodyJoint2D *p_node) {
+softbody::SoftBodySpace2D *SoftBodySimulation2D::add_joint(SoftBodyJoint2D *p_node) {
 	softbody::SoftBodySpace2D &space = space_of(p_node);
 	space.add_joint(p_node);
 	return &space;
 }
 
-void SoftBodyServer2D::remove_joint(SoftBodyJoint2D *p_node) {
+void SoftBodySimulation2D::remove_joint(SoftBodyJoint2D *p_node) {
 	for (Space &space : spaces_) {
 		space.content->remove_joint(p_node);
 	}
 	drop_empty_spaces();
 }
 
-void SoftBodyServer2D::remove_body(SoftBody2D *p_node) {
+void SoftBodySimulation2D::remove_body(SoftBody2D *p_node) {
 	for (Space &space : spaces_) {
 		space.content->remove(p_node);
 	}
 	drop_empty_spaces();
 }
 
-void SoftBodyServer2D::drop_empty_spaces() {
+void SoftBodySimulation2D::drop_empty_spaces() {
 	if (!stepping_) {
 		std::erase_if(spaces_, [](const Space &p_space) { return p_space.content->is_empty(); });
 	}
 }
 
-void SoftBodyServer2D::read_settings() {
+void SoftBodySimulation2D::read_settings() {
 	settings_ = softbody::read_step_settings();
 	settings_known_ = true;
 	threads_.set_thread_count(settings_.threads);
@@ -112,32 +112,32 @@ void SoftBodyServer2D::read_settings() {
 	}
 }
 
-void SoftBodyServer2D::add_monitors() {
+void SoftBodySimulation2D::add_monitors() {
 	Performance *performance = Performance::get_singleton();
 	if (!performance->has_custom_monitor(AWAKE_MONITOR)) {
-		performance->add_custom_monitor(AWAKE_MONITOR, callable_mp(this, &SoftBodyServer2D::get_awake_body_count));
-		performance->add_custom_monitor(CONTACT_MONITOR, callable_mp(this, &SoftBodyServer2D::get_contact_count));
-		performance->add_custom_monitor(STEP_MONITOR, callable_mp(this, &SoftBodyServer2D::get_last_step_usec));
+		performance->add_custom_monitor(AWAKE_MONITOR, callable_mp(this, &SoftBodySimulation2D::get_awake_body_count));
+		performance->add_custom_monitor(CONTACT_MONITOR, callable_mp(this, &SoftBodySimulation2D::get_contact_count));
+		performance->add_custom_monitor(STEP_MONITOR, callable_mp(this, &SoftBodySimulation2D::get_last_step_usec));
 	}
 }
 
-void SoftBodyServer2D::watch(SceneTree *p_tree) {
+void SoftBodySimulation2D::watch(SceneTree *p_tree) {
 	if (watched_tree_ == p_tree->get_instance_id()) {
 		return;
 	}
 	watched_tree_ = p_tree->get_instance_id();
-	p_tree->connect("physics_frame", callable_mp(this, &SoftBodyServer2D::step));
+	p_tree->connect("physics_frame", callable_mp(this, &SoftBodySimulation2D::step));
 	add_monitors();
-	p_tree->connect("process_frame", callable_mp(this, &SoftBodyServer2D::draw_idle_frame));
+	p_tree->connect("process_frame", callable_mp(this, &SoftBodySimulation2D::draw_idle_frame));
 	// After every _process, so that bodies are drawn at their places in this frame.
 	RenderingServer *rendering = RenderingServer::get_singleton();
-	const Callable draw = callable_mp(this, &SoftBodyServer2D::draw_frame);
+	const Callable draw = callable_mp(this, &SoftBodySimulation2D::draw_frame);
 	if (!rendering->is_connected("frame_pre_draw", draw)) {
 		rendering->connect("frame_pre_draw", draw);
 	}
 }
 
-void SoftBodyServer2D::step() {
+void SoftBodySimulation2D::step() {
 	const SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(watched_tree_));
 	if (tree == nullptr || spaces_.empty() || stepping_) {
 		return;
@@ -156,7 +156,7 @@ void SoftBodyServer2D::step() {
 }
 
 // Moving nodes runs code of the user, which may add nodes or free them, in other spaces too.
-void SoftBodyServer2D::step_spaces(double p_delta) {
+void SoftBodySimulation2D::step_spaces(double p_delta) {
 	stepping_ = true;
 	const size_t count = spaces_.size(); // spaces added meanwhile wait for the next tick
 	for (size_t i = 0; i < count; i++) {
@@ -169,7 +169,7 @@ void SoftBodyServer2D::step_spaces(double p_delta) {
 	drop_empty_spaces();
 }
 
-void SoftBodyServer2D::draw_frame() {
+void SoftBodySimulation2D::draw_frame() {
 	if (spaces_.empty()) {
 		return;
 	}
@@ -187,13 +187,13 @@ void SoftBodyServer2D::draw_frame() {
 }
 
 // In low-processor mode the engine draws a frame only on request.
-void SoftBodyServer2D::draw_idle_frame() {
+void SoftBodySimulation2D::draw_idle_frame() {
 	if (OS::get_singleton()->is_in_low_processor_usage_mode()) {
 		draw_frame();
 	}
 }
 
-int64_t SoftBodyServer2D::get_body_count() const {
+int64_t SoftBodySimulation2D::get_body_count() const {
 	int64_t count = 0;
 	for (const Space &space : spaces_) {
 		count += space.content->body_count();
@@ -201,11 +201,11 @@ int64_t SoftBodyServer2D::get_body_count() const {
 	return count;
 }
 
-int64_t SoftBodyServer2D::get_tick_count() const {
+int64_t SoftBodySimulation2D::get_tick_count() const {
 	return tick_count_;
 }
 
-int64_t SoftBodyServer2D::get_awake_body_count() const {
+int64_t SoftBodySimulation2D::get_awake_body_count() const {
 	int64_t count = 0;
 	for (const Space &space : spaces_) {
 		count += space.content->awake_body_count();
@@ -213,7 +213,7 @@ int64_t SoftBodyServer2D::get_awake_body_count() const {
 	return count;
 }
 
-int64_t SoftBodyServer2D::get_contact_count() const {
+int64_t SoftBodySimulation2D::get_contact_count() const {
 	int64_t count = 0;
 	for (const Space &space : spaces_) {
 		count += space.content->contact_count();
@@ -221,16 +221,16 @@ int64_t SoftBodyServer2D::get_contact_count() const {
 	return count;
 }
 
-int64_t SoftBodyServer2D::get_built_shape_count() const {
+int64_t SoftBodySimulation2D::get_built_shape_count() const {
 	return softbody::built_shape_count();
 }
 
-int SoftBodyServer2D::get_thread_count() const {
+int SoftBodySimulation2D::get_thread_count() const {
 	return threads_.get_thread_count();
 }
 
 // Means since the last reset [µs a tick].
-Dictionary SoftBodyServer2D::get_step_profile() const {
+Dictionary SoftBodySimulation2D::get_step_profile() const {
 	const double steps = double(std::max<int64_t>(1, counted_steps_));
 	Dictionary result;
 	result["prepare"] = profile_.prepare / steps;
@@ -241,15 +241,15 @@ Dictionary SoftBodyServer2D::get_step_profile() const {
 	return result;
 }
 
-double SoftBodyServer2D::get_last_step_usec() const {
+double SoftBodySimulation2D::get_last_step_usec() const {
 	return last_step_usec_;
 }
 
-double SoftBodyServer2D::get_mean_step_usec() const {
+double SoftBodySimulation2D::get_mean_step_usec() const {
 	return counted_steps_ > 0 ? total_step_usec_ / double(counted_steps_) : 0.0;
 }
 
-void SoftBodyServer2D::reset_statistics() {
+void SoftBodySimulation2D::reset_statistics() {
 	tick_count_ = 0;
 	counted_steps_ = 0;
 	total_step_usec_ = 0;
@@ -258,7 +258,7 @@ void SoftBodyServer2D::reset_statistics() {
 	last_drawing_usec_ = 0;
 }
 
-double SoftBodyServer2D::measure_max_penetration() const {
+double SoftBodySimulation2D::measure_max_penetration() const {
 	double deepest = 0;
 	for (const Space &space : spaces_) {
 		for (const SoftBody2D *node : space.content->nodes()) {
@@ -268,20 +268,20 @@ double SoftBodyServer2D::measure_max_penetration() const {
 	return deepest;
 }
 
-void SoftBodyServer2D::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("get_body_count"), &SoftBodyServer2D::get_body_count);
-	ClassDB::bind_method(D_METHOD("get_awake_body_count"), &SoftBodyServer2D::get_awake_body_count);
-	ClassDB::bind_method(D_METHOD("get_contact_count"), &SoftBodyServer2D::get_contact_count);
-	ClassDB::bind_method(D_METHOD("get_built_shape_count"), &SoftBodyServer2D::get_built_shape_count);
-	ClassDB::bind_method(D_METHOD("get_thread_count"), &SoftBodyServer2D::get_thread_count);
-	ClassDB::bind_method(D_METHOD("get_step_profile"), &SoftBodyServer2D::get_step_profile);
-	ClassDB::bind_method(D_METHOD("get_tick_count"), &SoftBodyServer2D::get_tick_count);
-	ClassDB::bind_method(D_METHOD("get_last_step_usec"), &SoftBodyServer2D::get_last_step_usec);
-	ClassDB::bind_method(D_METHOD("get_mean_step_usec"), &SoftBodyServer2D::get_mean_step_usec);
-	ClassDB::bind_method(D_METHOD("get_last_drawing_usec"), &SoftBodyServer2D::get_last_drawing_usec);
-	ClassDB::bind_method(D_METHOD("get_last_drawn_count"), &SoftBodyServer2D::get_last_drawn_count);
-	ClassDB::bind_method(D_METHOD("reset_statistics"), &SoftBodyServer2D::reset_statistics);
-	ClassDB::bind_method(D_METHOD("measure_max_penetration"), &SoftBodyServer2D::measure_max_penetration);
+void SoftBodySimulation2D::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("get_body_count"), &SoftBodySimulation2D::get_body_count);
+	ClassDB::bind_method(D_METHOD("get_awake_body_count"), &SoftBodySimulation2D::get_awake_body_count);
+	ClassDB::bind_method(D_METHOD("get_contact_count"), &SoftBodySimulation2D::get_contact_count);
+	ClassDB::bind_method(D_METHOD("get_built_shape_count"), &SoftBodySimulation2D::get_built_shape_count);
+	ClassDB::bind_method(D_METHOD("get_thread_count"), &SoftBodySimulation2D::get_thread_count);
+	ClassDB::bind_method(D_METHOD("get_step_profile"), &SoftBodySimulation2D::get_step_profile);
+	ClassDB::bind_method(D_METHOD("get_tick_count"), &SoftBodySimulation2D::get_tick_count);
+	ClassDB::bind_method(D_METHOD("get_last_step_usec"), &SoftBodySimulation2D::get_last_step_usec);
+	ClassDB::bind_method(D_METHOD("get_mean_step_usec"), &SoftBodySimulation2D::get_mean_step_usec);
+	ClassDB::bind_method(D_METHOD("get_last_drawing_usec"), &SoftBodySimulation2D::get_last_drawing_usec);
+	ClassDB::bind_method(D_METHOD("get_last_drawn_count"), &SoftBodySimulation2D::get_last_drawn_count);
+	ClassDB::bind_method(D_METHOD("reset_statistics"), &SoftBodySimulation2D::reset_statistics);
+	ClassDB::bind_method(D_METHOD("measure_max_penetration"), &SoftBodySimulation2D::measure_max_penetration);
 }
 
 } // namespace godot

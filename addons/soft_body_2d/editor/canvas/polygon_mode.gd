@@ -25,7 +25,7 @@ var _mouse := Vector2.ZERO
 var _grabbed: Array = [] # body and index of the point under the mouse
 var _grab_offset := Vector2.ZERO
 var _before := {} # values of each body when the drag began
-var _outlines := {} # hulls as they are dragged
+var _outlines := {} # polygons as they are dragged
 var _begin_box := Rect2()
 var _corner := -1
 var _is_inserting := false
@@ -41,7 +41,7 @@ func _init(p_canvas: BodyCanvas) -> void:
 func follow_bodies() -> void:
 	var counts := PackedInt32Array()
 	for body in canvas.bodies:
-		counts.append(body.hull.size())
+		counts.append(body.polygon.size())
 	selection.keep_to(canvas.bodies, counts)
 
 
@@ -122,12 +122,12 @@ func _input_creating(event: InputEvent) -> bool:
 
 func _close_drawing() -> void:
 	var body := canvas.bodies[0]
-	var refusal := SoftBody2D.get_hull_problem(drawing)
+	var refusal := SoftBody2D.get_polygon_problem(drawing)
 	if refusal != "":
-		canvas.warn(Words.say("This outline cannot be a hull: %s.") % HullEdit.readable(refusal))
+		canvas.warn(Words.say("This outline cannot be a polygon: %s.") % PolygonEdit.readable(refusal))
 		return
 	var before := {body: BodyValues.take(body)}
-	canvas.commit(Words.say("Draw Hull"), before, {body: StructureRemap.with_other_outline(before[body], drawing)})
+	canvas.commit(Words.say("Draw Polygon"), before, {body: StructureRemap.with_other_outline(before[body], drawing)})
 	drawing.clear()
 	set_creating(false)
 	canvas.changed.emit()
@@ -210,7 +210,7 @@ func _begin_points_drag() -> void:
 	_before = canvas.take_values()
 	_outlines = {}
 	var body: SoftBody2D = _grabbed[0]
-	_grab_offset = canvas.to_screen(body) * body.hull[_grabbed[1]] - _press
+	_grab_offset = canvas.to_screen(body) * body.polygon[_grabbed[1]] - _press
 	canvas.redraw()
 	canvas.changed.emit()
 
@@ -219,14 +219,14 @@ func _insert(body: SoftBody2D, edge: int, place: Vector2) -> void:
 	# The values before the point came are what undo restores: inserting and dragging on is one step.
 	var before := canvas.take_values()
 	var values: Dictionary = before[body]
-	var outline := HullEdit.inserted(values[&"hull"], edge, canvas.to_body(body, place))
-	var old_points := PackedInt32Array(range(values[&"hull"].size()))
+	var outline := PolygonEdit.inserted(values[&"polygon"], edge, canvas.to_body(body, place))
+	var old_points := PackedInt32Array(range(values[&"polygon"].size()))
 	old_points.insert(edge + 1, StructureRemap.NEW)
-	var refusal := SoftBody2D.get_hull_problem(outline)
+	var refusal := SoftBody2D.get_polygon_problem(outline)
 	if refusal != "":
-		canvas.warn(Words.say("No point can be inserted here: %s.") % HullEdit.readable(refusal))
+		canvas.warn(Words.say("No point can be inserted here: %s.") % PolygonEdit.readable(refusal))
 		return
-	BodyValues.put(body, StructureRemap.with_hull(values, outline, old_points))
+	BodyValues.put(body, StructureRemap.with_polygon(values, outline, old_points))
 	selection.clear()
 	selection.add(body, [edge + 1])
 	_grabbed = [body, edge + 1]
@@ -268,18 +268,18 @@ func _erase(chosen: Dictionary) -> void:
 	var after := {}
 	for body: SoftBody2D in chosen:
 		before[body] = BodyValues.take(body)
-		var outline := HullEdit.erased(before[body][&"hull"], chosen[body])
-		var refusal := SoftBody2D.get_hull_problem(outline)
+		var outline := PolygonEdit.erased(before[body][&"polygon"], chosen[body])
+		var refusal := SoftBody2D.get_polygon_problem(outline)
 		if refusal != "":
-			canvas.warn(Words.say("These points of '%s' cannot be erased: %s.") % [body.name, HullEdit.readable(refusal)])
+			canvas.warn(Words.say("These points of '%s' cannot be erased: %s.") % [body.name, PolygonEdit.readable(refusal)])
 			return
 		var old_points := PackedInt32Array()
-		for i in before[body][&"hull"].size():
+		for i in before[body][&"polygon"].size():
 			if not i in chosen[body]:
 				old_points.append(i)
-		after[body] = StructureRemap.with_hull(before[body], outline, old_points)
+		after[body] = StructureRemap.with_polygon(before[body], outline, old_points)
 	selection.clear()
-	canvas.commit(Words.say("Erase Hull Points"), before, after)
+	canvas.commit(Words.say("Erase Polygon Points"), before, after)
 
 
 # Moving.
@@ -311,10 +311,10 @@ func _move(event: InputEventMouseMotion) -> bool:
 # The point under the mouse goes to the grid; the others keep their places beside it.
 func _drag_points(place: Vector2) -> void:
 	var grabbed: SoftBody2D = _grabbed[0]
-	var first: PackedVector2Array = _outlines.get(grabbed, grabbed.hull) if not _outlines.is_empty() else grabbed.hull
+	var first: PackedVector2Array = _outlines.get(grabbed, grabbed.polygon) if not _outlines.is_empty() else grabbed.polygon
 	if _outlines.is_empty():
 		for body in canvas.bodies:
-			_outlines[body] = body.hull
+			_outlines[body] = body.polygon
 		first = _outlines[grabbed]
 	var to := canvas.to_body(grabbed, place + _grab_offset)
 	var from := first[_grabbed[1]]
@@ -326,7 +326,7 @@ func _drag_points(place: Vector2) -> void:
 		var chosen := selection.of(body)
 		if not chosen.is_empty():
 			var by := to - from if body == grabbed else canvas.to_screen(body).affine_inverse().basis_xform(way)
-			_outlines[body] = HullEdit.moved(_outlines[body], chosen, by)
+			_outlines[body] = PolygonEdit.moved(_outlines[body], chosen, by)
 			if body == grabbed:
 				_outlines[body][_grabbed[1]] = to # no digit is lost on the way there
 			_show_outline(body)
@@ -339,18 +339,18 @@ func _transform_on_screen(by: Transform2D) -> void:
 		var chosen := selection.of(body)
 		if not chosen.is_empty():
 			var view := canvas.to_screen(body)
-			_outlines[body] = HullEdit.transformed(_before[body][&"hull"], chosen, view.affine_inverse() * by * view)
+			_outlines[body] = PolygonEdit.transformed(_before[body][&"polygon"], chosen, view.affine_inverse() * by * view)
 			_show_outline(body)
 	canvas.redraw()
 
 
-# The body follows as long as it can; a hull that it would refuse is only drawn, in red.
+# The body follows as long as it can; a polygon that it would refuse is only drawn, in red.
 func _show_outline(body: SoftBody2D) -> void:
-	var refusal := SoftBody2D.get_hull_problem(_outlines[body])
+	var refusal := SoftBody2D.get_polygon_problem(_outlines[body])
 	if refusal == "":
-		body.hull = _outlines[body]
+		body.polygon = _outlines[body]
 	else:
-		problem = HullEdit.readable(refusal)
+		problem = PolygonEdit.readable(refusal)
 
 
 func _release() -> void:
@@ -358,7 +358,7 @@ func _release() -> void:
 		Drag.BOX:
 			for body in canvas.bodies:
 				if canvas.is_editable(body):
-					selection.add(body, HullEdit.points_in_box(canvas.to_screen(body) * body.hull, box()))
+					selection.add(body, PolygonEdit.points_in_box(canvas.to_screen(body) * body.polygon, box()))
 			canvas.changed.emit()
 		Drag.HANDLE:
 			handles.release()
@@ -370,13 +370,13 @@ func _release() -> void:
 					selection.clear()
 				canvas.warn(Words.say("Refused, as it was before: %s.") % problem)
 			else:
-				var action := Words.say("Move Hull Points")
+				var action := Words.say("Move Polygon Points")
 				if _is_inserting:
-					action = Words.say("Insert Hull Point")
+					action = Words.say("Insert Polygon Point")
 				elif _drag == Drag.ROTATE:
-					action = Words.say("Rotate Hull Points")
+					action = Words.say("Rotate Polygon Points")
 				elif _drag == Drag.SCALE:
-					action = Words.say("Scale Hull Points")
+					action = Words.say("Scale Polygon Points")
 				canvas.commit(action, _before, canvas.take_values())
 	_end_drag()
 	canvas.redraw()
@@ -397,7 +397,7 @@ func _end_drag() -> void:
 func _find_edge(place: Vector2) -> Array:
 	for body in canvas.bodies:
 		if canvas.is_editable(body):
-			var edge := HullEdit.nearest_edge(canvas.to_screen(body) * body.hull, place, canvas.grab_radius())
+			var edge := PolygonEdit.nearest_edge(canvas.to_screen(body) * body.polygon, place, canvas.grab_radius())
 			if edge >= 0:
 				return [body, edge]
 	return []
@@ -420,10 +420,10 @@ func _selection_box() -> Rect2:
 	var places := PackedVector2Array()
 	for body in canvas.bodies:
 		if canvas.is_editable(body):
-			var points := canvas.to_screen(body) * body.hull
+			var points := canvas.to_screen(body) * body.polygon
 			for index in selection.of(body):
 				places.append(points[index])
-	return HullEdit.bounds(places).grow(BOX_MARGIN * canvas.scale())
+	return PolygonEdit.bounds(places).grow(BOX_MARGIN * canvas.scale())
 
 
 # Drawing.
@@ -445,15 +445,15 @@ func draw(overlay: Control) -> void:
 
 
 func _draw_body(overlay: Control, body: SoftBody2D) -> void:
-	var outline: PackedVector2Array = _outlines.get(body, body.hull)
-	var is_bad := problem != "" and outline != body.hull
+	var outline: PackedVector2Array = _outlines.get(body, body.polygon)
+	var is_bad := problem != "" and outline != body.polygon
 	var points := canvas.to_screen(body) * outline
 	if is_creating:
 		canvas.draw_outline(overlay, points, Color(BodyCanvas.LINE, 0.35))
 		return
 	canvas.draw_outline(overlay, points, BodyCanvas.LINE, 2)
 	if is_bad:
-		for edge in HullEdit.crossing_edges(outline, selection.of(body)):
+		for edge in PolygonEdit.crossing_edges(outline, selection.of(body)):
 			overlay.draw_line(points[edge], points[(edge + 1) % points.size()], BodyCanvas.BAD, 3 * canvas.scale(), true)
 	for i in points.size():
 		var color := BodyCanvas.LINE
