@@ -79,10 +79,8 @@ inline constexpr Real LEAST_SOLIDITY = Real(0.95);
 /// Fewer: a body folded onto itself stiffens. More: proportional cost where it is folded.
 inline constexpr int SELF_CONTACT_PASSES = 4;
 
-/// Stability budget S of the substep rule h²Ω² + 2hΓ <= S² [1]. 2 is the limit of the linear
-/// theory and fails for crumpled bodies. At 1.3 none of 12 500 random crumpled bodies (`bench.sh auto`) becomes
-/// non-finite or doubles its energy, with 1.9 times the fewest substeps that a search finds safe; of 12 000 others one
-/// came to 2.03 times.
+/// Stability budget S of the substep rule h²Ω² + 2hΓ <= S² [1]. 2 is the limit of the linear theory and fails for
+/// crumpled bodies. Figures: docs/accuracy.md, "The automatic choice".
 inline constexpr Real STABILITY_BUDGET = Real(1.3);
 
 /// Most substeps the automatic choice spends on explicit springs [1]. A body that needs more gets XPBD, which gains no
@@ -96,8 +94,8 @@ inline constexpr int XPBD_SUBSTEPS = 8;
 /// warns.
 inline constexpr Real DAMPING_FLOOR = Real(0.02);
 
-/// Default shape-matching stiffness as a fraction of the springs' stiffness [1]. Below about
-/// 0.4, some strongly deformed bodies stay folded for good.
+/// Default shape-matching stiffness as a fraction of the springs' stiffness [1]. Below about 0.4 some strongly deformed
+/// bodies stay folded forever.
 inline constexpr Real DEFAULT_SHAPE_MATCHING = Real(0.4);
 
 /// Half thickness given to a line segment [length, times WorldData::length_unit]. A point rests this far from the line,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Energy of a body.
+// Energy of a body, for tests and charts.
 #pragma once
 
 #include "core/base/vec2.h"

@@ -15,11 +15,10 @@ namespace softbody {
 /// between the point's neighbors, turned outward. `gradient` has at least as many entries as `hull`. O(hull points).
 Real area_and_gradient(std::span<const Vec2> hull, std::span<Vec2> gradient);
 
-/// Adds the force p ∂A/∂x_i of the pressure p = k_p (s - A/A0) on every hull point; p > 0 pushes outward.
-/// Linear in the area rather than 1/A (Matyka 2004): a gas law explodes as the hull is crushed and
-/// turns its sign when the hull is inverted, this one always pushes back towards the target area.
-/// The work it does is p dA, and the forces
-/// sum to zero force and zero torque because area does not change under rigid motion.
+/// Adds the pressure's force p ∂A/∂x_i on every hull point, with p = k_p (s - A/A0) [force/length], positive when it pushes
+/// outward. Linear in the area rather than 1/A (Matyka 2004): a gas law explodes as the hull is crushed and changes sign when
+/// the hull is inverted; this one always pushes towards the target area. Its work is p dA. The forces sum to zero force and
+/// zero torque, because rigid motion does not change the area.
 template <class T>
 void add_pressure_forces(const SoftBodyShape &shape, const BodySettings &settings,
 		std::span<const BasicVec2<T>> positions, std::span<BasicVec2<T>> forces);

@@ -20,7 +20,7 @@ constexpr double END_TOLERANCE = 1e-6;
 // a root in double, which near a grazing hit is about 1e-8 in time but not in distance.
 constexpr double GAP_TOLERANCE = 1e-9;
 
-// Everything seen from the moving end a, so that two motions are left: of the point and of the end b.
+// All motion relative to the moving end a. Two motions are left: of the point and of the end b.
 struct RelativeMotion {
 	Vec2d point;
 	Vec2d point_way;

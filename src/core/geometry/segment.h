@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests on line segments: where two meet, when a moving point hits a moving one.
+// Tests on line segments: intersection, closest point, and the time at which a moving point hits a moving segment.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -16,7 +16,7 @@ std::optional<Real> segment_intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 /// Parameter t in [0, 1] of the point a + t(b - a) closest to p; 0 when a and b coincide.
 Real closest_parameter_on_segment(Vec2 p, Vec2 a, Vec2 b);
 
-/// A point that moves from one place to another at constant velocity during a time of 1.
+/// Motion of a point from one place to another at constant velocity during a time of 1.
 struct Motion {
 	Vec2 from;
 	Vec2 to;

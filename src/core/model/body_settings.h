@@ -59,9 +59,9 @@ struct BodySettings {
 	Real friction = Real(0.4);
 	/// The body's friction counts even where the other side's is smaller. Of two that are rough the larger counts.
 	bool rough = false;
-	/// Rolling resistance [1], >= 0: the spin lost to a contact is at most this times the normal impulse
-	/// times the body's radius, over its inertia. A soft body on flat ground otherwise rocks between two
-	/// hull points for tens of seconds. On slopes up to about atan(r) it hardly rolls.
+	/// Rolling resistance [1], >= 0: a contact takes at most this times the normal impulse times the body's radius,
+	/// over its inertia, of the spin. Without it a soft body on flat ground rocks between two hull points for tens of
+	/// seconds. On slopes up to about atan(r) it hardly rolls.
 	Real rolling_resistance = 0;
 	/// Least share of the approach speed with which the body leaves a surface [1], 0..1. Springs may return more.
 	Real restitution = 0;
@@ -124,7 +124,7 @@ inline Real signed_restitution(Real restitution, bool absorbent) {
 	return absorbent ? -restitution : restitution;
 }
 
-/// Switches the limits of area and stretch on: DEFAULT_LEAST_AREA and its neighbors. What every body gets in a game.
+/// Switches the limits of area and stretch on, with DEFAULT_LEAST_AREA and its neighbors. Nodes get them by default.
 void set_default_limits(BodySettings &settings);
 
 /// Refuses the first value outside its range, by name.

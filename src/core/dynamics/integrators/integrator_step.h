@@ -48,9 +48,8 @@ using IntegratorWorkspace = BasicWorkspace<Real>;
 /// The one seam between a step and its method: a step calls its bodies' method through this pointer, once a substep and batch,
 /// as `integrator_traits` and `lane_step` hand it out. Methods that only charts and teaching use (explicit Euler, midpoint,
 /// Heun, Runge-Kutta) cost the others nothing beyond that call.
-/// Advances positions and velocities by one substep, without contacts. Stages evaluate the same
-/// contact-free forces; contacts are solved once, after the substep, by whoever calls.
-/// A pinned point (inverse mass 0) keeps its velocity, which is 0.
+/// Advances positions and velocities by one substep, without contacts. Stages evaluate contact-free forces; the caller
+/// solves contacts once, after the substep. A pinned point (inverse mass 0) keeps its velocity, which is 0.
 template <class T>
 using LaneStep = void (*)(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
 
