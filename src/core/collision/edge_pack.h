@@ -40,8 +40,8 @@ inline EdgePack edges_at(std::span<const Vec2> hull, std::size_t first) {
 		gather<const Vec2>({ point(1), point(2), home, home }, 0) };
 }
 
-/// Winding of the edges around p, by a ray from p towards +x. An edge that crosses its line upwards with p on the inner
-/// side counts +1. An edge that crosses it downwards with p on the outer side counts -1.
+/// Winding of the edges around p, by a ray from p towards +x. An edge that rises past p with p on its inner side counts
+/// +1. An edge that falls past p with p on its outer side counts -1.
 inline int winding_of(const EdgePack &edges, const BasicVec2<RealPack> &p) {
 	const RealPack side = cross(edges.end - edges.start, p - edges.start);
 	const PackMask starts_above = p.y < edges.start.y;

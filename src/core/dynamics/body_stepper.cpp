@@ -437,7 +437,7 @@ std::array<BodyFrame, WIDE_WIDTH> BodyStepper::measure_frames(const Batch &batch
 
 void BodyStepper::remember_rotations(const Batch &batch, std::span<const BodyFrame> frames) {
 	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
-		body(batch.body_indices[lane]).set_rotation_memory(frames[lane].rotation); // where the rotation is not defined, this is the memory itself
+		body(batch.body_indices[lane]).set_rotation_memory(frames[lane].rotation); // the memory itself if undefined
 	}
 }
 

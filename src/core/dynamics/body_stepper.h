@@ -99,7 +99,7 @@ private:
 	BasicWorkspace<RealPack> pack_workspace_;
 	std::vector<BasicVec2<RealPack>> pack_positions_;
 	std::vector<BasicVec2<RealPack>> pack_velocities_;
-	std::vector<BasicVec2<RealPack>> pack_start_; ///< positions, then velocities, at the start of a slice, if the bodies' own arrays do not keep them
+	std::vector<BasicVec2<RealPack>> pack_start_; ///< as `start_`, if the bodies' own arrays do not keep it
 	std::vector<Vec2> limited_; ///< stored state of a body while its limits are kept
 	std::unique_ptr<WideStepper> wide_ = make_wide_stepper();
 };
