@@ -182,8 +182,7 @@ SelfCollision::Boxes SelfCollision::edge_boxes(std::uint32_t run) const {
 	return boxes;
 }
 
-// A tree of boxes in the order of the hull: PACK_WIDTH boxes of each level are one box of the next. Neighbors on the
-// hull are neighbors in the plane, so nothing needs to be sorted.
+// A tree of boxes in hull order, PACK_WIDTH boxes under each. Unsorted: neighbors on the hull are near in the plane.
 void SelfCollision::build_boxes() {
 	std::fill(to_.begin() + count_, to_.end(), to_[0]);
 	boxes_.clear();
@@ -210,9 +209,8 @@ void SelfCollision::build_boxes() {
 	} while (entries > 1);
 }
 
-// Whether two adjacent runs go on in one direction at the start and at the end of the substep, and so at all times
-// between. Such a chain cannot meet itself. Most of a hull is straight in this sense, and its adjacent runs, whose
-// boxes always overlap, need no other test.
+// Whether two adjacent runs go on in one direction at the start and end of the substep, and so at all times between.
+// Such a chain cannot meet itself. Most adjacent runs are straight, and need no other test though their boxes overlap.
 bool SelfCollision::is_straight(std::uint32_t run, std::uint32_t next) const {
 	const std::uint32_t last = std::min(std::uint32_t((next + 1) * PACK_WIDTH), count_);
 	const std::uint32_t first = run * PACK_WIDTH;
