@@ -84,7 +84,7 @@ func _end() -> void:
 	get_tree().quit(1 if failed else 0)
 
 
-## False when there should be a picture and is none.
+## Returns false if a picture was expected and could not be saved.
 func _save_picture(path: String) -> bool:
 	if DisplayServer.get_name() == "headless":
 		print("No screenshot: a headless run draws nothing.")

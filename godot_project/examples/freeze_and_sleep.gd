@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends Node2D
-## Thaws frozen bodies one after the other, and shows who is frozen and who sleeps.
+## Thaws frozen bodies one after the other, and shows which are frozen and which sleep.
 
 const INTERVAL := 2.5 # s
 const FROZEN := Color(0.6, 0.62, 0.7)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends Node2D
-## Makes a long row of soft bodies that stand still while nobody sees them, and moves a camera along it.
+## Makes a long row of soft bodies that stand still while no camera sees them, and moves a camera along it.
 
 const COUNT := 90
 const SPACING := 80.0 # px

@@ -29,7 +29,7 @@ var stars := 0
 var stars_possible := 0
 var level: Level
 var level_index := 0
-## Someone who is popped, fading or has won cannot be hurt.
+## Whether the player is popped, fading or has won, and so cannot be hurt.
 var is_busy := true
 
 ## Where the mouse is in the window, and whether it pulls the jelly along.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends Node
-## Where the program begins: the menu, or the demo for whoever asks it for a report by arguments after `--`.
+## Where the program begins: the menu, or the demo if arguments after `--` ask for a report.
 
 const Entries := preload("res://game/entries.gd")
 const DEMO := "res://demo/main.tscn"

@@ -25,7 +25,7 @@ func get_names() -> Array:
 	return _sliders.keys()
 
 
-## As if somebody had moved the slider.
+## Has the effect of a moved slider.
 func set_value(property: StringName, value: float) -> void:
 	(_sliders[property] as HSlider).value = value
 

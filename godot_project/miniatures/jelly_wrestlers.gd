@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 extends "res://common/toy.gd"
-## Two wrestlers in the manner of Gang Beasts, each of six joined soft bodies: who pushes the other off the roof wins
-## the round.
+## Two wrestlers in the manner of Gang Beasts, each of six joined soft bodies. The one that pushes the other off the
+## roof wins the round.
 
 const Solid := preload("res://common/solid.gd")
 const Steering := preload("res://common/steering.gd")

@@ -21,7 +21,7 @@ const GRIP := 4.0 # 1/s; how eagerly the wish becomes motion
 var wish := Vector2.ZERO
 ## How fast of what its size allows.
 var vigour := 1.0
-## Who is swallowing this cell.
+## The cell that is swallowing this one.
 var swallowed_by: SoftBody2D
 
 var _to_gain := 0.0 # px²

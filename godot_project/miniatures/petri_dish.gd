@@ -86,7 +86,7 @@ func _random_place() -> Vector2:
 	return Vector2.from_angle(_random.randf() * TAU) * (DISH_RADIUS - 30) * sqrt(_random.randf())
 
 
-## The cells that nobody has swallowed.
+## The cells that have not been swallowed.
 func get_cells() -> Array[Cell]:
 	var cells: Array[Cell] = []
 	for node in world.get_children():
@@ -118,7 +118,7 @@ func _wish_of_player() -> Vector2:
 	return ((get_global_mouse_position() - player.get_center_of_mass_position()) / 80).limit_length(1)
 
 
-## Away from who could swallow it, else towards what it could swallow, else to the next crumb.
+## Direction away from cells that could swallow it, else towards cells that it could swallow, else to the next crumb.
 func _wish_of(cell: Cell, cells: Array[Cell]) -> Vector2:
 	var place := cell.get_center_of_mass_position()
 	var flight := Vector2.ZERO

@@ -125,7 +125,7 @@ func _physics_process(delta: float) -> void:
 	_turn(_head, 0, 0.5)
 	for i in 2:
 		_turn(_legs[i], 0.5 * absf(walk) * sin(_stride + PI * i), 4.0 if stands else 1.0)
-		# Who walks lifts the feet.
+		# A walking wrestler lifts the feet.
 		var grip := 0.9 if absf(walk) < 0.1 else 0.25
 		if not is_equal_approx(_legs[i].physics_material_override.friction, grip):
 			_legs[i].physics_material_override.friction = grip

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends "res://tests/support/suite.gd"
-## What nobody should do, and somebody will: the scene goes on, and says what was wrong.
+## Wrong uses that will happen all the same: the scene goes on, and a message names the mistake.
 
 const MANY := 10000
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends "res://tests/support/suite.gd"
-## Area2D and soft bodies: who is inside, gravity, damping; each effect beside a RigidBody2D in the same area.
+## Area2D and soft bodies: the bodies inside, gravity, damping; each effect beside a RigidBody2D in the same area.
 
 ## For Area2D, whose bodies come and go.
 class Watcher extends RefCounted:

@@ -217,7 +217,7 @@ func test_a_deep_margin_lets_a_character_sink_in_so_far() -> void:
 	await seconds(6) # the body gives way sideways for some seconds
 	check_near(walker.position.y + 25, top + 12, 8, "y of the soles")
 	check_above(walker.position.y + 25, top + 7, "y of the soles")
-	# Pressed in deep, a body takes some seconds to find its balance, and takes along who stands on it.
+	# Pressed in deep, a body takes some seconds to find its balance, and carries along a character that stands on it.
 	await _check_stands(walker, body, "in a deep margin", 1.5)
 
 

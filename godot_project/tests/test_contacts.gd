@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends "res://tests/support/suite.gd"
-## What a body tells of its contacts: whom it touches, where, how hard, when that begins and ends.
+## Contacts that a body reports: with which bodies, where, how hard, and when touches begin and end.
 
 
 ## Everything that the body's signals said, in order: [name, arguments...].

@@ -109,7 +109,7 @@ func test_scaled_bodies_are_drawn_at_their_size() -> void:
 	check_pixel(image, body.global_position + Vector2(0, 60), Color(0, 0, 0, 0), "outside")
 
 
-## A body at constant velocity must advance by the same way in every frame, whoever interpolates: with
+## A body at constant velocity must advance by equal distances in every frame, with either interpolation. With
 ## ten ticks a second, uninterpolated drawing would stand for six frames and then jump, and drawing that
 ## is interpolated twice would move unevenly.
 func test_motion_on_the_screen_is_even_with_and_without_the_engines_interpolation() -> void:

@@ -71,7 +71,7 @@ func test_the_laboratory_and_the_stress_test_run() -> void:
 	check_equal(await _run_folder(LABORATORY), 2, "number of scenes in the laboratory")
 
 
-## The game's scenes hold the player, whom nobody moves here, and levels stand on their own, too.
+## The game's scenes hold the player, which does not move here, and levels stand on their own, too.
 func test_every_scene_of_the_game_runs() -> void:
 	Settings.path = "user://no_such_settings.cfg"
 	var scenes := PackedStringArray(Entries.LEVELS)

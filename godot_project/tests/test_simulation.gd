@@ -64,7 +64,7 @@ func test_any_number_of_threads_gives_the_same_motion() -> void:
 	check(results[0] == results[2], "five threads move bodies like one")
 
 
-## Each substep answers its contacts anew.
+## Each substep solves its contacts again.
 func test_contact_substeps_follow_the_setting() -> void:
 	var counts := PackedFloat64Array()
 	for substeps: int in [1, 8]:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends "res://tests/support/suite.gd"
-## Inner points and springs of one's own: who is joined to whom, how strongly, and what becomes of what does not fit.
+## Inner points and springs of one's own: which points are joined, how strongly, and what becomes of values that do not fit.
 
 const SQUARE: Array[Vector2] = [Vector2(-40, -40), Vector2(40, -40), Vector2(40, 40), Vector2(-40, 40)]
 

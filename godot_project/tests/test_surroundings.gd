@@ -320,7 +320,7 @@ func test_what_changes_is_honored() -> void:
 	check_near(soft.get_linear_velocity().x, 150.0, 5, "velocity after it became slippery")
 
 
-## A body of the physics server that has no node, and whose shapes nobody can be asked about.
+## A body of the physics server that has no node, so that no node can be asked about its shapes.
 func test_a_body_without_a_node_holds_until_its_shape_is_disabled() -> void:
 	var shape := PhysicsServer2D.rectangle_shape_create()
 	PhysicsServer2D.shape_set_data(shape, Vector2(500, 20))

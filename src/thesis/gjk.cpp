@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Whether, and how far, two convex sets are apart.
+// GJK: whether two convex sets are apart, and how far.
 //
-// Both ask for the point v closest to 0 of the set D = { b - a }. A simplex of at most three points of D is improved
-// by the point w of D that lies least far along v. D lies wholly beyond the line through w across v, so v·w / |v| is a
-// lower bound of the distance while |v| is an upper one. Only a positive lower bound makes the sets "apart": a wrong
-// turn of the search by rounding can cost a separation, but not invent one.
+// Both functions search the point v closest to 0 of the set D = { b - a }. A simplex of at most three points of D is
+// improved by the point w of D that lies least far along v. D lies wholly beyond the line through w across v, so v·w /
+// |v| is a lower bound of the distance, and |v| is an upper bound. Only a positive lower bound makes the sets "apart".
+// Rounding can mislead the search into missing a separation, but not into inventing one.
 #include "thesis/gjk.h"
 
 #include "core/geometry/vec2d.h"
@@ -18,10 +18,10 @@ namespace softbody {
 
 namespace {
 
-// Sets closer than this touch [of the largest difference seen]; some thousand roundings of it.
+// Sets closer than this touch, relative to the largest difference seen [1]. Some thousand times its rounding.
 constexpr double TOUCH_TOLERANCE = 1e-12;
 
-// The search ends when upper and lower bound of the distance agree to this [1].
+// The search ends when the upper and lower bound of the distance agree to this [1].
 constexpr double CONVERGENCE = 1e-12;
 
 struct Corner {
@@ -33,7 +33,8 @@ struct Corner {
 struct Simplex {
 	std::array<Corner, 3> corners;
 	int count = 0;
-	// The point closest to 0 is corners[0] + weight (corners[1] - corners[0]) once reduced to at most two.
+	// Once the simplex is reduced to at most two corners, the point closest to 0 is corners[0] + weight (corners[1] -
+	// corners[0]).
 	double weight = 0;
 
 	Vec2d mix(Vec2d Corner::*member) const {
@@ -45,7 +46,7 @@ struct Simplex {
 struct Search {
 	std::span<const Vec2> a;
 	std::span<const Vec2> b;
-	Vec2 origin; // coordinates are taken from here: far from the origin of the world they would cancel
+	Vec2 origin; // coordinates are relative to this: far from the origin of the world they would cancel
 
 	// The point of D that lies least far along the axis.
 	Corner support(Vec2d axis) const {
@@ -87,9 +88,9 @@ Simplex closest_on_edge(const Corner &p, const Corner &q) {
 	return edge;
 }
 
-// Keeps of two or three corners those that span the point of their edges closest to 0. All three edges are tried: on a
-// thin triangle the signs that would rule one out are noise. Where 0 is inside of the triangle, the search goes on from
-// an edge and finds soon that it gets no closer.
+// Reduces two or three corners to those that span the edge point closest to 0. All three edges are tried: on a thin
+// triangle the signs that would rule one out are noise. If 0 is inside the triangle, the search goes on from an edge
+// and soon finds that it gets no closer.
 Simplex reduced(const Simplex &simplex) {
 	const auto &corners = simplex.corners;
 	Simplex best = closest_on_edge(corners[0], corners[1]);
@@ -106,15 +107,15 @@ Simplex reduced(const Simplex &simplex) {
 }
 
 struct Answer {
-	double lower = 0; // largest lower bound of the distance, > 0 only when the sets are apart
+	double lower = 0; // largest lower bound of the distance; > 0 only when the sets are apart
 	Vec2d normal; // the axis of that bound
-	Vec2d axis; // the last one looked along
+	Vec2d axis; // last search axis
 	Simplex simplex;
 	int iterations = 0;
 	bool converged = false;
 };
 
-// Ends early once the distance is known to be above, or not to be above, `margin`; never early with a margin < 0.
+// Ends early once the distance is known to be above `margin`, or known not to be. Never ends early with a margin < 0.
 Answer search(const Search &sets, Vec2d axis, int max_iterations, double margin) {
 	Answer answer;
 	double scale = 0;
@@ -149,7 +150,7 @@ Answer search(const Search &sets, Vec2d axis, int max_iterations, double margin)
 		const Vec2d closest = next.mix(&Corner::difference);
 		const double distance = length(closest);
 		if (!(distance < upper)) {
-			answer.converged = true; // as close as rounding lets it come
+			answer.converged = true; // as close as rounding allows
 			return answer;
 		}
 		simplex = next;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether, and how far, two convex sets are apart: thesis Alg. 4.1 and 4.2 in a corrected form.
+// GJK: whether two convex sets are apart, and how far. Thesis Alg. 4.1 and 4.2 in a corrected form.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -8,39 +8,37 @@
 
 namespace softbody {
 
-/// Most rounds of GJK [1]. Sets of up to 4096 points on a circle take at most about 20; past the cap
-/// the answer is that the sets may overlap.
+/// Most iterations of GJK [1]. Sets of up to 4096 points on a circle take at most about 20. Past the cap the result is
+/// that the sets may overlap.
 inline constexpr int GJK_MAX_ITERATIONS = 64;
 
-/// What GJK found out about two sets A and B.
+/// Result of GJK for two sets A and B.
 struct GjkResult {
-	/// False only when an axis has been found that separates the sets. True when they overlap or touch
-	/// (within 1e-12 of the differences of points looked at), and when the rounds ran out before that was known.
+	/// False only when an axis has been found that separates the sets. True when the sets overlap or touch (within
+	/// 1e-12 of the differences of points looked at), and when the iterations ran out first.
 	bool overlap = true;
-	/// Least distance [length], rounded; 0 on overlap. When the rounds ran out, a lower bound of it.
+	/// Least distance [length], rounded; 0 on overlap. A lower bound if the iterations ran out.
 	Real distance = 0;
 	/// Unit axis from A to B along which the sets are `distance` apart; 0 on overlap.
 	Vec2 normal;
 	Vec2 closest_a; ///< closest points, in the convex hulls of A and B; 0 on overlap
 	Vec2 closest_b;
-	int iterations = 0; ///< rounds taken
+	int iterations = 0; ///< iterations taken
 };
 
-/// Distance of the convex hulls of two sets of points. The sets need no order, and may hold points in
-/// line, coincident points, or a single one: a span of hull points can be passed as it is, though of
-/// a dented body this is the distance of its convex hull. `first_axis`, any length, is where to look
-/// first; it does not change the answer. Empty sets are apart by infinity.
-/// Precondition: finite points. No allocation, O((|A| + |B|) · iterations).
-/// Source: Gilbert, Johnson and Keerthi 1988, stopped by the bound v·w / |v| of van den Bergen 1999.
-/// The thesis ends when a triangle encloses the origin or can be moved no further, for sets that do not
-/// touch and points that are not in line; here only an axis that separates makes sets apart.
+/// Distance of the convex hulls of two sets of points. The sets need no order. Points may be collinear, coincident or
+/// single, so a span of hull points can be passed directly; for a concave body this is the distance of its convex hull.
+/// `first_axis`, of any length, is the first search axis; it does not change the result. Empty sets are infinitely far
+/// apart. Precondition: finite points. No allocation, O((|A| + |B|) · iterations).
+/// Source: Gilbert, Johnson and Keerthi 1988, stopped by the bound v·w / |v| of van den Bergen 1999. The thesis ends
+/// when a triangle encloses the origin or can be moved no further, for sets that do not touch and points that are not
+/// collinear. Here only a separating axis makes sets apart.
 GjkResult gjk(std::span<const Vec2> a, std::span<const Vec2> b, Vec2 first_axis = {},
 		int max_iterations = GJK_MAX_ITERATIONS);
 
-/// The filter: true only when the sets are certain to be apart by more than `margin` [length], >= 0.
-/// Ends at the first axis that shows it, so it is cheaper than the distance. `axis`, if given, is where
-/// to look first and receives the last axis looked along: with one kept for each pair, most pairs that
-/// stay apart cost a single round.
+/// True only when the sets are certain to be apart by more than `margin` [length], >= 0. Ends at the first axis that
+/// shows it, so it is cheaper than the distance. `axis`, if given, is the first search axis and receives the last one.
+/// With an axis kept for each pair, most pairs that stay apart cost a single iteration.
 bool is_apart(std::span<const Vec2> a, std::span<const Vec2> b, Real margin, Vec2 *axis = nullptr);
 
 } // namespace softbody

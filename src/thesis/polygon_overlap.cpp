@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much two polygons overlap.
+// Overlap of two polygons.
 #include "thesis/polygon_overlap.h"
 
 #include "core/geometry/polygon.h"
@@ -17,7 +17,7 @@ namespace {
 
 using Triangle = std::array<Vec2d, 3>;
 
-// What is left of a triangle after cuts by the three sides of another: each cut adds at most one corner.
+// Rest of a triangle after cuts by the three sides of another. Each cut adds at most one corner.
 struct Clip {
 	std::array<Vec2d, 6> corners;
 	std::size_t count = 0;
@@ -49,7 +49,7 @@ double double_area(const Clip &clip) {
 	return sum;
 }
 
-// Area that two triangles of positive winding share.
+// Area that two triangles of positive winding share [length²].
 double shared_area(const Triangle &a, const Triangle &b) {
 	Clip clip{ { a[0], a[1], a[2] }, 3 };
 	for (std::size_t i = 0; i < 3 && clip.count > 2; ++i) {
@@ -58,7 +58,7 @@ double shared_area(const Triangle &a, const Triangle &b) {
 	return double_area(clip) / 2;
 }
 
-// Triangle i of the fan about the polygon's first point, with positive winding; sign 0 when it has no area.
+// Triangle i of the fan about the polygon's first point, with positive winding. Its sign is 0 when it has no area.
 struct FanTriangle {
 	Triangle corners;
 	int sign = 0;
@@ -99,9 +99,9 @@ double deepest_corner(std::span<const Vec2> corners, std::span<const Vec2> polyg
 
 } // namespace
 
-// A polygon is the sum of the triangles of a fan about any point, each with the sign of its winding: a place outside is
-// covered as often with plus as with minus, one inside once more with the polygon's own sign. So the product of two
-// such sums, integrated, is the shared area, up to the sign of the windings.
+// A polygon is the sum of the triangles of a fan about any point, each with the sign of its winding. The signs cancel
+// outside the polygon; inside they add up to the polygon's own sign. So the product of two such sums, integrated, is
+// the shared area, up to the sign of the windings.
 double overlap_area(std::span<const Vec2> a, std::span<const Vec2> b) {
 	if (a.size() < 3 || b.size() < 3 || !bounding_box(a).overlaps(bounding_box(b))) {
 		return 0;

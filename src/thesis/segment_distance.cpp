@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far two line segments are apart.
+// Distance of two line segments.
 #include "thesis/segment_distance.h"
 
 #include "core/geometry/segment.h"
@@ -28,7 +28,7 @@ SegmentDistance closest_points_on_segments(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 	if (const auto meet = segment_intersection(a, b, c, d)) {
 		return { 0, *meet, Real(closest_parameter(ab * double(*meet) - ac, cd)) };
 	}
-	// In the plane, segments that do not meet are closest at an end of one of them.
+	// In the plane, two segments that do not intersect are closest at an end of one of them.
 	double best_s = 0;
 	double best_t = 0;
 	double least = 0;

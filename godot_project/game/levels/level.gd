@@ -13,7 +13,7 @@ const Gate := preload("res://game/world/gate.gd")
 const Thorns := preload("res://game/world/thorns.gd")
 
 @export var title := ""
-## What the camera may show; who falls out at the bottom is lost.
+## Area that the camera may show. A player that falls out at the bottom is lost.
 @export var bounds := Rect2(0, 0, 1280, 720)
 ## No sky behind it.
 @export var underground := false

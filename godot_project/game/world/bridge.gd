@@ -2,7 +2,7 @@
 @tool
 extends SoftBody2D
 ## A soft bridge: a long flat body whose ends are pinned to the world ([method SoftBody2D.set_point_pinned]) and whose
-## middle sags under who walks on it.
+## middle sags under a player that walks on it.
 
 const Palette := preload("res://game/palette.gd")
 

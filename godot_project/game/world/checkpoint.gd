@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends Area2D
-## A lantern flower. It opens when the player passes, who comes back to it from then on.
+## A lantern flower. It opens when the player passes, and the player comes back to it from then on.
 
 signal reached
 

@@ -13,7 +13,7 @@ var _rest := 0.0
 
 
 func _ready() -> void:
-	# Contact signals tell who has come, see contact_monitor.
+	# Contact signals name the bodies that have come, see contact_monitor.
 	contact_started.connect(_on_contact_started)
 
 

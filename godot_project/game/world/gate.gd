@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends Area2D
-## The moon gate at the end of a level: a crescent with light inside, which holds who has come.
+## The moon gate at the end of a level: a crescent with light inside, which holds a player that has reached it.
 
 signal entered
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 @tool
 extends Area2D
-## A column of wind. It pushes a soft body by the area that it offers, see [method SoftBody2D.get_area]: who blows himself
-## up is carried, who does not falls through.
+## A column of wind. It pushes a soft body by the area that it offers, see [method SoftBody2D.get_area]: a
+## player that inflates is carried, any other falls through.
 
 const Palette := preload("res://game/palette.gd")
 ## Area that catches the whole strength [px²].

@@ -61,7 +61,7 @@ func library_time() -> int:
 	return FileAccess.get_modified_time(_library())
 
 
-## Copies the library with another mark, and puts the copy in its place, as a linker does: whoever runs the old one keeps it.
+## Copies the library with another mark, and puts the copy in its place, as a linker does: a process that runs the old one keeps it.
 func replace_library(mark: String) -> bool:
 	var name := _library()
 	var bytes := FileAccess.get_file_as_bytes(name)

@@ -226,7 +226,7 @@ func _ticks(count: int) -> void:
 		await physics_frame
 
 
-## Rendering is most of the work where there is no graphics card, so it is on only while somebody looks.
+## Rendering is most of the work where there is no graphics card, so it is on only while pictures are taken.
 func _draw(on: bool) -> void:
 	RenderingServer.render_loop_enabled = on
 

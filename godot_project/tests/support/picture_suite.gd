@@ -76,8 +76,8 @@ func check_same_picture(actual: Image, expected: Image, what: String, share := 0
 	return check_below(float(different) / drawn, share, "share of pixels in which %s differs" % what)
 
 
-## Compares with a picture of our own in tests/pictures, which somebody has looked at. One that differs is left in
-## user://pictures, to be looked at in turn.
+## Compares with a picture of our own in tests/pictures, which has been checked by eye. One that differs is left in
+## user://pictures, to be checked by eye too.
 func check_like_stored(actual: Image, name: String) -> void:
 	var stored := Image.new()
 	var bytes := FileAccess.get_file_as_bytes(PICTURES.path_join(name + ".png"))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A hashed grid of several cell sizes, for asking.
+// A hashed grid of several cell sizes, for box queries.
 #include "core/collision/box_grid.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace softbody {
 
 namespace {
 
-// Boxes larger than this many doublings of the smallest cells share the last level, which is asked one by one.
+// Boxes larger than this many doublings of the smallest cells share the last level. A query tests them one by one.
 constexpr std::uint32_t LEVELS = 24;
 
 // Cells are a little larger than the boxes in them, so that rounding cannot put a box that just touches out of reach.
@@ -53,7 +53,8 @@ void BoxGrid::choose_cell_size(std::span<const Aabb> boxes) {
 			extents_.push_back(extent_of(box));
 		}
 	}
-	// Most boxes lie in cells of level 0, so that few levels are visited, and few of those cells hold several.
+	// Chosen so that most boxes lie in cells of level 0: a query visits few levels, and few of those cells hold several
+	// boxes.
 	cell_size_ = 1;
 	if (!extents_.empty()) {
 		const auto most = extents_.begin() + std::ptrdiff_t(extents_.size() * 3 / 4);
@@ -87,7 +88,7 @@ void BoxGrid::assign(std::span<const Aabb> boxes, std::span<const std::uint32_t>
 			buckets += own;
 		}
 	}
-	// Counted by bucket; filled from the back, each start moves to where its bucket begins.
+	// Counting sort by bucket. Filling from the back moves each start to the beginning of its bucket.
 	bucket_starts_.assign(buckets + 1, 0);
 	for (const Entry &entry : unsorted_) {
 		++bucket_starts_[bucket_of(levels_[index_of_level[entry.level]], entry.x, entry.y)];

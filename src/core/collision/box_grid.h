@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of many boxes overlap a given one, found in time that does not depend on how many there are.
+// Finds the boxes that overlap a given box, in time that does not depend on the total number of boxes.
 #pragma once
 
 #include "core/geometry/polygon.h"
@@ -19,16 +19,16 @@ inline std::int32_t cell_coordinate(Real position, Real size) {
 	return std::int32_t(std::max(-FARTHEST_CELL, std::min(FARTHEST_CELL, std::floor(position / size))));
 }
 
-/// Boxes in a hashed grid of several cell sizes: each lies in the cell of its center, on the level whose cells are as
-/// large as the box, and a question visits on every level the cells from which a box may reach. A tile map and the
-/// long floor under it thus cost what is near.
+/// Boxes in a hashed grid of several cell sizes. Each box lies in the cell of its center, on the level whose cells are
+/// as large as the box. A query visits, on every level, the cells from which a box may reach. A tile map and the long
+/// floor under it thus cost only the boxes nearby.
 class BoxGrid {
 public:
-	/// Replaces the content; box i is named `names[i]`. With `keep_cell_size` the cells stay as large as they are. O(boxes)
-	/// expected.
+	/// Replaces the content; box i is named `names[i]`. `keep_cell_size` leaves the size of the cells unchanged.
+	/// O(boxes) expected.
 	void assign(std::span<const Aabb> boxes, std::span<const std::uint32_t> names, bool keep_cell_size = false);
 	bool empty() const { return entries_.empty(); }
-	/// O(boxes near it).
+	/// Whether any box overlaps `box`. O(boxes near it).
 	bool overlaps_any(const Aabb &box) const;
 	/// Appends the names of the boxes that overlap `box`, in no particular order, each once. O(boxes near it).
 	void collect(const Aabb &box, std::vector<std::uint32_t> &names) const;
@@ -48,25 +48,25 @@ private:
 		std::uint32_t level = 0;
 		std::uint32_t name = 0;
 	};
-	/// The boxes of one level, by bucket.
+	/// The boxes of one level, sorted by bucket.
 	struct Level {
 		std::uint32_t number = 0;
 		Real cell_size = 0;
-		std::uint32_t begin = 0; ///< of its entries
+		std::uint32_t begin = 0; ///< first of its entries
 		std::uint32_t end = 0;
-		std::uint32_t first_bucket = 0; ///< of `bucket_starts_`
+		std::uint32_t first_bucket = 0; ///< in `bucket_starts_`
 		std::uint32_t buckets = 0; ///< a power of two
 	};
 
 	void choose_cell_size(std::span<const Aabb> boxes);
 	Entry entry_of(const Aabb &box, std::uint32_t name) const;
 	static std::uint32_t bucket_of(const Level &level, std::int32_t x, std::int32_t y);
-	Real cell_size_ = 1; ///< of level 0; every further level doubles it
-	std::vector<Level> levels_; ///< those in use
+	Real cell_size_ = 1; ///< side of the cells of level 0 [length]; every further level doubles it
+	std::vector<Level> levels_; ///< the levels in use
 	std::vector<Entry> entries_;
 	std::vector<std::uint32_t> bucket_starts_;
 	std::vector<std::uint32_t> level_of_;
-	// Scratch.
+	// Scratch memory.
 	std::vector<Entry> unsorted_;
 	std::vector<Real> extents_;
 };
@@ -82,7 +82,7 @@ bool BoxGrid::visit(const Aabb &box, std::uint32_t least_level, const Visit &vis
 		const Aabb reach = box.grown(size / 2);
 		const Real width = (reach.max.x - reach.min.x) / size + 1;
 		const Real height = (reach.max.y - reach.min.y) / size + 1;
-		// More cells than boxes, a box turned inside out, or NaN: each box is looked at.
+		// With more cells than boxes, with an inverted box, or with NaN, each box is tested.
 		if (!(width > 0 && height > 0 && width * height < Real(level.end - level.begin))) {
 			for (std::uint32_t k = level.begin; k < level.end; ++k) {
 				if (entries_[k].box.overlaps(box) && visit(entries_[k].name, level.number)) {

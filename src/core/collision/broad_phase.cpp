@@ -14,22 +14,23 @@ namespace softbody {
 
 namespace {
 
-// Margin of a kept box, as a share of its extent. Larger: fewer rebuilds, more pairs that do not touch.
+// Margin of a kept box, as a share of its extent [1]. Larger: fewer searches, but more candidates that do not touch.
 constexpr Real BOX_MARGIN = Real(0.08);
 
-// Above this share of bodies that have left their boxes, all pairs are sought anew.
+// Above this share of bodies that have left their boxes [1], the candidates of all bodies are searched again.
 constexpr Real MOST_MOVED = Real(0.3);
 
 constexpr std::size_t BODIES_A_TASK = 256;
 constexpr std::size_t TASKS = 32;
 
-// Extent of the largest bodies of a level, and side of the squares by which pairs are grouped, in the level's unit. Two bodies
-// of a level that touch are less than 2 units apart, so that all who share a body with a pair are within 4 of it.
+// Extent of the largest bodies of a level, and side of the squares by which pairs are grouped, in the level's unit. Two
+// bodies of a level that touch are less than 2 units apart, so the first bodies of two pairs that share a body are less
+// than 4 units apart.
 constexpr Real GROUPED_EXTENT = Real(1.99);
 constexpr Real GROUP_SQUARE = 4;
 constexpr std::uint32_t SQUARE_COLORS = 4;
 
-// The level of pairs with a body that has no size one could tell: all in one group, after all others.
+// Level of pairs with a body whose extent is not finite or too large. All of them form one group, after all others.
 constexpr std::uint32_t UNGROUPED = 1 << 16;
 
 Real extent_of(const Aabb &box) {
@@ -40,12 +41,12 @@ Real extent_of(const Aabb &box) {
 constexpr int LOWEST_LEVEL = std::numeric_limits<Real>::min_exponent - 2;
 
 std::uint32_t level_of(Real extent) {
-	constexpr int DIGITS = std::numeric_limits<Real>::digits - 1; // of the fraction; above it the exponent
+	constexpr int DIGITS = std::numeric_limits<Real>::digits - 1; // of the fraction; the exponent lies above it
 	using Bits = std::conditional_t<sizeof(Real) == 8, std::uint64_t, std::uint32_t>;
 	if (!(extent < std::numeric_limits<Real>::max() / GROUP_SQUARE)) {
 		return UNGROUPED;
 	}
-	return std::uint32_t(std::bit_cast<Bits>(extent / GROUPED_EXTENT) >> DIGITS); // of what is not negative
+	return std::uint32_t(std::bit_cast<Bits>(extent / GROUPED_EXTENT) >> DIGITS); // valid as the extent is not negative
 }
 
 Real unit_of(std::uint32_t level) {
@@ -98,8 +99,8 @@ void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t ve
 void BroadPhase::find_pairs_of(std::uint32_t i, std::span<const BroadPhaseBody> bodies, bool moved_only,
 		std::vector<BodyPair> &found) const {
 	const std::uint32_t own_level = grid_.level_of(i);
-	// Every pair is found once: by the body of the lower level, within a level by the lower index; where only bodies that have
-	// moved look for others, also by one that meets a body that has not.
+	// Every pair is found once: by the body of the lower level, and within a level by the body of lower index. If only
+	// bodies that have moved search, such a body also finds its pairs with bodies that have not moved.
 	grid_.visit(boxes_[i], moved_only ? 0 : own_level, [&](std::uint32_t other, std::uint32_t level) {
 		const bool is_found_by_other = level < own_level || (level == own_level && other <= i);
 		const bool is_ours = !is_found_by_other || (moved_only && !has_moved_[other]);
@@ -123,7 +124,7 @@ void BroadPhase::find_all_pairs(std::span<const BroadPhaseBody> bodies, const Pa
 			find_pairs_of(std::uint32_t(i), bodies, false, found);
 		}
 	});
-	// Into order: counted by the first body, then by the second among the few of one first body.
+	// Counting sort by the first body, then a sort by the second among the few pairs of one first body.
 	starts_.assign(count + 1, 0);
 	std::size_t pairs = 0;
 	for (std::size_t task = 0; task < tasks; ++task) {
@@ -181,19 +182,19 @@ void BroadPhase::keep_overlapping(std::span<const BroadPhaseBody> bodies, std::s
 	}
 }
 
-// Pairs are sorted by the extent of their larger body into levels, each twice as large as the one before. For each level the
-// plane is divided into squares of GROUP_SQUARE of its units, colored like the points (even, even), (odd, even), ... A pair
-// belongs to the square that holds the center of its first body. Two pairs of one level that share a body have first bodies
-// less than the side of a square apart, while different squares of one color are at least that far apart: so they are in the
-// same group or of different colors. Which group a pair falls into depends on its two boxes and nothing else, so that
-// what happens elsewhere does not change the order in which the contacts of a island are solved.
+// Pairs are sorted by the extent of their larger body into levels, each twice as large as the one before. For each
+// level the plane is divided into squares of GROUP_SQUARE of its units, colored by parity: (even, even), (odd, even),
+// ... A pair belongs to the square that holds the center of its first body. Two pairs of one level that share a body
+// have first bodies less than the side of a square apart. Different squares of one color are at least that far apart.
+// So such pairs are in one group, or in groups of different colors. The group of a pair depends on its two boxes alone,
+// so that distant events do not change the order in which the contacts of an island are solved.
 void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 	constexpr std::uint32_t NONE = UINT32_MAX;
 	groups_.clear();
 	first_groups_.clear();
 	pairs_.resize(overlapping_.size());
 	squares_.clear();
-	square_at_.assign(std::bit_ceil(2 * overlapping_.size() + 4), NONE); // at most half of it is taken
+	square_at_.assign(std::bit_ceil(2 * overlapping_.size() + 4), NONE); // at most half full
 	const auto square_of = [&](std::uint64_t key, std::uint32_t color) {
 		std::size_t slot = std::size_t(mix(key + color)) & (square_at_.size() - 1);
 		while (square_at_[slot] != NONE && (squares_[square_at_[slot]].key != key || squares_[square_at_[slot]].color != color)) {
@@ -227,10 +228,10 @@ void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 		++squares_[last_square].count;
 		square_of_pair_[i] = last_square;
 	}
-	// Squares by color, in the order in which pairs first fell into them; then each pair to its place.
+	// Squares by color, in the order in which pairs first fell into them; then the pairs of each square.
 	in_order_.resize(squares_.size());
 	std::iota(in_order_.begin(), in_order_.end(), 0u);
-	std::ranges::sort(in_order_, [&](std::uint32_t a, std::uint32_t b) { // a stable one takes memory each time
+	std::ranges::sort(in_order_, [&](std::uint32_t a, std::uint32_t b) { // std::stable_sort would allocate each time
 		return squares_[a].color != squares_[b].color ? squares_[a].color < squares_[b].color : a < b;
 	});
 	std::uint32_t begin = 0;

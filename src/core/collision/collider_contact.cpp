@@ -36,7 +36,7 @@ NearestEdge find_nearest_edge(std::span<const Vec2> hull, Vec2 p) {
 	return nearest;
 }
 
-// A collider's corner or round end at rest against the hull.
+// Contact of a collider's corner or round end with the nearest edge of the hull.
 std::optional<SurfaceContact> find_edge_contact(std::span<const Vec2> hull, Vec2 corner, Real radius, bool inside) {
 	const NearestEdge nearest = find_nearest_edge(hull, corner);
 	const Real depth = inside ? radius + nearest.distance : radius - nearest.distance;
@@ -47,8 +47,9 @@ std::optional<SurfaceContact> find_edge_contact(std::span<const Vec2> hull, Vec2
 	const Vec2 edge = hull[next] - hull[nearest.edge];
 	const Vec2 closest = hull[nearest.edge] + edge * nearest.t;
 	const Vec2 away = (closest - corner) * (inside ? Real(-1) : Real(1));
-	// The hull must move so that the corner comes out through its nearest place: against the way from
-	// the corner to that place when inside, along it when outside. On the line itself: the inward normal.
+	// The hull must move so that the corner leaves through its nearest place on the hull: against the direction from
+	// the corner to that place if the corner is inside, along it if outside. On the edge itself the inward normal is
+	// used.
 	Vec2 normal = perpendicular(edge);
 	if (nearest.distance > Real(1e-4) * length(edge)) {
 		normal = away;
@@ -60,7 +61,7 @@ std::optional<SurfaceContact> find_edge_contact(std::span<const Vec2> hull, Vec2
 	return SurfaceContact{ { nearest.edge, next, nearest.t }, normal * (1 / size), depth };
 }
 
-// The first edge that a corner met on its way into the hull.
+// Contact with the first edge that a corner crossed on its way into the hull.
 std::optional<SurfaceContact> find_entered_edge(const HullMotion &hull, Vec2 from, Vec2 to, Real radius) {
 	std::size_t entered = 0;
 	Real first = 2;
@@ -80,9 +81,9 @@ std::optional<SurfaceContact> find_entered_edge(const HullMotion &hull, Vec2 fro
 	const std::size_t next = (entered + 1) % count;
 	const Vec2 edge = hull.to[next] - hull.to[entered];
 	const Real size = length(edge);
-	const Vec2 normal = perpendicular(edge) * (1 / size); // inwards, as hulls wind positively
+	const Vec2 normal = perpendicular(edge) * (1 / size); // inward, as hulls have positive winding
 	const Real depth = radius + dot(normal, to - hull.to[entered]);
-	if (!(depth > 0)) { // also where the edge has no length
+	if (!(depth > 0)) { // false for an edge without length, too
 		return {};
 	}
 	return SurfaceContact{ { entered, next, closest_parameter_on_segment(to, hull.to[entered], hull.to[next]) }, normal,
@@ -120,10 +121,11 @@ std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, con
 		const std::size_t count = collider.vertices.size();
 		const Vec2 last = collider.vertices[(corner + count - 1) % count];
 		if (signed_double_area(last, vertex, collider.vertices[(corner + 1) % count]) <= 0) {
-			return {}; // the bottom of a dent, where nothing can come in
+			return {}; // reentrant corner: nothing can enter it
 		}
 	}
-	// An end without thickness lets an edge slide over it by a rounding, and the next point down the other side.
+	// Over an end without thickness an edge slides by a rounding, and the next point slides down the other side. So a
+	// free end gets a radius.
 	const bool is_joined = (corner == 0 ? collider.ghost_at_first : collider.ghost_at_second).has_value();
 	const bool is_free_end = collider.vertices.size() == 2 && !is_joined;
 	const Real radius = is_free_end ? std::max(collider.radius, slop) : collider.radius;
@@ -137,7 +139,7 @@ std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, con
 	}
 	const bool inside = point_in_polygon(now, hull.to);
 	if ((inside || !motion.is_still) && !point_in_polygon(before, hull.from.first(hull.to.size()))) {
-		// It may be past the middle of a thin body by now, or past all of it.
+		// The corner may by now be past the middle of a thin body, or past the whole body.
 		if (const auto contact = find_entered_edge(hull, before, now, radius)) {
 			return contact;
 		}

@@ -13,27 +13,29 @@
 
 namespace softbody {
 
-/// Where a collider is at the start and at the end of a substep.
+/// Poses of a collider at the start and at the end of a substep.
 struct ColliderMotion {
 	Pose from;
 	Pose to;
-	bool is_still = true; ///< then its vertices are in the world's frame and the poses are not looked at
+	bool is_still = true; ///< if true, vertices are in the world's frame and the poses are not read
 };
 
-/// A hull and the way its points took in a substep, which ends where they are.
+/// A hull and the motion of its points in a substep, up to their present positions.
 struct HullMotion {
-	std::span<const Vec2> from; ///< at least one a hull point
+	std::span<const Vec2> from; ///< positions at the start; at least one for each hull point
 	std::span<const Vec2> to;
 };
 
-/// A hull point against the collider, in whose frame the way of the point is swept: what passes through it is found,
-/// whichever of the two moves. `bounds` is the collider's box in its own frame, grown by the slop. O(vertices).
+/// Contact of a hull point with the collider. The path of the point is swept in the frame of the collider, so that a
+/// passage is found whichever of the two moves. `bounds` is the collider's box in its own frame, grown by the slop.
+/// O(vertices).
 std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std::size_t point,
 		const Collider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop);
 
-/// A collider's corner or round end against the hull: how far the hull must retreat from it, and where. A corner that
-/// came in during this substep goes back through the edge it came by, and if its collider moves even when it is out
-/// again. `box` contains the hull, and where it came from if the collider moves. `slop` [length] is the least radius of the free ends of a segment. O(hull points).
+/// Contact of a collider's corner or round end with the hull: the depth by which the hull must retreat, and the place.
+/// A corner that entered during this substep leaves through the edge that it entered by; if its collider moves, this
+/// also holds for a corner that has left the hull on the other side. `box` contains the hull, and its start positions
+/// if the collider moves. `slop` [length] is the least radius of the free ends of a segment. O(hull points).
 std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &box,
 		const Collider &collider, std::size_t corner, const ColliderMotion &motion, Real slop = 0);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Grids over the colliders that stand still, move, or are pushed.
+// Grids over static, kinematic and dynamic colliders.
 #include "core/collision/collider_index.h"
 
 #include <algorithm>
@@ -10,9 +10,9 @@ namespace softbody {
 
 namespace {
 
-// Box of everything the collider sweeps while its body moves for `dt`. Between two poses a vertex at distance r
-// from the center of mass that turns by the angle a leaves the chord by r (1 - cos(a/2)) <= r a² / 8; past a
-// straight angle the whole circle counts.
+// Box of the whole path of the collider while its body moves for `dt`. Between two poses a vertex at distance r from
+// the center of mass that turns by the angle a leaves the chord by r (1 - cos(a/2)) <= r a² / 8. Beyond a straight
+// angle the whole circle counts.
 Aabb swept_bounds(const Collider &collider, const RigidBody &body, Real dt) {
 	const Pose to = body.pose_after(dt);
 	Aabb box;
@@ -88,7 +88,7 @@ void ColliderIndex::update_moving(Real dt) {
 	}
 }
 
-// The order of the world's list is that in which contacts are solved.
+// Contacts are solved in the order of the world's list.
 void ColliderIndex::collect(const Aabb &box, std::vector<std::uint32_t> &colliders) const {
 	colliders.clear();
 	still_.collect(box, colliders);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which colliders are near a place during a step.
+// Finds the colliders near a place during a step.
 #pragma once
 
 #include "core/collision/box_grid.h"
@@ -10,21 +10,22 @@
 
 namespace softbody {
 
-/// The colliders of a world by where they are, for all bodies to ask. Colliders of dynamic bodies are apart: they are
-/// solved between substeps, when all soft bodies are at the same time (`RigidContacts`).
+/// Spatial index of the colliders of a world, shared by all bodies. Colliders of dynamic bodies are kept apart: their
+/// contacts are solved between substeps, when all soft bodies have reached one time (`RigidContacts`).
 class ColliderIndex {
 public:
-	/// Reads the surroundings for the coming `dt` [s]. `world` must outlive this object. O(colliders that
-	/// move), and O(colliders) after others came or went.
+	/// Reads the environment for the coming `dt` [s]. `world` must outlive this object. O(moving colliders), and
+	/// O(colliders) after colliders were added or removed.
 	void update(const WorldData &world, Real dt);
 	const WorldData &world() const { return *world_; }
-	/// In which a collider stays during the step.
+	/// Box that contains the collider during the step.
 	const Aabb &bounds(std::uint32_t collider) const { return bounds_[collider]; }
 
 	bool has_colliders() const { return !still_.empty() || !kinematic_.empty(); }
-	/// Whether any collider overlaps the box; those of dynamic bodies aside. O(colliders near it).
+	/// Whether any static or kinematic collider overlaps the box. O(colliders near it).
 	bool has_collider_in(const Aabb &box) const { return still_.overlaps_any(box) || kinematic_.overlaps_any(box); }
-	/// Those colliders, in the order of the world's list. O(n log n) in their number.
+	/// Writes the static and kinematic colliders that overlap the box, in the order of the world's list. O(n log n) in
+	/// their number.
 	void collect(const Aabb &box, std::vector<std::uint32_t> &colliders) const;
 
 	bool has_dynamic_colliders() const { return !dynamic_.empty(); }
@@ -42,7 +43,7 @@ private:
 	BoxGrid kinematic_;
 	BoxGrid dynamic_;
 	std::vector<std::uint32_t> moving_; ///< colliders of rigid bodies
-	// Scratch.
+	// Scratch memory.
 	std::vector<Aabb> boxes_;
 	std::vector<std::uint32_t> names_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has changed around sleeping bodies.
+// Finds changes of the environment of sleeping bodies.
 #include "core/collision/collider_watch.h"
 
 #include "core/base/hash.h"
@@ -18,7 +18,7 @@ void add(Hash &hash, const Surface &surface) {
 	hash.add(surface.angular_velocity);
 	hash.add(surface.velocity_origin);
 	hash.add(std::uint64_t(surface.layer));
-	hash.add(surface.tag); // whoever rests on it is told that it touches another
+	hash.add(surface.tag); // a body resting on it is notified of the new tag
 }
 
 std::uint64_t hash_of(const Collider &collider) {
@@ -38,7 +38,7 @@ bool moves(const RigidBody &body) {
 	return body.linear_velocity != Vec2{} || body.angular_velocity != 0;
 }
 
-// With where it is.
+// Hash of a collider including its pose.
 std::uint64_t hash_in_place(const WorldData &world, const Collider &collider) {
 	Hash hash;
 	hash.add(hash_of(collider));
@@ -90,7 +90,7 @@ void ColliderWatch::update(const ColliderIndex &index) {
 	}
 	moving_ = changed_.size();
 	std::ranges::sort(seen_, {}, &Seen::hash);
-	// Both lists side by side: what only one of them has.
+	// Both lists are sorted. A collider in only one of them has changed.
 	std::size_t a = 0;
 	std::size_t b = 0;
 	while (a < last_.size() || b < seen_.size()) {

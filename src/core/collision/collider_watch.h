@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has changed around sleeping bodies.
+// Finds changes of the environment of sleeping bodies.
 #pragma once
 
 #include "core/collision/collider_index.h"
@@ -10,21 +10,21 @@
 
 namespace softbody {
 
-/// Compares the surroundings with those of the last step: colliders are told apart by what they are, not by their place
-/// in the list, as many callers hand over a fresh list every step.
+/// Compares the environment with that of the last step. Colliders are identified by their content, not by their index,
+/// as many callers pass a new list every step.
 class ColliderWatch {
 public:
-	/// `index` must be up to date for the coming step. O(1) while nothing was added or removed and no rigid body moves,
-	/// else O(n log n) in the number of colliders.
+	/// `index` must be up to date for the coming step. O(1) while nothing was added or removed and no rigid body
+	/// exists, else O(n log n) in the number of colliders.
 	void update(const ColliderIndex &index);
-	/// Whether a border came, went or changed: then it may be anywhere.
+	/// Whether a border was added, removed or changed. The change may then be anywhere.
 	bool has_border_changed() const { return border_changed_; }
-	/// Boxes of the colliders that came, went, changed or move.
+	/// Boxes of the colliders that were added, removed or changed, or that move.
 	std::span<const Aabb> changed_boxes() const { return changed_; }
-	/// Those of them that move now.
+	/// Boxes of the colliders that move now. They come first in `changed_boxes`.
 	std::span<const Aabb> moving_boxes() const { return { changed_.data(), moving_ }; }
-	/// What is around a box now, as a number that stays the same while that does: colliders that stand still,
-	/// are kinematic or belong to rigid bodies that sleep, and borders. O(colliders near).
+	/// Hash of the environment around a box: of borders and of the colliders that stand still, are kinematic or belong
+	/// to sleeping rigid bodies. Equal as long as those do not change. O(colliders near).
 	std::uint64_t describe(const ColliderIndex &index, const Aabb &box);
 
 private:
@@ -32,9 +32,9 @@ private:
 		std::uint64_t hash = 0;
 		Aabb box;
 	};
-	std::vector<Seen> seen_; ///< by hash
+	std::vector<Seen> seen_; ///< sorted by hash
 	std::vector<Seen> last_;
-	std::vector<Aabb> changed_; ///< first those that move
+	std::vector<Aabb> changed_; ///< moving colliders first
 	std::size_t moving_ = 0;
 	std::vector<std::uint32_t> near_;
 	std::uint64_t border_hash_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Notes of the contacts that are found during a step, one for each place however many substeps find it.
+// Records the contacts of a step, one for each place however many substeps find it.
 #include "core/collision/contact_log.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::uint64_t hash_of(const ContactPoint &contact_point) {
 
 } // namespace
 
-// Linear probing. Where `contact_point` stands, or where it would.
+// Linear probing. Returns the slot of `contact_point`, or the free slot for it.
 std::size_t ContactLog::slot_of(const ContactPoint &contact_point) const {
 	const std::size_t mask = slots_.size() - 1;
 	std::size_t slot = hash_of(contact_point) & mask;

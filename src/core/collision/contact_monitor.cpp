@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes the list of a step's contacts, and tells when touches begin and end.
+// Lists the contacts of a step, and reports when touches begin and end.
 #include "core/collision/contact_monitor.h"
 
 #include "core/base/constants.h"
@@ -20,7 +20,7 @@ const Surface &surface_of(const WorldData &world, OtherKind kind, std::uint32_t 
 	return kind == OtherKind::BORDER ? world.borders()[index].surface : world.colliders()[index].surface;
 }
 
-/// Order of touches. Of two bodies that had one slot after the other only one lives.
+/// Sort key of touches. Of two bodies that used one slot, only one is alive.
 using TouchName = std::pair<std::uint64_t, std::uint64_t>;
 
 std::uint64_t body_name(BodyId body, bool is_other_soft) {
@@ -41,7 +41,7 @@ bool lies_still(const SoftBodyData &body) {
 	return body.is_asleep() || body.is_frozen();
 }
 
-// Neither side was stepped, so that nothing could be found.
+// Whether neither side was stepped, so that no contact could be found.
 bool is_resting(const WorldData &world, const Touch &touch) {
 	return lies_still(*world.find(touch.body)) &&
 			(touch.other.kind != OtherKind::SOFT_BODY || lies_still(*world.find(touch.other.body)));
@@ -146,7 +146,7 @@ bool ContactMonitor::has_parted(const ColliderIndex &surroundings, const Touch &
 	return !are_near(body, other, std::min(gap, TOUCH_GAP * other.shape().radius()));
 }
 
-// Contacts and touches in one order: what only one list has begins, or has had no contact in this step.
+// Merges the sorted contacts and touches. A contact without a touch begins one. A touch without a contact may end.
 void ContactMonitor::update_touches(const ColliderIndex &surroundings, Real dt) {
 	next_touches_.clear();
 	std::size_t known = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes the list of a step's contacts, and tells when touches begin and end.
+// Lists the contacts of a step, and reports when touches begin and end.
 #pragma once
 
 #include "core/collision/contact_log.h"
@@ -12,41 +12,41 @@
 
 namespace softbody {
 
-/// Contacts and touches of all bodies that monitor (BodySettings::contact_monitor), each as that body sees it. The lists
-/// are sorted by bodies and what they touch, so they do not depend on which thread found what.
+/// Contacts and touches of all monitored bodies (BodySettings::contact_monitor), each from that body's side. The lists
+/// are sorted by body and by the other side, so they do not depend on which thread found a contact.
 ///
-/// A touch begins with the first contact and ends when there has been none for TOUCH_MEMORY and the two have parted by
-/// TOUCH_GAP: a body at rest trembles, and its points touch in some steps and not in others. While both sides sleep a
-/// touch lasts. It ends at once when a side is removed or deactivated, when one no longer exists
-/// for the other (collision exceptions, ignored tags), or the body no longer monitors. Owns scratch
-/// memory, which grows with the contacts.
+/// A touch begins with the first contact. It ends when there has been no contact for TOUCH_MEMORY and the two are apart
+/// by TOUCH_GAP: a body at rest trembles, and its points touch in some steps only. A touch lasts while both sides
+/// sleep. It ends at once when a side is removed or deactivated, when one side no longer notices the other (collision
+/// exceptions, ignored tags), or when the body is no longer monitored. Owns scratch memory, which grows with the
+/// contacts.
 class ContactMonitor {
 public:
-	/// Forgets contacts and events of the last step.
+	/// Clears the contacts and events of the last step.
 	void begin_step();
-	/// Whether a touch is under way, which may have to be ended.
+	/// Whether any touch exists that may have to end.
 	bool has_touches() const { return !touches_.empty(); }
-	/// Takes the log into the coming `end_step`, which clears it.
+	/// Adds a log for the coming `end_step`, which clears it.
 	void add(ContactLog &log) { logs_.push_back(&log); }
-	/// Makes the lists after a step of `dt` [s] amid these surroundings. Bodies must still sleep, or not, as they did during the step.
-	/// O(n log n) in the number of contacts of bodies that monitor.
+	/// Makes the lists after a step of `dt` [s] in this environment. Call it before bodies fall asleep or wake. O(n log
+	/// n) in the number of contacts of monitored bodies.
 	void end_step(const ColliderIndex &surroundings, Real dt);
 
-	/// Sorted by body, other, and place.
+	/// Contacts of the step, sorted by body, other side and place.
 	std::span<const Contact> contacts() const { return contacts_; }
-	/// Ends, then begins.
+	/// Events of the step: first ends, then beginnings.
 	std::span<const ContactEvent> events() const { return events_; }
-	/// Sorted by body and other.
+	/// Present touches, sorted by body and other side.
 	std::span<const Touch> touches() const { return touches_; }
 
 private:
-	/// What lists are sorted by: ids, and for surroundings tags, then what tells contacts of one touch apart.
+	/// Sort key: ids, for the environment tags, then the features that distinguish contacts of one touch.
 	struct Entry {
 		std::uint64_t body = 0;
 		std::uint64_t other = 0;
 		std::uint64_t part = 0;
 		std::uint32_t feature = 0;
-		bool is_mirrored = false; ///< seen from the other body of the contact_point
+		bool is_mirrored = false; ///< seen from the other body of the contact point
 		const ContactPoint *contact_point = nullptr;
 	};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a point meets a rounded convex collider.
+// Contact of a point with a rounded collider.
 #include "core/collision/convex_query.h"
 
 #include "core/geometry/polygon.h"
@@ -57,12 +57,12 @@ SurfaceDistance polygon_distance(const Collider &collider, Vec2 p) {
 	return nearest;
 }
 
-// Circle: only a point that crossed the far half needs the swept answer; elsewhere the nearest
-// surface is also the one it came through.
+// Circle: only a point that crossed the far half needs the swept contact. Elsewhere the nearest surface is also the
+// surface that the point came through.
 std::optional<PointContact> swept_circle(const Collider &collider, Vec2 from, Vec2 to, Real slop) {
 	const Vec2 center = collider.vertices[0];
 	const Real radius = collider.radius;
-	// A point that rests on the circle may lie inside by rounding; it still came from outside.
+	// A point resting on the circle may lie inside by rounding; it still came from outside.
 	const Real inner = std::max(radius - slop, Real(0));
 	if (dot(to - center, from - center) >= 0 || length_squared(from - center) < inner * inner) {
 		return {};
@@ -93,7 +93,7 @@ bool is_inner(const Collider &collider, std::size_t edge) {
 	return edge < 32 && (collider.internal_edges >> edge & 1) != 0;
 }
 
-// The nearest of the faces that are not against a neighbor. A polygon that has no such face is like any other.
+// The nearest face that is not internal. If all faces are internal, the nearest face.
 SurfaceDistance way_out(const Collider &collider, Vec2 p) {
 	SurfaceDistance nearest{ -std::numeric_limits<Real>::max(), {} };
 	for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
@@ -112,15 +112,15 @@ std::optional<PointContact> polygon_contact(const Collider &collider, Vec2 from,
 	Real leave = 1;
 	Real entry_distance = 0;
 	Vec2 entry_normal;
-	Real best = -std::numeric_limits<Real>::max(); // largest distance = least depth, over faces come from
+	Real best = -std::numeric_limits<Real>::max(); // largest distance = least depth, over faces that the point came from the front of
 	Vec2 best_normal;
 	bool ends_inside = true;
 	for (std::size_t i = 0; i < vertices.size(); ++i) {
 		const Vec2 normal = face_normal(vertices, i);
 		const Real before = dot(normal, from - vertices[i]);
 		const Real after = dot(normal, to - vertices[i]);
-		// The way through is sought in the polygon shrunk by the slop: a point that rests on a face may lie
-		// behind it by rounding and must still count as coming through it.
+		// The passage is searched in the polygon shrunk by the slop. A point resting on a face may lie behind it by
+		// rounding, and must still count as coming through it.
 		const Real in_front = before + slop;
 		const Real way = before - after;
 		if (after > 0) {
@@ -131,7 +131,7 @@ std::optional<PointContact> polygon_contact(const Collider &collider, Vec2 from,
 			leave = std::min(leave, in_front / way);
 		} else {
 			if (is_inner(collider, i)) {
-				continue; // who comes this way comes out of the neighbor
+				continue; // a point coming this way comes out of the adjacent collider
 			}
 			if (in_front > 0 && way > 0 && in_front / way >= enter) {
 				enter = in_front / way;
@@ -173,12 +173,12 @@ SurfaceDistance outline_distance(const Collider &collider, Vec2 p) {
 	const Real distance = std::sqrt(least);
 	const Vec2 edge = vertices[(nearest + 1) % vertices.size()] - vertices[nearest];
 	const Vec2 outwards = (closest_on_edge(vertices, nearest, p) - p) * (inside ? Real(1) : Real(-1));
-	// Too close to the outline for a direction, that of the face is as good.
+	// So close to the outline the difference gives no direction; the face's normal replaces it.
 	const bool is_close = !(distance > Real(1e-4) * length(edge));
 	return { inside ? -distance : distance, is_close ? face_normal(vertices, nearest) : outwards * (1 / distance) };
 }
 
-// A concave polygon: out by the edge that the point came in by, else by the nearest one.
+// A concave polygon: the point leaves by the edge that it entered by, else by the nearest edge.
 std::optional<PointContact> outline_contact(const Collider &collider, Vec2 from, Vec2 to, Real slop) {
 	const std::vector<Vec2> &vertices = collider.vertices;
 	Real first = 2;
@@ -188,9 +188,9 @@ std::optional<PointContact> outline_contact(const Collider &collider, Vec2 from,
 		const Real before = dot(normal, from - vertices[i]);
 		const Real after = dot(normal, to - vertices[i]);
 		if (!(after < 0 && before >= -slop && before > after)) {
-			continue; // not from the front of this face to behind it
+			continue; // the point did not cross this face from its front
 		}
-		// A point that rests on a face may lie behind it by rounding and must still count as coming through it.
+		// A point resting on a face may lie behind it by rounding, and must still count as coming through it.
 		const auto crossing = segment_intersection(from + normal * slop, to, vertices[i], vertices[(i + 1) % vertices.size()]);
 		if (crossing && *crossing < first) {
 			first = *crossing;
@@ -207,7 +207,7 @@ std::optional<PointContact> outline_contact(const Collider &collider, Vec2 from,
 	return PointContact{ surface.normal, -surface.distance };
 }
 
-// Whether p lies beyond an end of a chain's segment and beside the segment that goes on from there.
+// Whether p lies beyond an end of a chain's segment and beside the adjacent segment.
 bool is_beside_neighbor(const Collider &collider, Vec2 p) {
 	const Vec2 a = collider.vertices[0];
 	const Vec2 b = collider.vertices[1];

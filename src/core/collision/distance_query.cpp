@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a body is close to what it has touched.
+// Whether a body is close to a body or surface that it has touched.
 #include "core/collision/distance_query.h"
 
 #include "core/base/constants.h"
@@ -26,7 +26,7 @@ bool is_point_near(Vec2 p, std::span<const Vec2> hull, Real gap) {
 	return false;
 }
 
-// Of polygons that do not overlap, a corner of one is the nearest to the other.
+// For polygons that do not overlap, the closest points include a corner of one of them.
 bool has_point_near(std::span<const Vec2> points, std::span<const Vec2> hull, Real gap) {
 	const Aabb box = bounding_box(hull).grown(gap);
 	return std::ranges::any_of(points, [&](Vec2 p) { return box.contains({ p, p }) && is_point_near(p, hull, gap); });

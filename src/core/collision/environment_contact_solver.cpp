@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds and solves the contacts of bodies with their surroundings.
+// Finds and solves the contacts of bodies with the environment.
 #include "core/collision/environment_contact_solver.h"
 
 #include "core/base/constants.h"
@@ -26,7 +26,7 @@ constexpr Aabb NOWHERE{ { std::numeric_limits<Real>::quiet_NaN(), 0 }, { std::nu
 
 } // namespace
 
-// The box may be outgrown within the step, as springs accelerate points.
+// The sweep box has a margin, as springs accelerate points within the step.
 Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt) {
 	Aabb box = bounding_box(hull);
 	const Vec2 size = box.max - box.min;
@@ -54,7 +54,7 @@ bool EnvironmentContactSolver::begin_body(const ColliderIndex &surroundings, Sof
 	return !near().colliders.empty();
 }
 
-// What is not near any more.
+// Removes one-way colliders that are no longer near.
 void EnvironmentContactSolver::forget_one_ways(SoftBodyData &body) const {
 	const std::vector<Collider> &colliders = surroundings_->world().colliders();
 	std::erase_if(body.one_ways(), [&](const OneWayMemory &memory) {
@@ -95,15 +95,15 @@ void EnvironmentContactSolver::handle_colliders(SoftBodyData &body, std::span<co
 		swept.include(before[i]);
 	}
 	if (!near().reach.contains(swept)) {
-		// Gather around the whole way of this substep, which may already have left the old box.
+		// Search around the whole path of this substep, which may already have left the old box.
 		const Vec2 way = swept.max - swept.min;
 		gather(body, near().margin + std::max(way.x, way.y));
 	}
 	if (near().has_one_way) {
 		begin_one_ways(body, before, swept);
 	}
-	// Points first, of all colliders: an edge between a point that has been moved out and one that has not dips into the
-	// seam of two colliders and would be pushed back from it.
+	// Points of all colliders first. An edge between a point that has been moved out and one that has not dips into the
+	// seam of two colliders, and a corner there would push it back.
 	for (const bool corners : { false, true }) {
 		for (const std::uint32_t i : near().colliders) {
 			handle_collider(body, before, swept, i, corners);
@@ -139,7 +139,7 @@ void EnvironmentContactSolver::handle_collider(SoftBodyData &body, std::span<con
 	solve_collider(body, hull, collider, surface, motion, box, corners);
 }
 
-// `box`: of the hull for the collider's corners, of the collider in its own frame for the hull's points.
+// `box` is the hull's box for the collider's corners, and the collider's box in its own frame for the hull's points.
 void EnvironmentContactSolver::solve_collider(SoftBodyData &body, const HullMotion &hull, const Collider &collider,
 		const Surface &surface, const ColliderMotion &motion, const Aabb &box, bool corners) {
 	std::optional<OneWay> one_way;
@@ -157,7 +157,8 @@ void EnvironmentContactSolver::solve_collider(SoftBodyData &body, const HullMoti
 	}
 }
 
-// A platform made of many pieces: what passes one passes its neighbors, or their fronts would hold its flanks.
+// For a platform made of many pieces: a body that passes one piece passes adjacent pieces too; otherwise they would
+// catch its sides.
 bool EnvironmentContactSolver::is_beside_passed(const SoftBodyData &body, const Collider &collider) const {
 	if (std::ranges::none_of(body.one_ways(), [](const OneWayMemory &each) { return !each.held; })) {
 		return false;
@@ -186,7 +187,7 @@ void EnvironmentContactSolver::begin_one_ways(SoftBodyData &body, std::span<cons
 	}
 }
 
-// Returns the sum of the impulses.
+// Returns the sum of the normal impulses.
 Real EnvironmentContactSolver::handle_points(SoftBodyData &body, const HullMotion &hull, const Collider &collider,
 		const Surface &surface, const ColliderMotion &motion, const Aabb &own_bounds, const OneWay *one_way) {
 	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds and solves the contacts of bodies with their surroundings.
+// Finds and solves the contacts of bodies with the environment.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -18,27 +18,27 @@
 
 namespace softbody {
 
-/// Contacts of soft bodies with borders and colliders (thesis 4.4.2, "EnvironmentContactSolver"). Broad phase once a
-/// step: colliders whose box meets the box a body may sweep. Narrow phase in every substep: each hull point against
-/// each border and collider, and each corner (or round end) of a collider against the hull edges,
-/// so that neither can enter the other. A kinematic collider is met where it is at the end of each substep, and its
-/// velocity is felt; dynamic ones are left to `RigidContacts`. One object serves one thread.
+/// Contacts of soft bodies with borders and colliders (thesis 4.4.2, "CollisionHandling"). The broad phase runs once a
+/// step: it finds the colliders whose box meets the box that a body may sweep. The narrow phase runs in every substep:
+/// each hull point against each border and collider, and each corner or round end of a collider against the hull edges,
+/// so that neither can enter the other. A kinematic collider is placed where it is at the end of each substep, and
+/// contacts use its velocity. Dynamic colliders belong to `RigidContacts`. One object serves one thread.
 class EnvironmentContactSolver {
 public:
-	/// Broad phase for one body and the coming `dt` [s], which begins `elapsed` [s] after the step did. False where no
-	/// collider is near. Of bodies side by side each is begun in a lane of its own, < PACK_WIDTH. O(colliders near the body).
+	/// Broad phase for one body and the coming `dt` [s], which begins `elapsed` [s] after the start of the step.
+	/// Returns false if no collider is near. Each body of a batch is begun in its own `lane`, < PACK_WIDTH. O(colliders
+	/// near the body).
 	bool begin_body(const ColliderIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt, std::size_t lane = 0);
-	/// Answers every contact of the body begun in that lane after a substep of `h` [s] that started at `before` (one
-	/// position a hull point), under the acceleration `gravity`, and resists rolling. Returns how many it
-	/// solved.
-	/// O(hull points × colliders nearby).
+	/// Solves every contact of the body begun in `lane`, after a substep of `h` [s] that started at `before` (one
+	/// position for each hull point) under the acceleration `gravity`, and applies rolling resistance. Returns the
+	/// number of contacts solved. O(hull points × colliders nearby).
 	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h, std::size_t lane = 0);
-	/// Contacts of bodies side by side with borders alone: the same as `handle` where nothing bounces and no collider is
-	/// near. `body_indices` are the bodies' in the world; a bit of `monitored` tells whose contacts are logged. Returns how
-	/// many it solved in each lane.
+	/// Solves the contacts of a batch with borders alone. Gives the results of `handle` if nothing bounces and no
+	/// collider is near. `body_indices` are indices into `WorldData::soft_bodies()`. Each bit of `monitored` selects a
+	/// lane for the log. Returns the number of contacts solved in each lane.
 	RealPack solve_borders_side_by_side(const BodyLanes<RealPack> &bodies, std::span<const Border> borders, Real h,
 			std::span<const std::uint32_t> body_indices, std::uint32_t monitored);
-	/// The contacts solved of bodies of the world that are monitored, since it was last cleared.
+	/// Contacts of monitored bodies since the log was last cleared.
 	ContactLog &log() { return log_; }
 
 private:
@@ -60,38 +60,38 @@ private:
 	void forget_one_ways(SoftBodyData &body) const;
 
 	const ColliderIndex *surroundings_ = nullptr;
-	/// What is near a body.
+	/// Result of the broad phase for one body.
 	struct Near {
-		std::vector<std::uint32_t> colliders; ///< that it may meet
-		Aabb reach; ///< box for which they are complete
+		std::vector<std::uint32_t> colliders; ///< colliders that the body may meet
+		Aabb reach; ///< box for which `colliders` is complete
 		Real margin = 0;
-		Real elapsed = 0; ///< since the step began, at the start of the coming substep [s]
-		bool has_one_way = false; ///< among the colliders
+		Real elapsed = 0; ///< time since the step began, at the start of the coming substep [s]
+		bool has_one_way = false; ///< whether `colliders` holds a one-way collider
 	};
 	Near &near() { return near_[lane_]; }
 	const Near &near() const { return near_[lane_]; }
 
 	std::array<Near, PACK_WIDTH> near_;
 	std::size_t lane_ = 0; ///< of the current body
-	// Of the current body and substep.
+	// Values of the current body and substep.
 	Real bounce_threshold_ = 0;
 	Real h_ = 0;
 	ContactLoad load_;
-	std::uint32_t collider_ = 0; ///< which is being solved
+	std::uint32_t collider_ = 0; ///< collider being solved
 	ContactLog log_;
-	std::vector<Vec2> own_hull_; ///< in the frame of a one-way collider
-	std::vector<Vec2> starts_; ///< of the hull's points, as a one-way collider sees them
-	std::vector<BasicPointSolution<Real>> solutions_; ///< of a border at the hull's points
+	std::vector<Vec2> own_hull_; ///< hull in the frame of a one-way collider
+	std::vector<Vec2> starts_; ///< start positions of the hull points, as adjusted for a one-way collider
+	std::vector<BasicPointSolution<Real>> solutions_; ///< of a border, at the hull points
 	std::vector<BasicPointSolution<RealPack>> pack_solutions_;
 };
 
-/// The box in which a body that moves as fast as now stays for `dt` [s], and some more. Of a hull that is not finite, one that
-/// holds NaN and overlaps nothing.
+/// Box that contains the hull for `dt` [s] at its present velocities, with a margin. For a hull that is not finite, a
+/// box that overlaps nothing.
 Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt);
 
-/// How deep a body is inside its surroundings where they are now [length]: the largest depth of a hull point in a border
-/// or collider that it notices, or of a collider's corner or round end in the hull. 0 when apart.
-/// O(hull points × colliders).
+/// Depth of a body inside the environment at its present pose [length]: the largest depth of a hull point in a border
+/// or collider that the body notices, or of a collider's corner or round end in the hull. 0 when apart. O(hull points ×
+/// colliders).
 Real measure_penetration(const WorldData &world, const SoftBodyData &body);
 
 } // namespace softbody

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much room bodies side by side take: `SolverBody::measure_extent` for any scalar type.
+// `SolverBody::measure_extent` for any scalar type.
 #pragma once
 
 #include "core/base/pack.h"
@@ -11,7 +11,7 @@
 
 namespace softbody {
 
-/// As in `SolverBody`, a number for each lane.
+/// Extents as in `SolverBody`, one value for each lane.
 template <class T>
 struct BasicExtent {
 	BasicVec2<T> min; ///< of the box
@@ -21,7 +21,7 @@ struct BasicExtent {
 	T way;
 };
 
-/// Of hulls that are at `now` and were at `before`, as many points each. Not of none. O(points).
+/// Extents of hulls at `now` that were at `before`. Precondition: equal sizes, at least one point. O(points).
 template <class T>
 BasicExtent<T> measure_extent(std::span<const BasicVec2<T>> now, std::span<const BasicVec2<T>> before) {
 	BasicVec2<T> min = in_all_lanes<T>(Aabb{}.min);

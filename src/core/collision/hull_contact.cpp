@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a point has entered the hull of a body.
+// Contact of a point that has entered the hull of a body.
 #include "core/collision/hull_contact.h"
 
 namespace softbody {

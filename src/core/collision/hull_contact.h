@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a point has entered the hull of a body: the exact test, on the hull's edges.
+// Contact of a point that has entered the hull of a body: the exact test, on the hull's edges.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -15,27 +15,28 @@
 
 namespace softbody {
 
-/// A point inside a hull, and how it comes out.
+/// Contact of a point inside a hull, with its way out.
 struct HullContact {
 	std::uint32_t edge = 0; ///< from hull point `edge` to the next
 	Real t = 0; ///< place on the edge, 0..1
-	Vec2 normal; ///< unit, outward: the way the point has to go
+	Vec2 normal; ///< unit, outward: the direction in which the point must move
 	Real depth = 0; ///< [length], >= 0
 };
 
-/// The edges of one hull, laid out so that PACK_WIDTH of them are tested at once. Any simple polygon of positive
-/// winding; concave is fine.
+/// The edges of one hull, laid out to test PACK_WIDTH of them at once. For any simple polygon of positive winding,
+/// convex or concave.
 class HullEdges {
 public:
-	/// Reads the hull, which stays as it is until the last question. O(hull points).
+	/// Reads the hull, which must not change before the last query. O(hull points).
 	void assign(std::span<const Vec2> hull);
-	/// Whether the hull winds around p (nonzero winding rule). Points on the border may fall on either side.
+	/// Whether the hull winds around p (nonzero winding rule). For a point on the border the result may be either.
+	/// O(hull points).
 	bool contains(Vec2 p) const;
 
-	/// The contact of the point p, or none when the hull does not contain it. It comes out through the nearest edge that
-	/// faces it: one on whose inner side it is, and whose outward normal opposes `outward`, the direction out of the body
-	/// that p belongs to. A point that was pushed through a thin body so finds its way back rather than on. Where no edge
-	/// faces it (or `outward` is 0), the nearest of all. O(hull points).
+	/// The contact of the point p, or none if the hull does not contain it. The point leaves through the nearest edge
+	/// that faces it: p is on the inner side of such an edge, and the edge's outward normal opposes `outward`, the
+	/// direction out of the body that p belongs to. So a point that was pushed through a thin body finds its way back.
+	/// If no edge faces the point, or if `outward` is 0, it leaves through the nearest edge. O(hull points).
 	std::optional<HullContact> find(Vec2 p, Vec2 outward) const;
 
 private:
@@ -44,8 +45,7 @@ private:
 	std::optional<std::size_t> find_among_many(Vec2 p, Vec2 outward) const;
 	std::optional<HullContact> contact_at(std::size_t edge, Vec2 p) const;
 
-	// Room for 32 edges at once, so that the buffers of threads that work beside each other are lines of the cache apart
-	// from the start (two threads solved the contacts of 6,000 bodies in 1.8 times less time so, 1.3 without).
+	// Room for 32 edges from the start keeps the buffers of different threads on separate cache lines.
 	std::vector<EdgePack> edges_ = std::vector<EdgePack>(8);
 	std::span<const Vec2> hull_;
 };
@@ -57,7 +57,7 @@ inline Vec2 outward_at(std::span<const Vec2> hull, std::size_t i) {
 	return -perpendicular(after - before);
 }
 
-// Up to three packs are read anew by every question: they stay in registers, and a hull changes with most contacts.
+// Up to three packs are read again for each query. They stay in registers, and most contacts change the hull.
 inline std::optional<HullContact> HullEdges::find(Vec2 p, Vec2 outward) const {
 	const BasicVec2<RealPack> point = in_all_lanes<RealPack>(p);
 	std::optional<std::size_t> edge;
@@ -83,7 +83,7 @@ std::optional<std::size_t> HullEdges::find_among(const BasicVec2<RealPack> &p, V
 
 inline std::optional<HullContact> HullEdges::contact_at(std::size_t edge, Vec2 p) const {
 	HullContact contact;
-	contact.edge = edge < hull_.size() ? std::uint32_t(edge) : 0; // or a lane that stands for the first point
+	contact.edge = edge < hull_.size() ? std::uint32_t(edge) : 0; // the lane may be a copy of the first point
 	const Vec2 start = hull_[contact.edge];
 	const Vec2 way = hull_[contact.edge + 1 == hull_.size() ? 0 : contact.edge + 1] - start;
 	const Real size_squared = length_squared(way);
@@ -91,7 +91,8 @@ inline std::optional<HullContact> HullEdges::contact_at(std::size_t edge, Vec2 p
 	contact.t = std::clamp(along, Real(0), Real(1));
 	const Vec2 out_of_hull = start + way * contact.t - p;
 	const Real size = std::sqrt(size_squared);
-	// Next to the edge itself the direction of the nearest place is rounding; the edge's normal is exact there.
+	// At a corner of the hull the point leaves along the line to the nearest place. On the edge that direction is
+	// rounding, and the edge's normal is exact.
 	if (contact.t == 0 || contact.t == 1) {
 		contact.depth = length(out_of_hull);
 		if (contact.depth > Real(1e-3) * size) {
@@ -103,7 +104,7 @@ inline std::optional<HullContact> HullEdges::contact_at(std::size_t edge, Vec2 p
 		return {};
 	}
 	contact.normal = Vec2{ way.y, -way.x } * (1 / size);
-	contact.depth = std::max(cross(way, p - start) * (1 / size), Real(0)); // from the edge itself, without waiting for t
+	contact.depth = std::max(cross(way, p - start) * (1 / size), Real(0)); // uses the edge, so it need not wait for t
 	return contact;
 }
 

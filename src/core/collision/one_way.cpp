@@ -17,7 +17,7 @@ namespace {
 
 constexpr Real NOWHERE = -std::numeric_limits<Real>::max();
 
-/// Coordinates of a place: across the direction that holds, and along it.
+/// Coordinates of a place: across the collider's one-way direction, and along it.
 struct Place {
 	Real across = 0;
 	Real along = 0;
@@ -27,8 +27,8 @@ Place place_of(Vec2 p, Vec2 direction) {
 	return { dot(p, perpendicular(direction)), dot(p, direction) };
 }
 
-// How far the front of the collider reaches along its direction, beside the given place across it: the edges, moved out
-// by the radius, and the round corners.
+// Largest extent of the collider along its one-way direction at the coordinate `across`: of its edges, moved out by the
+// radius, and of its round corners.
 Real front_at(Real across, const Collider &collider) {
 	const std::vector<Vec2> &vertices = collider.vertices;
 	Real front = NOWHERE;
@@ -56,7 +56,7 @@ Real front_at(Real across, const Collider &collider) {
 	return front;
 }
 
-// How much of the hull lies behind a place that is inside it, before its outline is met; 0 outside.
+// Distance from a place inside the hull back to the outline, against `direction`. 0 outside the hull.
 Real hull_behind(std::span<const Vec2> hull, const Place &from, Vec2 direction) {
 	Real behind = std::numeric_limits<Real>::max();
 	bool is_inside = false;
@@ -176,14 +176,14 @@ bool OneWay::counts(const SurfaceContact &contact, const HullMotion &hull) const
 	if (is_held_) {
 		return true;
 	}
-	if (contact.place.a == contact.place.b) { // a hull point: beside the collider's core it meets a face, not a round end
+	if (contact.place.a == contact.place.b) { // a hull point beside the collider's core meets a face, not a round end
 		const auto across = [&](Vec2 p) { return place_of(p, collider_.one_way).across; };
 		const auto [least, most] = std::ranges::minmax(collider_.vertices, {}, across);
 		if (across(own_from) >= across(least) && across(own_from) <= across(most)) {
 			return true;
 		}
 	}
-	// How the place came towards the collider: as much by coming down as from the side.
+	// The place counts if it came down on the collider at least as fast as from the side.
 	const Vec2 to = position_of(contact.place, hull.to);
 	const Vec2 moved = to - (motion_.is_still ? from : motion_.to.apply(own_from));
 	const Vec2 side = perpendicular(direction);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bounce of two bodies as wholes.
+// Restitution between two bodies as wholes.
 #include "core/collision/pair_bounce.h"
 
 #include "core/base/constants.h"
@@ -68,7 +68,7 @@ void give_back_pair_bounce(SoftBodyData &first, SoftBodyData &second, Vec2 push,
 	const Vec2 normal = line * (1 / distance);
 	const Real leaving = dot(pair[0].frame.velocity - pair[1].frame.velocity, normal);
 	if (push != Vec2{}) {
-		// What this substep's contacts have just taken belongs to the approach.
+		// The approach includes what this substep's contacts have just removed.
 		const Real approach = dot(push, normal) * inverse_mass - leaving;
 		if (!touch.touching) {
 			touch.energy = pair[0].kinetic_energy() + pair[1].kinetic_energy() +
@@ -88,7 +88,8 @@ void give_back_pair_bounce(SoftBodyData &first, SoftBodyData &second, Vec2 push,
 			energy += body.kinetic_energy();
 			wobble += body.inverse_mass > 0 ? body.wobble_energy() : 0.0;
 		}
-		// What the contacts have destroyed may be given back, then what wobbles; on average as much as moves is wound up.
+		// The bounce is paid for by the energy that the contacts have lost, then by the wobble. On average the springs
+		// hold as much energy as the wobble, so it is not lost.
 		const double price = double(wanted * wanted - leaving * leaving) / (2 * double(inverse_mass));
 		const double lost = std::max(0.0, touch.energy - energy - wobble);
 		const double from_wobble = std::clamp(price - lost, 0.0, wobble);
@@ -98,7 +99,7 @@ void give_back_pair_bounce(SoftBodyData &first, SoftBodyData &second, Vec2 push,
 		const Vec2 impulse = normal * ((parting - leaving) / inverse_mass);
 		if (!is_finite(impulse) || !std::isfinite(keep)) {
 			touch = {};
-			return; // who is about to be reset must not take the other along
+			return; // a body that is about to be reset must not affect the other
 		}
 		for (Bouncing &body : pair) {
 			if (body.inverse_mass > 0) {

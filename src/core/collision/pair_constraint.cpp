@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a contact of a hull point with another body's hull edge does to the three points.
+// Solves a contact of a hull point with another body's hull edge.
 #include "core/collision/pair_constraint.h"
 
 #include "core/base/constants.h"
@@ -33,7 +33,7 @@ void SolverBody::measure_extent() {
 	for (std::size_t i = 0; i < packs; ++i) {
 		farthest = greater(length_squared(pack_of(now, i) - middle), farthest);
 	}
-	// Where the points come from is no farther away than the way of the fastest.
+	// The start positions are no farther away than the longest path.
 	radius = std::sqrt(greatest_lane(farthest)) + way;
 	box = box.grown(way);
 }
@@ -41,7 +41,7 @@ void SolverBody::measure_extent() {
 void SolverBody::take_frame(const BodyFrame &frame) {
 	spin_change = 0;
 	mass_center = frame.center;
-	const bool is_free = inverse_mass > 0; // pinned, it turns about its pins, if at all
+	const bool is_free = inverse_mass > 0; // a pinned body turns about its pins, if at all
 	inertia = is_free ? frame.inertia : Real(0);
 	spin = is_free ? frame.angular_velocity : Real(0);
 }
@@ -66,7 +66,7 @@ void resist_pair_rolling(SolverBody &a, SolverBody &b, Real normal_impulse) {
 			normal_impulse;
 	const Real impulse = std::clamp((b.spin - a.spin) / inverse_mass, -most, most);
 	if (!std::isfinite(impulse)) {
-		return; // who is about to be reset must not take the other along
+		return; // a body that is about to be reset must not affect the other
 	}
 	a.spin += impulse * inverse_mass_a;
 	a.spin_change += impulse * inverse_mass_a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a contact of a hull point with another body's hull edge does to the three points.
+// Solves a contact of a hull point with another body's hull edge.
 #pragma once
 
 #include "core/base/constants.h"
@@ -16,45 +16,45 @@
 
 namespace softbody {
 
-/// What contacts between bodies need of a body. A view that stays valid until bodies are rearranged.
-struct alignas(64) SolverBody { // a line of the cache, which a pair that does not touch reads alone
-	// As `measure_extent` found them.
-	Aabb box; ///< around the hull's points, now and before; up to a way larger
-	Vec2 center; ///< of a circle around the same, likewise
+/// View of a body for contacts between bodies. Valid until the list of bodies is rebuilt.
+struct alignas(64) SolverBody { // one cache line holds all that is read for a pair that does not touch
+	// Set by `measure_extent`.
+	Aabb box; ///< around the hull's points, now and before; may be too large by `way`
+	Vec2 center; ///< of a circle around the hull's points, now and before
 	Real radius = 0; ///< of that circle [length]
-	Real way = 0; ///< of the fastest hull point in this substep [length]
-	Real width = 0; ///< of its thinner part (SoftBodyShape::width) [length]
+	Real way = 0; ///< longest path of a hull point in this substep [length]
+	Real width = 0; ///< of the body's thinner part (SoftBodyShape::width) [length]
 	Real inverse_mass = 0; ///< of the body as a whole; 0 when a point is pinned
 	Real friction = 0; ///< negative when rough; see `combine_friction`
 	std::uint32_t body_index = 0; ///< in `WorldData::soft_bodies()`
-	/// Whether its integrator leaves a velocity that is ahead of the way just gone, as it holds the forces of the whole
-	/// substep and the way does not.
+	/// Whether the integrator leaves a velocity ahead of the motion of the substep: the velocity includes the forces of
+	/// the whole substep, the motion does not.
 	bool velocity_leads = false;
 	bool is_monitored = false; ///< BodySettings::contact_monitor
 	std::span<Vec2> positions; ///< of all points, the hull's first
-	std::span<Vec2> before; ///< where the hull's points were at the start of the substep
+	std::span<Vec2> before; ///< hull points at the start of the substep
 	std::span<Vec2> velocities;
 	std::span<const Real> inverse_masses;
 	Real rolling_resistance = 0;
 	Real rolling_radius = 0; ///< [length]
-	// As `take_frame` set them, and what `resist_pair_rolling` has changed since.
+	// Set by `take_frame`; changed by `resist_pair_rolling`.
 	Vec2 mass_center;
-	Real inertia = 0; ///< about it [mass·length²]
+	Real inertia = 0; ///< about the mass center [mass·length²]
 	Real spin = 0; ///< angular velocity [rad/s]
 	Real spin_change = 0;
 
 	std::span<Vec2> hull() const { return positions.first(before.size()); }
-	/// Keeps the hull's points as those before.
+	/// Stores the hull points as `before`.
 	void begin_substep();
 	/// Measures box, circle and way. O(hull points).
 	void measure_extent();
-	/// Sets mass center, inertia and spin. A pinned body has no inertia, which stands for what cannot be turned.
+	/// Sets mass center, inertia and spin. A pinned body gets inertia 0, which means that it cannot be turned.
 	void take_frame(const BodyFrame &frame);
 	/// Turns the velocities by the change of spin. O(points).
 	void apply_spin_change();
 };
 
-/// A hull point of one body inside another, ready to be solved.
+/// A hull point of one body inside another.
 struct PairContact {
 	std::uint32_t point = 0; ///< of the first body
 	std::uint32_t edge_start = 0; ///< hull points of the second body
@@ -62,29 +62,27 @@ struct PairContact {
 	Real t = 0; ///< place on the edge, 0..1
 	Vec2 normal; ///< unit, out of the second body
 	Real depth = 0; ///< [length], >= 0
-	bool is_fresh = false; ///< the point is known to have come in during this substep, so that all of it is pushed out
+	bool is_fresh = false; ///< the point is known to have entered in this substep, so its whole depth is removed
 };
 
-/// Answers one contact between two bodies: moves point and edge apart along the normal, takes from their approach
-/// what brought them so deep within this substep of `h` [s], and takes from the sliding speed what Coulomb's law allows,
-/// with the way slid. What bounces does so as a whole (give_back_pair_bounce).
-/// Moving apart gives no velocity: bodies that start inside one another part without a jump.
-/// All changes are shared out by inverse mass, with impulses equal and opposite in one place, so that linear and
-/// angular momentum stay. Friction: `combine_friction`, as Godot combines coefficients.
-/// What is deeper than the way of this substep and DEEP_OVERLAP of the smaller body explain is not the points' doing:
-/// the bodies part as a whole, which strains no spring; what is older than the substep is undone by and by. Returns the
-/// normal impulse [mass·length/s]. O(1), or O(points) where it is deep. Inline, with all that finds a contact: the parts of
-/// one do not go through memory then (3 % of a pile's step).
+/// Solves one contact between two bodies. Point and edge are moved apart along the normal. Of their approach they lose
+/// the part that made the depth within this substep of `h` [s]. Friction (`combine_friction`, as Godot combines
+/// coefficients) acts by Coulomb's law on the sliding speed, together with the way slid. Restitution is applied to
+/// whole bodies (give_back_pair_bounce). Moving apart gives no velocity: overlapping bodies part without a jump. All
+/// changes are shared by inverse mass, with opposite impulses in one place, so that linear and angular momentum stay. A
+/// depth that exceeds the motion of this substep and DEEP_OVERLAP of the smaller body moves the bodies as wholes, which
+/// strains no spring. Overlap older than the substep is removed gradually. Returns the normal impulse [mass·length/s].
+/// O(1), or O(points) for a deep overlap. Inline so that contact data stays in registers.
 Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairContact &contact, Real h);
 
-/// Brakes the spin of two bodies relative to each other, which pressed on each other with a summed normal impulse J
-/// [mass·length/s]: by an angular impulse of at most r R J, with r the smaller rolling resistance and R the smaller
-/// radius. Equal and opposite, so that angular momentum stays. Changes `spin` and `spin_change` only. O(1).
+/// Rolling resistance between two bodies that pressed on each other with a summed normal impulse J [mass·length/s]: an
+/// angular impulse of at most r R J against their relative spin, with r the smaller rolling resistance and R the
+/// smaller radius. Equal and opposite, so that angular momentum stays. Changes only `spin` and `spin_change`. O(1).
 void resist_pair_rolling(SolverBody &a, SolverBody &b, Real normal_impulse);
 
-/// Moves two bodies that lie across each other apart as wholes, along the unit `direction` from the second to the
-/// first, by at most DEEP_OVERLAP of the smaller one. Their velocities stay, and so do bodies with pinned points:
-/// false when both are. O(points).
+/// Moves two crossing bodies apart as wholes, along the unit `direction` from the second to the first, by at most
+/// DEEP_OVERLAP of the smaller one. Velocities do not change. Bodies with pinned points do not move; returns false if
+/// both have some. O(points).
 bool part_bodies(SolverBody &body, SolverBody &other, Vec2 direction, Real distance);
 
 inline Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairContact &contact, Real h) {
@@ -107,24 +105,24 @@ inline Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairCo
 		}
 		push = std::min(depth, fresh + OLD_OVERLAP_PUSH * size);
 	}
-	// The point met the edge somewhere within the substep: what it came too far is what its approach must lose, as
-	// velocities that follow from the moved positions would. Taking all of the approach from every graze instead
-	// keeps a pile trembling for good (200 bodies, 8 substeps: 1e-3 J each after 16 s instead of 1e-5).
+	// The point met the edge somewhere within the substep. The approach loses the part that made the depth, as
+	// velocities derived from the moved positions would. Removing the whole approach at every graze would keep a pile
+	// trembling.
 	Real deepening = depth / h;
 	if (body.velocity_leads || other.velocity_leads) {
-		// What forces have added to the velocity after the way was gone, all of it in an explicit Euler step, would
-		// stay otherwise: piles kept 1 J a body.
+		// Forces may have added velocity after the motion of the substep: in an explicit Euler step, all of it. It must
+		// be removed too, or piles keep trembling.
 		deepening += std::max(approach + dot(relative_way, normal) / h, Real(0));
 	}
-	// Nothing where they part already. No branch: half of all contacts do, and no processor can guess which.
+	// No change if the two already part. Without a branch: half of all contacts part, which no processor can predict.
 	const Real normal_change = std::max(Real(0), std::min(approach, deepening));
 	const ContactChange<Real> change = contact_change(relative, normal, push, normal_change,
 			combine_friction(body.friction, other.friction), h);
 	const Real per_impulse = 1 / inverse_mass;
 	const Vec2 shift = change.position * per_impulse;
 	const Vec2 impulse = change.velocity * per_impulse;
-	// A body that is about to be reset must not take the other along. A sum is finite only if all of it is: one question
-	// for four.
+	// A body that is about to be reset must not affect the other. A sum is finite only if all its terms are, so one
+	// test replaces four.
 	if (!std::isfinite((shift.x + shift.y) + (impulse.x + impulse.y))) {
 		return 0;
 	}

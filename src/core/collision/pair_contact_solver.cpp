@@ -31,7 +31,7 @@ std::size_t PairContactSolver::handle(SolverBody &a, SolverBody &b) {
 	return handle_points(a, b, are_fast);
 }
 
-// Two hulls can lie across each other with no point inside the other: the points then have nothing to say.
+// Two hulls can cross without a point of either inside the other; then contacts of points cannot separate them.
 bool PairContactSolver::handle_crossing(SolverBody &a, SolverBody &b) {
 	const auto middle = [](const SolverBody &body) {
 		const Aabb box = bounding_box(body.hull());
@@ -39,7 +39,8 @@ bool PairContactSolver::handle_crossing(SolverBody &a, SolverBody &b) {
 	};
 	const Vec2 middle_a = middle(a);
 	const Vec2 middle_b = middle(b);
-	// Both middles in both: that of a bent body may be outside it, and a ball may well be pressed onto that of a plank.
+	// Both middles must lie inside both bodies. The middle of a bent body may be outside it, and a ball may be pressed
+	// onto the middle of a plank.
 	for (const SolverBody *body : { &a, &b }) {
 		edges_.assign(body->hull());
 		if (!edges_.contains(middle_a) || !edges_.contains(middle_b)) {
@@ -62,11 +63,11 @@ bool PairContactSolver::handle_crossing(SolverBody &a, SolverBody &b) {
 
 namespace {
 
-// How many points of each body are looked at before those that are near are handled.
+// Number of points of each body that are filtered before the near ones are handled.
 constexpr std::uint32_t NEAR_BITS = 32;
 
-// Of up to NEAR_BITS hull points from `first` on, a bit for each that is nearer than `reach` to `center`. Few points are near
-// the other body: the others are left out several at a time.
+// Bit mask of up to NEAR_BITS hull points from `first` on that are nearer than `reach` to `center`. Few points are near
+// the other body; the filter skips the others several at a time.
 std::uint32_t near_points(std::span<const Vec2> hull, std::uint32_t first, Vec2 center, Real reach) {
 	const BasicVec2<RealPack> middle = in_all_lanes<RealPack>(center);
 	const std::uint32_t end = std::min(std::uint32_t(hull.size()), first + NEAR_BITS);
@@ -84,7 +85,7 @@ std::uint32_t near_points(std::span<const Vec2> hull, std::uint32_t first, Vec2 
 
 } // namespace
 
-// The points of both in one loop: where it ends is what a processor guesses wrong.
+// One loop for the points of both bodies: processors mispredict the end of a loop.
 std::size_t PairContactSolver::handle_points(SolverBody &a, SolverBody &b, bool are_fast) {
 	const std::array<SolverBody *, 2> bodies = { &a, &b };
 	constexpr std::array<Real, 2> SIDES = { 1, -1 };
@@ -107,8 +108,8 @@ std::size_t PairContactSolver::handle_points(SolverBody &a, SolverBody &b, bool 
 
 namespace {
 
-// Where a point has passed an edge from outside on its way through this substep, both moving. Behind the last such
-// edge it stays: the first it met is the one it has to go back through.
+// Contact of a point that passed edges from outside in this substep, both moving. Only a point still behind such an
+// edge has a contact. It must go back through the first edge that it crossed.
 std::optional<HullContact> find_passage(const SolverBody &body, const SolverBody &other, std::uint32_t point) {
 	const Motion path{ body.before[point], body.positions[point] };
 	std::optional<HullContact> first;
@@ -119,7 +120,7 @@ std::optional<HullContact> find_passage(const SolverBody &body, const SolverBody
 		const Motion start{ other.before[i], hull[i] };
 		const Motion end{ other.before[next], hull[next] };
 		if (cross(end.from - start.from, path.from - start.from) > 0) {
-			continue; // came from inside
+			continue; // the point came from inside
 		}
 		const std::optional<SegmentImpact> impact = point_segment_impact(path, start, end);
 		if (!impact || impact->time >= first_time) {
@@ -153,7 +154,7 @@ bool PairContactSolver::handle_point(SolverBody &body, SolverBody &other, std::u
 		return false;
 	}
 	const std::uint32_t end = found->edge + 1 == other.before.size() ? 0 : found->edge + 1;
-	edges_of_ = nullptr; // as both change
+	edges_of_ = nullptr; // both hulls change
 	const Real impulse = solve_pair_contact(body, other,
 			{ point, found->edge, end, found->t, found->normal, found->depth, is_fresh }, h_);
 	impulse_ += impulse;

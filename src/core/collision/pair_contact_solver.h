@@ -14,25 +14,24 @@
 
 namespace softbody {
 
-/// Finds and solves the contacts of pairs of bodies, each hull point against the other's hull edges. One object
-/// serves one thread; several may work at once on pairs that share no body.
+/// Finds and solves the contacts of pairs of bodies, each hull point against the other's hull edges. One object serves
+/// one thread; several threads may work at once on pairs that share no body.
 ///
-/// Where two bodies move far in a substep (SWEEP_SHARE), each point is also followed on its way through the moving
-/// edges, so that nothing passes through. Bodies that lie across each other, the middles of both inside both, are
-/// parted as wholes before any point is looked at.
+/// If two bodies move far in a substep (SWEEP_SHARE), each point is also swept through the moving edges, so that
+/// nothing passes through. Crossing bodies, with the middles of both inside both, are moved apart as wholes first.
 class alignas(128) PairContactSolver {
 public:
-	/// Length of the coming substep [s].
+	/// Sets the length of the coming substep [s].
 	void begin_substep(Real h);
 
-	/// Answers every contact between the two bodies. Returns how many.
-	/// O(points within the other's circle × hull points).
+	/// Solves every contact between the two bodies. Returns the number of contacts. O(points within the other's circle
+	/// × hull points).
 	std::size_t handle(SolverBody &a, SolverBody &b);
-	/// Sum of the normal impulses that the last `handle` solved with [mass·length/s].
+	/// Sum of the normal impulses of the last `handle` [mass·length/s].
 	Real last_impulse() const { return impulse_; }
-	/// The same with their directions, as they act on the first body.
+	/// Vector sum of the normal impulses of the last `handle`, as they act on the first body [mass·length/s].
 	Vec2 last_push() const { return push_; }
-	/// The contacts solved between bodies of which one at least is monitored, since it was last cleared.
+	/// Contacts since the log was last cleared, of pairs with at least one monitored body.
 	ContactLog &log() { return log_; }
 
 private:
@@ -41,7 +40,7 @@ private:
 	bool handle_crossing(SolverBody &a, SolverBody &b);
 
 	HullEdges edges_;
-	const SolverBody *edges_of_ = nullptr; ///< whose hull they are, as it is now
+	const SolverBody *edges_of_ = nullptr; ///< body whose present hull the edges are
 	Real h_ = 0;
 	Real impulse_ = 0;
 	Vec2 push_;

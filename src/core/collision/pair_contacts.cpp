@@ -16,19 +16,18 @@ namespace {
 constexpr std::size_t BODIES_A_TASK = 64;
 constexpr std::size_t GROUPS_A_TASK = 4;
 
-// How many pairs before its turn what is known of a body is asked for, and then its points. Together 3 % of a step of
-// 12,800 bodies in a pile on two threads.
+// Number of pairs by which the data of a body is prefetched ahead, and then its points.
 constexpr std::uint32_t BODIES_AHEAD = 8;
 constexpr std::uint32_t POINTS_AHEAD = 4;
 
-// Where bodies are too many for the cache, their contacts wait for memory. Changes nothing but the time that takes: always
-// inline, as GCC finds that a call of it does nothing and leaves it out.
+// With too many bodies for the cache, contacts wait for memory. Prefetching changes only the time. Always inline: GCC
+// finds that a call has no effect and removes it.
 #if defined(__GNUC__) || defined(__clang__)
 [[gnu::always_inline]]
 #endif
 inline void prefetch_pairs(std::span<const SolverBody> bodies, std::span<const BodyPair> pairs, std::uint32_t now) {
 #if defined(__GNUC__) || defined(__clang__)
-	constexpr std::size_t LINE = 64; // bytes of a line of the cache, on nearly all processors
+	constexpr std::size_t LINE = 64; // bytes of a cache line on nearly all processors
 	if (now + BODIES_AHEAD < pairs.size()) {
 		const BodyPair pair = pairs[now + BODIES_AHEAD];
 		for (const std::uint32_t active_index : { pair.a, pair.b }) {
@@ -66,7 +65,7 @@ std::uint32_t active_index_of(const PairBodies &bodies, BodyId id) {
 	return found != bodies.body_indices.end() && *found == body_index ? std::uint32_t(found - bodies.body_indices.begin()) : NOT_ACTIVE;
 }
 
-// Of gravity, and of what the body has of its own.
+// Magnitude of gravity, or of gravity and the body's own acceleration if that is larger [length/s²].
 Real pull_on(const PairBodies &bodies, std::uint32_t active_index) {
 	const Real gravity = length(bodies.world.gravity());
 	const SoftBodyData &body = bodies.data(active_index);
@@ -168,7 +167,7 @@ void PairContacts::begin_substeps(Real h) {
 
 void PairContacts::solve(const PairBodies &bodies, const SubstepGroup &group, const ParallelFor &parallel_for) {
 	if (!is_used_) {
-		return; // coupled by a rigid body alone
+		return; // coupled only through a rigid body
 	}
 	const auto bounce_threshold = [&](BodyPair pair) {
 		return RESTITUTION_SUBSTEPS * h_ * std::max(pull_on(bodies, pair.a), pull_on(bodies, pair.b));

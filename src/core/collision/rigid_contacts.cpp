@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts of soft bodies with rigid bodies that they push back.
+// Contacts of soft bodies with dynamic rigid bodies.
 #include "core/collision/rigid_contacts.h"
 
 #include "core/base/constants.h"
@@ -108,7 +108,7 @@ std::uint64_t RigidContacts::solve(const ParallelFor &parallel_for) {
 	for (Contact &contact : contacts_) {
 		prepare(contact);
 	}
-	// Each contact spoils the others a little; going through them again, there and back, leaves less of that.
+	// Each contact disturbs the others a little. Further passes, forward and backward, reduce that error.
 	for (int pass = 0; pass < RIGID_CONTACT_PASSES; ++pass) {
 		for (std::size_t i = 0; i < contacts_.size(); ++i) {
 			push(contacts_[pass % 2 == 0 ? i : contacts_.size() - 1 - i]);
@@ -123,15 +123,15 @@ std::uint64_t RigidContacts::solve(const ParallelFor &parallel_for) {
 	return contacts_.size();
 }
 
-// A held body has less inverse mass along s, the direction in which it is held, by the share a: W = (1 - a s sᵀ) / m. So a
-// contact that presses the body against its support finds it there, where with the mass alone the two would sink together
-// until the engine puts the body back. With h = s sqrt(a), W x = (x - h (h · x)) / m.
+// A supported rigid body has a smaller inverse mass along s, the direction of its support, by the share a: W = (1 - a s
+// sᵀ) / m. So a contact that presses the body against its support meets resistance. With the mass alone the two would
+// sink together until the engine puts the body back. With h = s sqrt(a), W x = (x - h (h · x)) / m.
 Vec2 RigidContacts::inverse_mass_along(const Contact &contact, Vec2 impulse) const {
 	return (impulse - contact.held * dot(contact.held, impulse)) * world_->rigid_bodies()[contact.rigid_body].inverse_mass;
 }
 
-// An impulse J n on the place and its opposite on the rigid body change their relative normal velocity by J k with
-// k = w + 1/m + (r × n)² / I, with w the inverse mass of the place.
+// An impulse J n on the place and its opposite on the rigid body change their relative normal velocity by J k with k =
+// w + 1/m + (r × n)² / I, where w is the inverse mass of the place.
 void RigidContacts::prepare(Contact &contact) {
 	const RigidBody &rigid = world_->rigid_bodies()[contact.rigid_body];
 	contact.edge = PointOnEdge(contact.at.place, contact.body->inverse_masses());
@@ -150,7 +150,7 @@ void RigidContacts::prepare(Contact &contact) {
 	contact.tangent_response = straight(perpendicular(contact.at.normal)) + contact.inverse_inertia * side_lever * side_lever;
 	const Real approach = -dot(relative_velocity(contact), contact.at.normal);
 	contact.wanted = rebound_speed(approach, contact.restitution, bounce_threshold_);
-	// What is about to be reset must not take the rigid body along.
+	// A body that is about to be reset must not affect the rigid body.
 	if (!std::isfinite(approach)) {
 		contact.normal_response = 0;
 	}
@@ -184,7 +184,7 @@ void RigidContacts::apply(Contact &contact, Vec2 impulse) {
 	RigidBody &rigid = world_->mutable_rigid_bodies()[contact.rigid_body];
 	const Real turning = cross(contact.arm, impulse);
 	if (!rigid.change_velocities(-inverse_mass_along(contact, impulse), -turning * contact.inverse_inertia)) {
-		return; // as for what is about to be reset
+		return; // a body that is about to be reset must not affect the rigid body
 	}
 	contact.edge.push(contact.body->mutable_velocities(), impulse);
 	Reaction &reaction = world_->mutable_reactions()[contact.rigid_body];
@@ -192,7 +192,8 @@ void RigidContacts::apply(Contact &contact, Vec2 impulse) {
 	reaction.angular_impulse -= turning;
 }
 
-// With the way slid that friction takes back, as in `contact_change`. Other contacts may have moved the place already.
+// The push is shortened by the way that other contacts have already moved the place. Includes the way slid that
+// friction takes back, as in `contact_change`.
 void RigidContacts::move_out(Contact &contact) {
 	if (!(contact.edge.inverse_mass > 0) || !(contact.normal_response > 0)) {
 		return;

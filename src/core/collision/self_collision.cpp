@@ -22,7 +22,7 @@ Real sign_of(double value) {
 	return value > 0 ? Real(1) : Real(-1);
 }
 
-// Whether segments ab and cd cross, each end of each clearly on one side of the other: touching is no crossing.
+// Whether segments ab and cd cross, with each end clearly on one side of the other segment. Touching is not crossing.
 bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 	const double of_c = signed_double_area(a, b, c);
 	const double of_d = signed_double_area(a, b, d);
@@ -31,7 +31,7 @@ bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 	return ((of_c > 0 && of_d < 0) || (of_c < 0 && of_d > 0)) && ((of_a > 0 && of_b < 0) || (of_a < 0 && of_b > 0));
 }
 
-// About the moving origin, so that the digits are the body's own.
+// About the moving origin, to keep the precision of the body's own size.
 double angular_momentum(const SoftBodyData &body, std::span<const Vec2> hull, Vec2 origin) {
 	double sum = 0;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
@@ -41,7 +41,7 @@ double angular_momentum(const SoftBodyData &body, std::span<const Vec2> hull, Ve
 	return sum;
 }
 
-// What moving points sideways to their velocities has changed is handed back as spin of the whole body.
+// Restores the angular momentum as spin of the whole body. Moving points across their velocities has changed it.
 void restore_angular_momentum(SoftBodyData &body, std::span<const Vec2> hull, Vec2 origin, double wanted) {
 	const auto arm_of = [&](std::size_t i) {
 		return i < body.shape().hull_count() ? difference(hull[i], {}) : difference(body.positions()[i], origin);
@@ -128,7 +128,7 @@ bool SelfCollision::begin(const SoftBodyData &body, std::span<const Vec2> before
 		way += (hull[i] - before[i]) * (1 / Real(count));
 	}
 	if (!is_finite(way) || !is_finite(start)) {
-		return false; // for the step to reset
+		return false; // the step resets the body
 	}
 	origin_ = start + way;
 	shift_ = origin_ - start;
@@ -137,7 +137,7 @@ bool SelfCollision::begin(const SoftBodyData &body, std::span<const Vec2> before
 		to_[i] = hull[i] - origin_;
 	}
 	std::fill(from_.begin() + count_, from_.end(), from_[0]);
-	// Far from the world's origin positions are too coarse for a small gap.
+	// Far from the world's origin, positions are too coarse for a small gap.
 	const Real farthest = std::max(std::abs(origin_.x), std::abs(origin_.y)) + body.shape().radius();
 	gap_ = std::max(SELF_GAP * body.shape().shortest_hull_edge(), 16 * std::numeric_limits<Real>::epsilon() * farthest);
 	return true;
@@ -169,7 +169,7 @@ std::uint32_t overlaps(const Boxes &boxes, Vec2 min, Vec2 max) {
 
 } // namespace
 
-// Of the edges of a run and the ways of their ends.
+// Boxes of the edges of a run, along the paths of their ends.
 SelfCollision::Boxes SelfCollision::edge_boxes(std::uint32_t run) const {
 	const std::size_t i = run * PACK_WIDTH;
 	Boxes boxes;
@@ -182,8 +182,7 @@ SelfCollision::Boxes SelfCollision::edge_boxes(std::uint32_t run) const {
 	return boxes;
 }
 
-// A tree of boxes over the order of the hull, PACK_WIDTH of each level in one of the next: neighbors on the hull are
-// neighbors in the plane, so that nothing needs to be sorted.
+// A tree of boxes in hull order, PACK_WIDTH boxes under each. Unsorted: neighbors on the hull are near in the plane.
 void SelfCollision::build_boxes() {
 	std::fill(to_.begin() + count_, to_.end(), to_[0]);
 	boxes_.clear();
@@ -210,8 +209,8 @@ void SelfCollision::build_boxes() {
 	} while (entries > 1);
 }
 
-// Whether two runs in a row go on in one direction, at the start, at the end and so all along: a chain that does meets
-// no part of itself. Most of a hull is such, and its neighboring runs, whose boxes always overlap, need no other look.
+// Whether two adjacent runs go on in one direction at the start and end of the substep, and so at all times between.
+// Such a chain cannot meet itself. Most adjacent runs are straight, and need no other test though their boxes overlap.
 bool SelfCollision::is_straight(std::uint32_t run, std::uint32_t next) const {
 	const std::uint32_t last = std::min(std::uint32_t((next + 1) * PACK_WIDTH), count_);
 	const std::uint32_t first = run * PACK_WIDTH;
@@ -224,7 +223,7 @@ bool SelfCollision::is_straight(std::uint32_t run, std::uint32_t next) const {
 		const RealPack now = dot(along, consecutive(&to_[i + 1]) - consecutive(&to_[i]));
 		std::uint32_t lanes = bits(!both(before > RealPack(0), now > RealPack(0)));
 		if (i + PACK_WIDTH > count_) {
-			lanes &= (1u << (count_ - i)) - 1; // what fills the last run is no edge
+			lanes &= (1u << (count_ - i)) - 1; // padding of the last run
 		}
 		backwards |= lanes;
 	}
@@ -258,7 +257,7 @@ void SelfCollision::visit_run_pairs(Real gap, const Visit &visit) const {
 		}
 		was_straight = goes_straight;
 		if (runs <= 3) {
-			continue; // all are neighbors
+			continue; // all runs are adjacent
 		}
 		const Boxes &own = boxes_[run / PACK_WIDTH];
 		const Aabb box{ lane_of(own.min, run % PACK_WIDTH), lane_of(own.max, run % PACK_WIDTH) };
@@ -310,9 +309,9 @@ bool SelfCollision::was_folded() const {
 	return is_crossed || !(twice_area > 0);
 }
 
-// With a, b the ends of the edge and p the point, all moving evenly, p is on the line ab when
+// With a, b the ends of the edge and p the point, all in uniform motion, p is on the line ab when
 //   f(t) = cross(b - a, p - a) = 0,
-// a quadratic. If its three Bernstein coefficients have one sign, so has f: nearly all candidates end here.
+// a quadratic. If its three Bernstein coefficients have one sign, f has that sign too. Nearly all candidates end here.
 std::optional<SelfCollision::Contact> SelfCollision::find_contact(std::uint32_t point, std::uint32_t edge,
 		Real gap) const {
 	const std::uint32_t next = after(edge);
@@ -329,26 +328,27 @@ std::optional<SelfCollision::Contact> SelfCollision::find_contact(std::uint32_t 
 	const std::optional<SegmentImpact> impact = point_segment_impact({ from_[point], to_[point] },
 			{ from_[edge], to_[edge] }, { from_[next], to_[next] });
 	if (!impact) {
-		return find_near_contact(point, edge, sign_of(last), gap); // went around an end, if at all
+		return find_near_contact(point, edge, sign_of(last), gap); // the point passed beside the edge, if at all
 	}
-	// The point came from where f was before: of two roots, the second is met by one that first went around an end.
+	// The point started on the side given by f at the start. If there are two roots, a point that meets the edge at the
+	// second one crossed the line beside the edge before.
 	Real side = first == 0 ? side_of_chain(point, edge) : sign_of(first);
 	const double bend = first - 2 * middle + last;
 	if (first * last > 0 && double(impact->time) > (first - middle) / bend + 1e-5) {
 		side = -side;
 	}
-	// How far past the place where they met, along the normal that the edge had then.
+	// Depth beyond the place of impact, along the edge's normal at the impact.
 	const Vec2d edge_then = edge_from + (edge_to - edge_from) * double(impact->time);
 	const double size_then = length(edge_then);
 	if (!(size_then > 0)) {
-		return Contact{}; // for a zone to hold
+		return Contact{}; // left to an impact zone
 	}
 	const Vec2d normal = Vec2d{ -edge_then.y, edge_then.x } * (double(side) / size_then);
 	const Real depth = gap - Real(dot(normal, offset_to - edge_to * double(impact->parameter)));
 	return Contact{ impact->parameter, Vec2(normal), std::max(depth, Real(0)) };
 }
 
-// A point that stays on its side of the edge, but nearer than the gap.
+// Contact of a point that stays on its side of the edge, but nearer than the gap.
 std::optional<SelfCollision::Contact> SelfCollision::find_near_contact(std::uint32_t point, std::uint32_t edge, Real side,
 		Real gap) const {
 	const std::uint32_t next = after(edge);
@@ -356,7 +356,7 @@ std::optional<SelfCollision::Contact> SelfCollision::find_near_contact(std::uint
 	const Vec2 offset = to_[point] - to_[edge];
 	const Real size_squared = length_squared(way);
 	if (!(size_squared > 0)) {
-		return {}; // the edges beside it have something to say
+		return {}; // the adjacent edges find the contact
 	}
 	const Real along = dot(offset, way) / size_squared;
 	if (along > 0 && along < 1) {
@@ -367,7 +367,7 @@ std::optional<SelfCollision::Contact> SelfCollision::find_near_contact(std::uint
 	}
 	const std::uint32_t end = along > 0 ? next : edge;
 	if (after(point) == end || after(end) == point) {
-		return {}; // an edge may be as short as it likes
+		return {}; // an edge may have any length
 	}
 	const Vec2 apart = to_[point] - to_[end];
 	const Real distance = length(apart);
@@ -377,13 +377,13 @@ std::optional<SelfCollision::Contact> SelfCollision::find_near_contact(std::uint
 	return Contact{ end == next ? Real(1) : Real(0), apart * (1 / distance), gap - distance };
 }
 
-// Of an edge that the point starts right on: where the hull comes from and goes to.
+// Side of a point that starts on the edge, by its two neighbors on the hull.
 Real SelfCollision::side_of_chain(std::uint32_t point, std::uint32_t edge) const {
 	double sum = 0;
 	for (const std::uint32_t neighbor : { point == 0 ? count_ - 1 : point - 1, after(point) }) {
 		sum += signed_double_area(from_[edge], from_[after(edge)], from_[neighbor]);
 	}
-	return sum < 0 ? Real(-1) : Real(1); // in doubt the inner
+	return sum < 0 ? Real(-1) : Real(1); // inner side in doubt
 }
 
 void SelfCollision::solve(SoftBodyData &body, std::uint32_t point, std::uint32_t edge, const Contact &contact, Real h) {
@@ -395,7 +395,7 @@ void SelfCollision::solve(SoftBodyData &body, std::uint32_t point, std::uint32_t
 	}
 	const std::span<Vec2> velocities = body.mutable_velocities();
 	const Vec2 relative = velocities[point] - sides.edge.of(velocities);
-	// As between bodies: what came too far is what the approach must lose.
+	// As between bodies: the approach loses the part that made the depth.
 	const Real normal_change = std::max(Real(0), std::min(-dot(relative, contact.normal), contact.depth / h));
 	const ContactChange<Real> change =
 			contact_change(relative, contact.normal, contact.depth, normal_change, body.settings().friction, h);
@@ -405,11 +405,11 @@ void SelfCollision::solve(SoftBodyData &body, std::uint32_t point, std::uint32_t
 	is_moved_[point] = is_moved_[edge] = is_moved_[next] = 1;
 }
 
-// Each round joins at least two zones, and a hull that is one zone is where it was, moved and turned.
+// Each round joins at least two zones, so the loop ends. A hull that is one zone has its start shape, moved and turned.
 void SelfCollision::hold_zones(SoftBodyData &body) {
 	zones_.resize(count_);
 	std::iota(zones_.begin(), zones_.end(), 0u);
-	// What ends up nearer than this might be rounded onto the other side.
+	// Points nearer than this might be rounded onto the other side.
 	const Real sliver = gap_ / 4;
 	for (bool has_joined = true; has_joined;) {
 		has_joined = false;
@@ -431,14 +431,14 @@ void SelfCollision::hold_zones(SoftBodyData &body) {
 			has_joined = true;
 		});
 		for (std::uint32_t zone = 0; zone < zones_.size(); ++zone) {
-			if (is_joined_[zone] && zones_[zone] == zone) { // not joined to another since
+			if (is_joined_[zone] && zones_[zone] == zone) { // not joined to another zone since
 				move_zone(body, zone);
 			}
 		}
 	}
 }
 
-// As a rigid piece from where it was, with the momentum and the angular momentum that its points have.
+// Moves the zone as a rigid piece from its start shape, with the momentum and angular momentum of its points.
 void SelfCollision::move_zone(SoftBodyData &body, std::uint32_t zone) {
 	const std::span<Vec2> velocities = body.mutable_velocities();
 	Vec2d center_from;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts of a body with itself: its hull does not pass through its hull, neither from outside nor from inside.
+// Contacts of a body with itself: its hull does not pass through itself, from outside or from inside.
 #pragma once
 
 #include "core/base/pack.h"
@@ -15,32 +15,33 @@
 
 namespace softbody {
 
-/// Keeps a hull that does not cross itself from crossing itself (`BodySettings::self_collision`). Every hull point is
-/// followed on its way through the moving edges that it is no end of, so the side it came from is known: outside for
-/// two arms that close, inside for a body that is pressed flat. Point and edge are moved apart by inverse mass, to
-/// SELF_GAP, and lose of their approach what brought them nearer within the substep, with Coulomb friction beside it.
-/// Momentum stays, and angular momentum, unless points are pinned.
+/// Keeps a simple hull from crossing itself (`BodySettings::self_collision`). Every hull point is swept through all
+/// moving edges that it is not an end of. So its original side is known: outside for two arms that close, inside for a
+/// body that is pressed flat. Point and edge are moved apart by inverse mass, to SELF_GAP. They lose the part of their
+/// approach that made the depth within the substep, with Coulomb friction. Momentum and angular momentum stay, unless
+/// points are pinned.
 ///
-/// What a few passes over all contacts leave crossing moves as one rigid piece for this substep (an impact zone: Provot
-/// 1997, Bridson, Fedkiw and Anderson 2002), so that a simple hull stays simple whatever presses on it.
+/// Parts that still cross after a few passes over all contacts move as one rigid piece for this substep (an impact
+/// zone: Provot 1997, Bridson, Fedkiw and Anderson 2002). So a simple hull stays simple under any pressure.
 ///
-/// A hull that is crossed or turned inside out when the substep begins has no contacts with itself: whatever side
-/// a point is on then may be the wrong one, and holding it there would lock the crossing in.
+/// A hull that is crossed or inverted when the substep begins has no contacts with itself. Its points may then be on a
+/// wrong side, and contacts would lock the crossing in.
 ///
 /// One object serves one thread and owns nothing but scratch memory, which grows to the largest hull.
 class SelfCollision {
 public:
-	/// Solves the contacts of a body whose hull moved from `before` (as many points or more) to where it is in a substep
-	/// of `h` [s]. Returns how many it solved. O(hull points) where the hull keeps away from itself.
+	/// Solves the contacts of a body whose hull moved from `before` (at least as many points) to its present positions
+	/// in a substep of `h` [s]. Returns the number of contacts solved. O(hull points) for a hull that stays away from
+	/// itself.
 	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Real h);
 
 private:
 	struct Contact {
 		Real t = 0; ///< place on the edge, 0..1
-		Vec2 normal; ///< unit, the way the point has to go
-		Real depth = 0; ///< how much [length], >= 0
+		Vec2 normal; ///< unit, the direction in which the point must move
+		Real depth = 0; ///< [length], >= 0
 	};
-	/// Of PACK_WIDTH runs, or of as many packs of the level below.
+	/// Boxes of PACK_WIDTH runs, or of as many packs of the level below.
 	struct Boxes {
 		BasicVec2<RealPack> min;
 		BasicVec2<RealPack> max;
@@ -57,10 +58,10 @@ private:
 	bool is_straight(std::uint32_t run, std::uint32_t next) const;
 	template <class Visit>
 	void visit_runs(const Aabb &box, std::size_t level, std::size_t pack, const Visit &visit) const;
-	/// Calls `visit(a, b)`, a <= b, for all pairs of runs of which points may come within `gap` of edges.
+	/// Calls `visit(a, b)`, a <= b, for all pairs of runs whose points may come within `gap` of edges.
 	template <class Visit>
 	void visit_run_pairs(Real gap, const Visit &visit) const;
-	/// Calls `visit(point, edge)` for all that may come within `gap` of each other.
+	/// Calls `visit(point, edge)` for all pairs that may come within `gap` of each other.
 	template <class Visit>
 	void visit_candidates(Real gap, const Visit &visit) const;
 	bool was_folded() const;
@@ -72,8 +73,8 @@ private:
 	void hold_zones(SoftBodyData &body);
 	void move_zone(SoftBodyData &body, std::uint32_t zone);
 
-	// The hull before and after, each seen from an origin that moves along with it. Both end with the first point, as often
-	// as it takes to fill the last run.
+	// The hull before and after the substep, each relative to an origin that moves with it. Copies of the first point
+	// fill the last run and one more entry.
 	std::uint32_t count_ = 0; ///< hull points
 	std::vector<Vec2> from_;
 	std::vector<Vec2> to_;
@@ -82,9 +83,9 @@ private:
 	Real gap_ = 0; ///< [length]
 	std::vector<char> is_moved_;
 	std::vector<std::uint32_t> zones_; ///< of each hull point: the first point of its zone
-	std::vector<char> is_joined_; ///< of each zone: in this round
-	std::vector<Boxes> boxes_; ///< of runs and their ways, level by level
-	std::array<std::size_t, 8> levels_{}; ///< where each begins; the last is a single pack
+	std::vector<char> is_joined_; ///< of each zone: joined in this round
+	std::vector<Boxes> boxes_; ///< of runs and their paths, level by level
+	std::array<std::size_t, 8> levels_{}; ///< first index of each level; the last level is a single pack
 	std::size_t level_count_ = 0;
 };
 

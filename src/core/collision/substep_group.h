@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who takes part in a pass over bodies that not all of them take part in.
+// Selects the bodies solved in a substep group.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace softbody {
 
-/// Islands of bodies that have nothing to do with one another may take contact substeps of different length, those of each
-/// length in a turn of their own. Bodies go by their active index in a list of active bodies.
+/// The islands that take one number of contact substeps. Separate islands may take contact substeps of different
+/// length; each length is solved as a group of its own. Bodies are indexed by active index.
 struct SubstepGroup {
-	std::span<const std::uint16_t> of_active; ///< the turn of each body; empty: there is but one, and it is everybody's
+	std::span<const std::uint16_t> of_active; ///< number of substeps of each body; empty: all bodies are in the group
 	std::uint16_t now = 0;
 
 	bool has(std::uint32_t active_index) const { return of_active.empty() || of_active[active_index] == now; }

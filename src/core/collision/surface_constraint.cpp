@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a contact with an immovable surface does to the points of a body.
+// Solves a contact with an immovable surface.
 #include "core/collision/surface_constraint.h"
 
 #include "core/base/constants.h"
@@ -58,7 +58,7 @@ void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_t
 		touch.normal = load.impulse * (1 / size);
 		touch.surface_velocity = load.surface_velocity * (1 / load.normal_impulse);
 		touch.restitution = load.restitution / load.normal_impulse;
-		// What this substep's contacts have just taken belongs to the approach.
+		// The approach includes what this substep's contacts have just removed.
 		const Vec2 before = velocity - load.impulse * (1 / mass) - touch.surface_velocity;
 		remember_approach(touch, -dot(before, touch.normal), bounce_threshold, h);
 		return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a contact with an immovable surface does to the points of a body.
+// Solves a contact with an immovable surface.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -13,19 +13,19 @@
 
 namespace softbody {
 
-/// A contact of a body with its surroundings, ready to be solved.
+/// A contact of a body with the environment, ready to be solved.
 struct SurfaceContact {
 	HullPlace place;
 	Vec2 normal; ///< unit, from the surface into the body
 	Real depth = 0; ///< [length], >= 0
 };
 
-/// Whether a body of these settings meets the surface, by layer; a body may ignore it all the same, see `notices`.
+/// Whether a body with these settings notices the surface, by layer. The body may still ignore its tag, see `notices`.
 inline bool is_noticed(const BodySettings &settings, const Surface &surface) {
 	return (settings.collision_mask & surface.layer) != 0;
 }
 
-/// Whether a part of the surroundings is there for a body: by layer, and not among the tags that it ignores.
+/// Whether a body notices a surface of the environment: by layer, and by the tags that the body ignores.
 inline bool notices(const SoftBodyData &body, const Surface &surface) {
 	return is_noticed(body.settings(), surface) && !body.ignores_tag(surface.tag);
 }
@@ -34,19 +34,19 @@ inline bool notices(const SoftBodyData &body, const Surface &surface) {
 Real combined_friction(const BodySettings &settings, const Surface &surface);
 Real combined_restitution(const BodySettings &settings, const Surface &surface);
 
-/// Answers one contact: moves the place out of the surface along the normal, gives the approach speed
-/// back times the restitution (if faster than `bounce_threshold` [length/s]), and takes from the sliding
-/// speed what Coulomb's law allows, |Δv_t| <= friction |Δv_n|, together with the way slid in this
-/// substep `h` [s], so that a body at rest on a slope does not creep. Moving out changes no velocity:
-/// a deep overlap is resolved without a jump. On an edge both ends share by inverse mass. Returns the
-/// normal impulse [mass·length/s], 0 when the place was already leaving or cannot move. O(1).
+/// Solves one contact. The place is moved out of the surface along the normal. The approach speed is returned times the
+/// restitution, if it is faster than `bounce_threshold` [length/s]. Friction takes from the sliding speed what
+/// Coulomb's law allows, |Δv_t| <= friction |Δv_n|, together with the way slid in this substep `h` [s], so that a body
+/// at rest on a slope does not creep. Moving out changes no velocity: a deep overlap is resolved without a jump. The
+/// ends of an edge share all changes by inverse mass. Returns the normal impulse [mass·length/s], 0 if the place was
+/// already leaving or cannot move. O(1).
 Real solve_surface_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,
 		Real h);
 
-/// What a body's contacts did to it during one substep, for what acts on the body as a whole.
+/// Sums over a body's contacts in one substep, for effects on the body as a whole.
 template <class T>
 struct BasicContactLoad {
-	T contacts = T(0); ///< how many were solved
+	T contacts = T(0); ///< number of contacts solved
 	T normal_impulse = T(0); ///< sum of |J_n| [mass·length/s]
 	BasicVec2<T> impulse; ///< sum of J_n n [mass·length/s]
 	// Sums of |J_n| times a value of the surface; divided by `normal_impulse` they are weighted means.
@@ -64,31 +64,30 @@ struct BasicContactLoad {
 };
 using ContactLoad = BasicContactLoad<Real>;
 
-/// What was solved at one hull point.
+/// Result of a contact at one hull point.
 template <class T>
 struct BasicPointSolution {
-	T depth = T(0); ///< by which it was inside [length]; 0: there was no contact
+	T depth = T(0); ///< depth of the contact [length]; 0: there was no contact
 	T normal_impulse = T(0); ///< [mass·length/s]
 };
 
-/// Solves the contacts of all hull points with a border, in the order of the hull, each as `solve_surface_contact` does,
-/// and adds them to `load`. If `solutions` is not empty it has an entry for each hull point, and those of the points that
-/// touched are set. O(hull points).
+/// Solves the contacts of all hull points with a border, in the order of the hull, each as `solve_surface_contact`
+/// does, and adds them to `load`. A non-empty `solutions` has an entry for each hull point; the entries of points with
+/// a contact are set. O(hull points).
 template <class T>
 void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_threshold, Real h,
 		BasicContactLoad<T> &load, std::span<BasicPointSolution<T>> solutions = {});
 
-/// Brakes the body's spin relative to the surfaces it pressed on: |Δω| <= r R J / I with r the rolling
-/// resistance, R the body's radius, J the summed normal impulse, I the current inertia. Changes no
-/// linear momentum and never reverses the spin. O(points).
+/// Applies rolling resistance against the surfaces that the body pressed on: |Δω| <= r R J / I with r the rolling
+/// resistance, R the body's radius, J the summed normal impulse, I the current inertia. Changes no linear momentum and
+/// never reverses the spin. O(points).
 template <class T>
 void resist_rolling(const BodyLanes<T> &body, const BasicContactLoad<T> &load);
 
-/// Restitution of the body as a whole. Returning a share of each point's speed alone would feed the wobble,
-/// not the flight: a point is a small part of the mass. So the body remembers how fast its center of mass
-/// approached, and when it parts from the surface, the springs having given back what they could, a missing
-/// rest is added to all points alike. Approaches below `bounce_threshold` [length/s] do not count. O(points).
-/// While the body hardly moves (slower than the threshold) it forgets the approach, over BOUNCE_MEMORY.
+/// Restitution of the body as a whole. The body remembers the approach speed of its center of mass. When it leaves the
+/// surface slower than the restitution asks for, the missing speed is added to all points. Approaches below
+/// `bounce_threshold` [length/s] do not count. While the body is slower than the threshold it forgets the approach,
+/// over BOUNCE_MEMORY. O(points).
 void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h);
 
 } // namespace softbody

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a border does to the points of bodies, for any scalar type: included where it is instantiated.
+// Contacts of borders with the points of bodies, for any scalar type. Included where it is instantiated.
 #pragma once
 
 #include "core/collision/surface_constraint.h"
@@ -15,7 +15,7 @@ void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_th
 	const Surface &surface = border.surface;
 	const Real friction = combined_friction(body.model.settings, surface);
 	const Real restitution = combined_restitution(body.model.settings, surface);
-	// Bodies side by side have no bounce to remember.
+	// Bodies in SIMD lanes have no bounce to remember.
 	const bool load_matters = std::is_same_v<T, Real> || body.model.settings.rolling_resistance > 0;
 	const BasicVec2<T> normal = in_all_lanes<T>(border.plane.normal);
 	const BasicVec2<T> position = in_all_lanes<T>(border.plane.position);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The active bodies of a world: what a step reads of each, which are awake, and which are alike.
+// The active bodies of a world: their data for a step, which are awake, and which share a batch.
 #include "core/dynamics/active_bodies.h"
 
 #include "core/dynamics/integrators/integrator_step.h"
@@ -11,8 +11,8 @@ namespace softbody {
 
 namespace {
 
-// Lanes share inverse masses, XPBD bodies differ in how long their passes take, and a body remembers its own bounces,
-// passages through one-way colliders and contacts with itself.
+// Lanes share inverse masses. XPBD bodies need different times for their passes. A body has its own memory of bounces,
+// one-way colliders and contacts with itself.
 bool can_share_a_batch(const SoftBodyData &body) {
 	return body.is_free() && body.ignored_tags().empty() && body.settings().integrator != Integrator::XPBD &&
 			body.settings().restitution == 0 && !body.settings().self_collision;
@@ -20,7 +20,7 @@ bool can_share_a_batch(const SoftBodyData &body) {
 
 } // namespace
 
-/// Numbers kinds in the order in which their first bodies come.
+/// Numbers kinds in the order of their first bodies.
 class ActiveBodies::KindFinder {
 public:
 	explicit KindFinder(std::vector<Kind> &kinds) : kinds_(kinds) {}
@@ -182,7 +182,7 @@ void ActiveBodies::set_resting(std::uint32_t active_index, bool resting) {
 
 bool ActiveBodies::is_alike(std::uint32_t a, std::uint32_t b) const {
 	if (plan_of_[a] == plan_of_[b]) {
-		return true; // of one kind
+		return true; // one plan belongs to one kind
 	}
 	const SubstepPlan &plan_a = plan(a);
 	const SubstepPlan &plan_b = plan(b);

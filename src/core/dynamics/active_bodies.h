@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The active bodies of a world: what a step reads of each, which are awake, and which are alike.
+// The active bodies of a world: their data for a step, which are awake, and which share a batch.
 #pragma once
 
 #include "core/collision/pair_contact_solver.h"
@@ -14,20 +14,21 @@
 
 namespace softbody {
 
-/// The list of active bodies, in the order of the world, made anew when bodies come, go or change, when the time step changes
-/// and when the first collider appears. A body goes by its index in this list, its active index. A body is awake, asleep or
-/// frozen; that is stored here and nowhere else in a step.
+/// The list of active bodies, in the order of the world. It is rebuilt when bodies are added, removed or changed, when
+/// the time step changes, and when the environment appears or disappears. The index of a body in this list is its
+/// active index. A body is awake, asleep or frozen; a step stores that only here.
 class ActiveBodies {
 public:
 	/// `world` must outlive the object.
 	explicit ActiveBodies(WorldData &world) : world_(world) {}
 
-	/// Brings the list up to date for a step of `dt` [s]. True when it was made anew; then all bodies count as awake.
-	/// O(1) where nothing has changed, else O(bodies).
+	/// Updates the list for a step of `dt` [s]. Returns true if it was rebuilt; then all bodies count as awake. O(1)
+	/// without changes, else O(bodies).
 	bool update(Real dt);
-	/// Grows when an active index may mean another body than before.
+	/// Grows when an active index may belong to another body than before.
 	std::uint64_t version() const { return version_; }
-	/// Plans bodies under pressure anew: a stretched hull needs more substeps than one at rest. O(bodies with pressure).
+	/// Updates the substep plans of bodies under pressure: a stretched hull needs more substeps than one at rest.
+	/// O(bodies with pressure).
 	void plan_pressure(Real dt);
 
 	std::uint32_t count() const { return std::uint32_t(solver_bodies_.size()); }
@@ -35,41 +36,41 @@ public:
 	std::span<const std::uint32_t> body_indices() const { return body_indices_; }
 	/// Indices into `WorldData::soft_bodies()` of the bodies that are not active, ascending.
 	std::span<const std::uint32_t> inactive_bodies() const { return inactive_bodies_; }
-	/// The bodies as contacts between bodies see them.
+	/// Views of the bodies for contacts between bodies, by active index.
 	std::span<SolverBody> solver_bodies() { return solver_bodies_; }
 	SolverBody &solver_body(std::uint32_t active_index) { return solver_bodies_[active_index]; }
 	const SolverBody &solver_body(std::uint32_t active_index) const { return solver_bodies_[active_index]; }
 	SoftBodyData &data(std::uint32_t active_index) const { return world_.soft_bodies()[body_indices_[active_index]]; }
-	/// How the body is stepped.
+	/// Integrator and substeps of the body.
 	const SubstepPlan &plan(std::uint32_t active_index) const { return plans_[plan_of_[active_index]]; }
-	/// The hull's points when the body's contacts with colliders were last solved.
+	/// Hull points of the body when its contacts with colliders were last solved.
 	std::span<Vec2> sweep_start(std::uint32_t active_index) {
 		return { sweep_start_.data() + first_hull_point_[active_index], solver_bodies_[active_index].before.size() };
 	}
-	/// Whether the body may have a touch under way (TouchMemory), which a surface that bounces began.
+	/// Whether the body may have a touch (TouchMemory) with a bouncing surface.
 	char &has_touch(std::uint32_t active_index) { return has_touch_[active_index]; }
 	bool has_monitored() const { return has_monitored_; }
 	/// Whether any body collides with itself.
 	bool has_self_collision() const { return has_self_collision_; }
 
-	/// The bodies that are awake, those that are alike one after the other. O(1), or O(bodies) after a change.
+	/// Active indices of the awake bodies, grouped by kind. O(1), or O(bodies) after a change.
 	std::span<const std::uint32_t> awake();
-	/// One for each active index; not 0 for a body that sleeps or is frozen.
+	/// One entry for each active index; not 0 for a sleeping or frozen body.
 	std::span<const char> resting() const { return resting_; }
 	bool is_resting(std::uint32_t active_index) const { return resting_[active_index] != 0; }
 	std::size_t resting_count() const { return resting_count_; }
 	std::size_t frozen_count() const { return frozen_count_; }
-	/// Puts a body to rest, where it stays without velocity and without memory of touches, or among those that are awake.
-	/// Once more for one that rests: its extent is measured anew.
+	/// Puts a body to rest, which clears its velocities and its memory of touches, or makes it awake. For a body that
+	/// rests already, the extent is measured again.
 	void set_resting(std::uint32_t active_index, bool resting);
 
-	/// The first bodies of a list, ordered as `awake`, that can be stepped side by side. Precondition: `list` is not empty.
+	/// Batch of the first bodies of a list, ordered as `awake`, that can share one. Precondition: `list` is not empty.
 	Batch batch_at(std::span<const std::uint32_t> list) const;
-	/// Adds the next `bodies` of a list (at most WIDE_WIDTH) to what is prefetched.
+	/// Adds the first `bodies` of a list (at most WIDE_WIDTH) to `prefetch`.
 	void prefetch(std::span<const std::uint32_t> list, std::size_t bodies, StatePrefetch &prefetch) const;
 
 private:
-	/// Bodies of one kind have one shape and equal settings, and may share a batch unless the kind is `single`.
+	/// Bodies of one kind have one shape and equal settings. They may share a batch unless the kind is `single`.
 	struct Kind {
 		const SoftBodyShape *shape = nullptr;
 		const BodySettings *settings = nullptr;
@@ -81,7 +82,7 @@ private:
 	bool is_alike(std::uint32_t a, std::uint32_t b) const;
 
 	WorldData &world_;
-	// One for each active index.
+	// One entry for each active index.
 	std::vector<SolverBody> solver_bodies_;
 	std::vector<std::uint32_t> body_indices_;
 	std::vector<std::uint32_t> kind_of_;
@@ -89,14 +90,14 @@ private:
 	std::vector<Vec2 *> states_;
 	std::vector<char> has_touch_;
 	std::vector<char> resting_;
-	std::vector<std::size_t> first_hull_point_; ///< in the next two
+	std::vector<std::size_t> first_hull_point_; ///< index into the next two arrays
 	std::vector<Vec2> before_; ///< hull points of all bodies at the start of a contact substep
 	std::vector<Vec2> sweep_start_;
 
 	std::vector<Kind> kinds_;
 	std::vector<SubstepPlan> plans_; ///< one for each kind, then one for each body under pressure
 	std::vector<std::uint32_t> pressed_; ///< bodies under pressure
-	std::vector<std::uint32_t> awake_; ///< empty while it is out of date
+	std::vector<std::uint32_t> awake_; ///< empty while out of date
 	std::vector<std::uint32_t> starts_; ///< scratch memory of `awake`
 	std::vector<std::uint32_t> inactive_bodies_;
 	std::size_t resting_count_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells whether a body can go on, and gives back its rest shape to one that cannot.
+// Tests whether a body can continue, and restores the rest shape of one that cannot.
 #include "core/dynamics/body_reset.h"
 
 #include "core/base/constants.h"
@@ -18,8 +18,8 @@ bool is_together(const SoftBodyData &body) {
 	return is_finite_within<Real>(body.positions(), body.velocities(), CREDIBLE_REACH * body.shape().radius());
 }
 
-// The center at which the pins of a body in its rest shape are, on average, where they are now: a body torn off from its pins
-// would be torn again in every step. Without finite pins, `otherwise`.
+// The center at which the pins of a body in its rest shape lie, on average, at their present places: a body torn from
+// its pins would be torn again in every step. Without finite pins, `otherwise`.
 Vec2 center_by_pins(const SoftBodyData &data, Rotation rotation, Vec2 otherwise) {
 	Vec2 sum;
 	std::size_t count = 0;
@@ -33,7 +33,8 @@ Vec2 center_by_pins(const SoftBodyData &data, Rotation rotation, Vec2 otherwise)
 	return count > 0 && is_finite(mean) ? mean : otherwise;
 }
 
-// Where a body with NaN among its points most probably is: amid the finite ones, else where the step began.
+// The most probable center of a body with NaN among its points: that of its finite points, else that of the start of
+// the step.
 Vec2 center_by_finite_points(const SoftBodyData &data) {
 	for (const std::span<const Vec2> points : { data.positions(), data.previous_positions() }) {
 		Vec2 sum;
@@ -71,7 +72,7 @@ void reset_body(SoftBodyData &data, Real dt) {
 	Vec2 center = frame.center;
 	Rotation rotation = data.rotation_memory();
 	const Real size = length(Vec2{ rotation.c, rotation.s });
-	if (!(size > Real(0.5) && size < 2)) { // NaN compares false; roundings do not get so far
+	if (!(size > Real(0.5) && size < 2)) { // NaN compares false; rounding stays far from these bounds
 		rotation = {};
 		data.set_rotation_memory(rotation);
 	}
@@ -97,7 +98,7 @@ void reset_body(SoftBodyData &data, Real dt) {
 	data.touch_memory() = {};
 	data.one_ways().clear();
 	data.last_valid_hull().clear();
-	data.clear_external_forces(); // or they might ruin it once more
+	data.clear_external_forces(); // they might ruin the body again
 }
 
 } // namespace softbody

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells whether a body can go on, and gives back its rest shape to one that cannot.
+// Tests whether a body can continue, and restores the rest shape of one that cannot.
 #pragma once
 
 #include "core/dynamics/substep_plan.h"
@@ -7,15 +7,15 @@
 
 namespace softbody {
 
-/// How far apart two points of a body may be [length]. Infinite without springs, as points that nothing joins may part.
+/// Largest credible distance of two points of a body [length]. Infinite without springs, as such points may part.
 Real credible_reach(const SoftBodyShape &shape, const SubstepPlan &plan);
 
 /// Whether all positions and velocities are finite. O(points).
 bool is_finite(const SoftBodyData &body);
 
-/// Gives a body its rest shape where it was, with the motion that it had as far as that can be believed within a step of
-/// `dt` [s]. Pinned points that are finite stay. The body loses its external forces and its memory of contacts. The shape that
-/// it had is not restored: the cause of the failure may have been in it, and would fail again. O(points).
+/// Restores the rest shape of a body at its place, with its motion as far as that is credible within a step of `dt`
+/// [s]. Pinned points that are finite stay. External forces and the memory of contacts are cleared. The deformation
+/// before the failure is not restored, as it may have been the cause. O(points).
 void reset_body(SoftBodyData &body, Real dt);
 
 } // namespace softbody

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Advances batches of bodies through a slice of a step.
+// Advances batches of bodies through a time slice of a step.
 #include "core/dynamics/body_stepper.h"
 
 #include "core/base/constants.h"
@@ -65,7 +65,7 @@ void BodyStepper::begin_step(const StepContext &context) {
 
 void BodyStepper::begin(const Batch &batch) {
 	for (std::uint32_t lane = 0; context_->world.is_interpolated() && lane < batch.count; ++lane) {
-		if (is_finite(*batch.states[lane])) { // else the last positions are all that tells where the body was
+		if (is_finite(*batch.states[lane])) { // otherwise only the last positions tell where the body was
 			SoftBodyData &data = body(batch.body_indices[lane]);
 			std::ranges::copy(data.positions(), data.mutable_previous_positions().begin());
 		}
@@ -107,14 +107,14 @@ bool BodyStepper::can_use_lanes(const Batch &batch) const {
 	if (batch.count == 1 || !integrator_traits(batch.plan->integrator).step_side_by_side) {
 		return false;
 	}
-	// Thousands of bodies are many megabytes: what need not be read is left where it is.
+	// Thousands of bodies take many megabytes: a body is read only if needed.
 	return !context_->has_forces || std::none_of(batch.body_indices.begin(), batch.body_indices.begin() + batch.count,
 											[&](std::uint32_t body_index) { return body(body_index).is_pushed(); });
 }
 
 std::uint32_t BodyStepper::lanes_solved_alone(const Batch &batch, const TimeSlice &slice) {
 	std::uint32_t lanes = 0;
-	for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) { // each body remembers its own bounce
+	for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) { // each body has its own memory of bounces
 		const bool bounces = context_->borders_bounce || context_->bodies.has_touch(batch.active_indices[lane]);
 		lanes |= std::uint32_t(bounces) << lane;
 	}
@@ -123,7 +123,7 @@ std::uint32_t BodyStepper::lanes_solved_alone(const Batch &batch, const TimeSlic
 				collision_.begin_body(context_->colliders, body(batch.body_indices[lane]), slice.elapsed, slice.duration, lane);
 		lanes |= std::uint32_t(is_near) << lane;
 	}
-	// Borders are solved for all lanes at once, or for each alone.
+	// Borders are solved for all lanes at once, or for each lane alone.
 	return lanes == 0 || context_->world.borders().empty() ? lanes : (1u << PACK_WIDTH) - 1;
 }
 
@@ -173,7 +173,7 @@ void BodyStepper::advance_lanes(const Batch &batch, const TimeSlice &slice, std:
 			hold_area<RealPack>(lanes, h);
 			pack_workspace_.forces_are_current = RealPack(0) < RealPack(0);
 		}
-		if (batch.settings->has_limits()) { // before contacts, which have the last word and look along the whole way
+		if (batch.settings->has_limits()) { // before contacts, which act last and sweep the whole path
 			const PackMask crushed = may_break_limits<RealPack>(lanes.model, lanes.positions);
 			if (any(crushed)) {
 				keep_whole_in_lanes(batch, bits(crushed), lanes, h, slice.is_coupled || world.has_environment());
@@ -202,7 +202,7 @@ void BodyStepper::advance_lanes(const Batch &batch, const TimeSlice &slice, std:
 		if (whole[lane]) {
 			continue;
 		}
-		// The body's own arrays hold what the slice started from, unless contacts were solved there.
+		// The body's own arrays hold the start of the slice, unless contacts were solved there.
 		Vec2 *positions = batch.states[lane];
 		Vec2 *velocities = batch.velocities(lane);
 		for (std::size_t i = 0; solved_alone != 0 && i < count; ++i) {
@@ -221,7 +221,7 @@ void BodyStepper::advance_lanes(const Batch &batch, const TimeSlice &slice, std:
 	}
 }
 
-// Few bodies are crushed at a time.
+// One lane at a time, as few bodies are crushed at once.
 void BodyStepper::keep_whole_in_lanes(const Batch &batch, std::uint32_t crushed, const BodyLanes<RealPack> &lanes, Real h,
 		bool bears_load) {
 	for (std::uint32_t lane = 0; lane < PACK_WIDTH; ++lane) {
@@ -240,14 +240,15 @@ void BodyStepper::keep_whole_in_lanes(const Batch &batch, std::uint32_t crushed,
 			for (std::size_t i = 0; i < positions.size(); ++i) {
 				set_lane(lanes.positions[i], lane, positions[i]);
 				set_lane(lanes.velocities[i], lane, velocities[i]);
-				positions[i] = limited_[i]; // the start of the slice, for a body that is reset
+				positions[i] = limited_[i]; // restores the start of the slice, which a reset needs
 				velocities[i] = limited_[positions.size() + i];
 			}
 		}
 	}
 }
 
-// Springs and integrators are most of what a body costs: a body on the ground keeps nobody from going side by side.
+// Forces and integrators stay in lanes, as they take most of the time. Only contacts with the environment are solved
+// for each body alone.
 RealPack BodyStepper::solve_alone(const Batch &batch, std::uint32_t solved_alone, const BodyLanes<RealPack> &lanes, Real h,
 		const std::array<const Vec2 *, PACK_WIDTH> &sweep_start) {
 	const std::size_t hull_count = batch.shape->hull_count();
@@ -270,7 +271,7 @@ RealPack BodyStepper::solve_alone(const Batch &batch, std::uint32_t solved_alone
 	return contacts;
 }
 
-// A monitored body writes a log, and a failed one is reset: the narrower code does that.
+// Batches with a monitored body, which writes a log, or a failed body, which is reset, are left to the narrower code.
 bool BodyStepper::advance_wide(const Batch &batch, const TimeSlice &slice, StatePrefetch &prefetch) {
 	if (wide_ == nullptr || batch.settings->contact_monitor) {
 		return false;
@@ -311,7 +312,7 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 	for (const ExternalForce &external : data.external_forces()) {
 		external_[external.point] += external.force;
 	}
-	// Like forces on the points: XPBD keeps its books by the world's gravity.
+	// Added as forces on the points, as XPBD uses the world's gravity.
 	const Vec2 gravity = data.total_acceleration(world.gravity());
 	const Vec2 extra = gravity - world.gravity() * data.settings().gravity_scale;
 	for (std::size_t i = 0; extra != Vec2{} && i < count; ++i) {
@@ -326,7 +327,7 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 	const std::span<Vec2> before(before_.data(), count);
 	collision_.begin_body(context_->colliders, data, slice.elapsed, slice.duration);
 	const bool meets_itself = data.settings().self_collision && !slice.is_coupled;
-	// Nor may contacts of the body with itself carry it through a thin wall, not even between two steps.
+	// Contacts of the body with itself must not carry it through a thin wall either, not even between two steps.
 	std::vector<Vec2> &outside = data.last_valid_hull();
 	const Vec2 *sweep = sweep_start(active_index, slice);
 	if (sweep == nullptr && !outside.empty()) {
@@ -345,20 +346,20 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 			load_.assign(external_.begin(), external_.end());
 			add_rigid_load(data, load_);
 			input.external = load_;
-			workspace_.forces_are_current = false; // as the load turns with the body
+			workspace_.forces_are_current = false; // the load turns with the body
 		}
 		step(data, input, workspace_);
 		if (holds_area(data.shape(), data.settings())) {
 			hold_area<Real>(lanes_of(data), h);
 			workspace_.forces_are_current = false;
 		}
-		// Before contacts, which have the last word and look along the whole way.
+		// Before contacts, which act last and sweep the whole path.
 		if (keep_whole(data, h, slice.is_coupled || world.has_environment())) {
 			workspace_.forces_are_current = false;
 		}
 		if (data.settings().has_damp()) {
 			damp_rigid_motion(lanes_of(data), h);
-			workspace_.forces_are_current &= !data.has_pins(); // or else no spring feels it
+			workspace_.forces_are_current &= !data.has_pins(); // without pins the damping changes no force of a spring
 		}
 		std::size_t contacts = collision_.handle(data, before, gravity, h);
 		counts_.contacts += contacts;
@@ -382,7 +383,7 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 		std::ranges::copy(std::span(start_).last(count), data.mutable_velocities().begin());
 		reset(body_index, slice.duration);
 		if (slice.is_coupled && data.settings().self_collision) {
-			context_->bodies.solver_body(active_index).begin_substep(); // no way behind it that could be blocked
+			context_->bodies.solver_body(active_index).begin_substep(); // no path behind the body that a contact could block
 		}
 	}
 	context_->bodies.has_touch(active_index) = char(data.touch_memory().touching);
@@ -436,7 +437,7 @@ std::array<BodyFrame, WIDE_WIDTH> BodyStepper::measure_frames(const Batch &batch
 
 void BodyStepper::remember_rotations(const Batch &batch, std::span<const BodyFrame> frames) {
 	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
-		body(batch.body_indices[lane]).set_rotation_memory(frames[lane].rotation); // the memory itself where it is not defined
+		body(batch.body_indices[lane]).set_rotation_memory(frames[lane].rotation); // the memory itself if undefined
 	}
 }
 

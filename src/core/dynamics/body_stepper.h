@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Advances batches of bodies through a slice of a step: forces, integration, environment.
+// Advances batches of bodies through a time slice of a step: forces, integration, environment.
 #pragma once
 
 #include "core/base/pack.h"
@@ -21,63 +21,67 @@
 
 namespace softbody {
 
-/// Counts of a stepper since its step began.
+/// Counts of a stepper since the step began.
 struct StepCounts {
-	std::uint64_t substeps = 0; ///< body-substeps
+	std::uint64_t substeps = 0; ///< body substeps
 	std::uint64_t contacts = 0; ///< contacts with the environment solved
 	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves solved
-	std::vector<std::uint32_t> non_finite; ///< body indices of bodies that had to be reset
+	std::vector<std::uint32_t> non_finite; ///< body indices of the bodies that were reset
 };
 
-/// Steps batches of bodies. One object serves one thread; it owns nothing but scratch memory, which grows to the largest body
-/// and then stays. The bits of a body do not depend on how many bodies are stepped with it.
+/// Steps batches of bodies. One object serves one thread. It owns nothing but scratch memory, which grows to the
+/// largest body. The bits of a body do not depend on how many bodies share its batch.
 class BodyStepper {
 public:
 	void begin_step(const StepContext &context);
 
-	/// Keeps the positions from which the step starts, for interpolation.
+	/// Stores the positions at the start of the step, for interpolation.
 	void begin(const Batch &batch);
-	/// Advances every body of the batch in its share of substeps, each ended by the contacts with the environment. Resets
-	/// bodies that are no longer finite, or that flew apart (CREDIBLE_REACH). In a coupled slice that does not begin the step,
-	/// a body's way starts where its contacts with colliders were last solved; extents (`SolverBody::measure_extent`) are
-	/// measured at the end of a coupled slice. Prefetches all of `prefetch` meanwhile.
+	/// Advances every body of the batch by its substeps of the slice, each ended by the contacts with the environment.
+	/// Resets bodies that are no longer finite or that flew apart (CREDIBLE_REACH). In a coupled slice after the first,
+	/// the path of a body starts where its contacts with colliders were last solved. A coupled slice ends by measuring
+	/// extents (`SolverBody::measure_extent`). Prefetches all of `prefetch` meanwhile.
 	void advance(const Batch &batch, const TimeSlice &slice, StatePrefetch &prefetch);
 	/// Solves the contacts of a body with itself, after other bodies have pushed it in a substep of `h` [s].
 	void solve_self_contacts(std::uint32_t active_index, Real h);
-	/// Adds `dt` [s] to the time at rest of the bodies that hardly move, and sets that of the others to 0.
+	/// Adds `dt` [s] to the rest time of the bodies that hardly move, and sets that of the others to 0. Slows bodies
+	/// that may fall asleep soon.
 	void time_rest(const Batch &batch, Real dt);
-	/// The frames of a batch's bodies.
+	/// Measures the frames of a batch's bodies.
 	std::array<BodyFrame, WIDE_WIDTH> measure_frames(const Batch &batch);
-	/// Keeps rotations for shape matching, which reads them where a shape no longer defines its rotation.
+	/// Stores rotations for shape matching, which reads them if a shape no longer defines its rotation.
 	void remember_rotations(const Batch &batch, std::span<const BodyFrame> frames);
 	/// Clears external forces.
 	void end(const Batch &batch);
-	/// Resets a body that is no longer finite, after something else than `advance` has moved it.
+	/// Resets a body that is no longer finite. For use after other code than `advance` has moved it.
 	void check(std::uint32_t body_index, Real dt);
 
 	StepCounts &counts() { return counts_; }
-	/// Contacts of monitored bodies with the environment, since it was last cleared.
+	/// Contacts of monitored bodies with the environment since the log was last cleared.
 	ContactLog &log() { return collision_.log(); }
 
 private:
-	/// A body, step by step.
+	/// Advances the body in one lane by itself.
 	void advance_one(const Batch &batch, std::size_t lane, const TimeSlice &slice);
-	/// PACK_WIDTH bodies side by side. The lanes of `solved_alone` (bits) meet the environment one after the other.
+	/// Advances PACK_WIDTH bodies together. For the lanes in the bit mask `solved_alone`, contacts with the environment
+	/// are solved for each body alone.
 	void advance_lanes(const Batch &batch, const TimeSlice &slice, std::uint32_t solved_alone);
-	/// WIDE_WIDTH bodies side by side. Returns false, and changes nothing, where that cannot be done.
+	/// Advances WIDE_WIDTH bodies together. Returns false, and changes nothing, if that is not possible.
 	bool advance_wide(const Batch &batch, const TimeSlice &slice, StatePrefetch &prefetch);
 	bool can_use_lanes(const Batch &batch) const;
-	/// Bits of the lanes that meet more of the environment than borders that do not bounce: colliders, or a touch.
+	/// Bit mask of the lanes that have more contacts than those with borders that do not bounce: near colliders, or a
+	/// touch.
 	std::uint32_t lanes_solved_alone(const Batch &batch, const TimeSlice &slice);
-	/// A batch's bodies side by side, in scratch memory that the next call overwrites.
+	/// Loads a batch into SIMD lanes, in scratch memory that the next call overwrites.
 	BodyLanes<RealPack> gather_lanes(const Batch &batch);
-	/// Solves the environment's contacts of the bodies in the lanes of `solved_alone`. Returns how many each lane had.
+	/// Solves the contacts with the environment for the lanes of `solved_alone`. Returns the number of contacts of each
+	/// lane.
 	RealPack solve_alone(const Batch &batch, std::uint32_t solved_alone, const BodyLanes<RealPack> &lanes, Real h,
 			const std::array<const Vec2 *, PACK_WIDTH> &sweep_start);
 	/// Brings crushed or overstretched bodies back within their limits.
 	void keep_whole_in_lanes(const Batch &batch, std::uint32_t crushed, const BodyLanes<RealPack> &lanes, Real h,
 			bool bears_load);
-	/// Hull points from which the way of a body through the environment counts, or null: where it is.
+	/// Hull points where the path of a body through the environment starts; null for its present position.
 	const Vec2 *sweep_start(std::uint32_t active_index, const TimeSlice &slice) const;
 	void reset(std::uint32_t body_index, Real dt);
 	SoftBodyData &body(std::uint32_t body_index) const { return context_->world.soft_bodies()[body_index]; }
@@ -88,15 +92,15 @@ private:
 	StepCounts counts_;
 	IntegratorWorkspace workspace_;
 	std::vector<Vec2> external_;
-	std::vector<Vec2> load_; ///< external forces with the body's own load, in a substep
+	std::vector<Vec2> load_; ///< external forces with the body's own load, in one substep
 	std::vector<Vec2> start_; ///< positions, then velocities, at the start of a slice
 	std::vector<Vec2> before_; ///< positions at the start of the substep
 	std::vector<Vec2> hull_before_; ///< hull points at the start of the substep, of a body that collides with itself
 	BasicWorkspace<RealPack> pack_workspace_;
 	std::vector<BasicVec2<RealPack>> pack_positions_;
 	std::vector<BasicVec2<RealPack>> pack_velocities_;
-	std::vector<BasicVec2<RealPack>> pack_start_; ///< positions, then velocities, where bodies do not keep them
-	std::vector<Vec2> limited_; ///< state of a body whose limits are kept
+	std::vector<BasicVec2<RealPack>> pack_start_; ///< as `start_`, if the bodies' own arrays do not keep it
+	std::vector<Vec2> limited_; ///< stored state of a body while its limits are kept
 	std::unique_ptr<WideStepper> wide_ = make_wide_stepper();
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies take contact substeps in a step, and how many.
+// Number of contact substeps for each body in a step.
 #include "core/dynamics/contact_substeps.h"
 
 #include "core/base/constants.h"
@@ -13,7 +13,7 @@ void ContactSubsteps::choose(const ActiveBodies &bodies, std::span<const std::ui
 	const auto need_of = [&](std::uint32_t i) { return std::max(least, std::min(bodies.plan(i).substeps, MAX_CONTACT_SUBSTEPS)); };
 	const int first = coupled.empty() ? least : need_of(coupled[0]);
 	if (std::ranges::all_of(coupled, [&](std::uint32_t i) { return need_of(i) == first; })) {
-		island_substeps_.set_common(first); // then it does not matter which body belongs to which island
+		island_substeps_.set_common(first); // then islands are not needed
 	} else {
 		island_substeps_.begin(bodies.count());
 		for (const std::span<const BodyPair> pairs : { couplings.pairs, couplings.joined }) {
@@ -25,7 +25,7 @@ void ContactSubsteps::choose(const ActiveBodies &bodies, std::span<const std::ui
 			island_substeps_.join(couplings.beside_dynamic[0], i);
 		}
 		for (const std::uint32_t i : couplings.beside_dynamic) {
-			island_substeps_.need(i, least); // frozen ones, too
+			island_substeps_.need(i, least); // includes frozen bodies
 		}
 		for (const std::uint32_t i : coupled) {
 			island_substeps_.need(i, need_of(i));

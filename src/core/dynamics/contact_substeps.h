@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who takes contact substeps in a step, and how many.
+// Number of contact substeps for each body in a step.
 #pragma once
 
 #include "core/collision/broad_phase.h"
@@ -12,25 +12,26 @@
 
 namespace softbody {
 
-/// What bodies have to do with one another, and with rigid bodies that they push back.
+/// Couplings of bodies with one another, and with dynamic rigid bodies.
 struct Couplings {
-	std::span<const BodyPair> pairs; ///< who may touch
+	std::span<const BodyPair> pairs; ///< bodies that may touch
 	std::span<const BodyPair> joined;
-	/// Rows near a dynamic rigid body, or joined to one, frozen ones too. These are one island: rigid bodies move in the
-	/// same substeps for all.
+	/// Active indices of bodies near a dynamic rigid body, or joined to one, including frozen bodies. These form one
+	/// island: dynamic rigid bodies all move in the same substeps.
 	std::span<const std::uint32_t> beside_dynamic;
 };
 
-/// A point that moves through several force substeps between two looks at its contacts trembles: each body gets as many looks
-/// as it has force substeps, up to a bound (MAX_CONTACT_SUBSTEPS) that keeps one very stiff body from slowing its whole island.
+/// Chooses the number of contact substeps. A point that moves through several force substeps between two contact solves
+/// trembles. So each body gets as many contact substeps as force substeps, up to MAX_CONTACT_SUBSTEPS, which keeps one
+/// very stiff body from slowing its whole island.
 class ContactSubsteps {
 public:
-	/// Chooses for the `coupled` bodies: at least `least` for each. O(coupled bodies), and where they do not all take the same
-	/// number O(bodies + couplings).
+	/// Chooses the number for the `coupled` bodies, at least `least` for each. O(coupled bodies), or O(bodies +
+	/// couplings) if they do not all take one number.
 	void choose(const ActiveBodies &bodies, std::span<const std::uint32_t> coupled, const Couplings &couplings, int least);
-	/// Of the bodies by active index.
+	/// Number for each body, by active index.
 	const IslandSubsteps &island_substeps() const { return island_substeps_; }
-	/// In how many the dynamic rigid bodies move; 0: nobody is near.
+	/// Number of substeps in which the dynamic rigid bodies move; 0 if no soft body is near.
 	int of_rigid_bodies() const { return of_rigid_bodies_; }
 
 private:

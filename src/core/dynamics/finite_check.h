@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether what a step has made of bodies can be believed.
+// Tests whether the state of bodies after a step is credible.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -14,9 +14,9 @@ T zero_if_finite(BasicVec2<T> x, BasicVec2<T> v) {
 	return ((x.x + v.x) + (x.y + v.y)) * T(0);
 }
 
-/// Whether all is finite and no point farther from the first than `reach` [length]. A blow-up is noticed by its
-/// size long before it overflows: by then rounding has swamped the body's center. A sum of zeros is zero unless one of
-/// them came from what is not finite: one test instead of four a point. O(points).
+/// Whether all values are finite and no point is farther from the first than `reach` [length]. The distance detects a
+/// blow-up long before it overflows; at overflow, rounding would have swamped the body's center. x·0 is NaN for a
+/// non-finite x, so one comparison replaces four per point. O(points).
 template <class T>
 MaskOf<T> is_finite_within(std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities, Real reach) {
 	T sum = T(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many contact substeps each island of bodies takes.
+// Number of contact substeps for each island of bodies.
 #include "core/dynamics/island_substeps.h"
 
 #include <algorithm>

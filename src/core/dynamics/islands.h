@@ -7,11 +7,11 @@
 
 namespace softbody {
 
-/// Disjoint sets of the numbers 0..n-1 (union by the smaller number, path halving): near O(1) an operation. The name of
-/// a set is its smallest member, so that it does not depend on the order of joining.
+/// Disjoint sets of the numbers 0..n-1 (union by the smaller number, path halving), near O(1) for each operation. The
+/// name of a set is its smallest member, so it does not depend on the order of joining.
 class Islands {
 public:
-	/// Every number alone.
+	/// Makes each number a set of its own.
 	void reset(std::uint32_t count) {
 		parents_.resize(count);
 		for (std::uint32_t i = 0; i < count; ++i) {

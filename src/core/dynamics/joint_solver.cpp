@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds what joints join, and solves them.
+// Finds the ends of joints, and solves joints.
 #include "core/dynamics/joint_solver.h"
 
 #include "core/base/constants.h"
@@ -16,8 +16,8 @@ bool is_rigid(const Joint &joint) {
 	return std::isinf(joint.stiffness);
 }
 
-// Solves K J = v for the symmetric matrix K = (a b; b c). Where K is all but singular, as of a body that can only turn,
-// what its larger part says.
+// Solves K J = v for the symmetric matrix K = (a b; b c). If K is nearly singular, as for a body that can only turn, it
+// is replaced by its trace.
 Vec2 solve_2x2(Real a, Real b, Real c, Vec2 v) {
 	const Real determinant = a * c - b * b;
 	const Real trace = a + c;
@@ -120,7 +120,7 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> bo
 	held_to_rigid_.erase(std::unique(held_to_rigid_.begin(), held_to_rigid_.end()), held_to_rigid_.end());
 }
 
-// Sums, so that the order of the joints does not matter. A rigid body that is not there is a place, too.
+// Sums hashes, so that the order of the joints does not matter. A missing rigid body has a hash, too.
 void JointSolver::note_rigid_ends(const Joint &joint, const std::array<Side, 2> &sides) {
 	for (std::size_t end = 0; end < 2; ++end) {
 		const JointAnchor &other = end == 0 ? joint.second : joint.first;
@@ -162,7 +162,7 @@ bool JointSolver::wake_joined() {
 				}
 				continue;
 			}
-			// Who rests on what moves does not rest. A dynamic body would fall, held by one that is not looked at.
+			// A body joined to a moving rigid body stays awake. A dynamic body would fall if its joint were not solved.
 			const RigidBody &rigid = world_->rigid_bodies()[other.rigid];
 			if ((rigid.is_dynamic() && !rigid.asleep) || rigid.linear_velocity != Vec2{} || rigid.angular_velocity != 0) {
 				wake(side);
@@ -216,7 +216,7 @@ void JointSolver::apply(Side &side, Vec2 impulse) const {
 		}
 		const Real turning = cross(side.arm, impulse);
 		if (!rigid.change_velocities(impulse * rigid.inverse_mass, turning * rigid.inverse_inertia)) {
-			return; // no more than in `prepare`
+			return; // skipped as in `prepare`
 		}
 		Reaction &reaction = world_->mutable_reactions()[side.rigid];
 		reaction.impulse += impulse;
@@ -224,8 +224,8 @@ void JointSolver::apply(Side &side, Vec2 impulse) const {
 	}
 }
 
-// Moves the soft anchors along `gap`, from the first to the second, until it is gone; as far as this substep has made it,
-// and a little more of what is older.
+// Moves the soft anchors along `gap`, from the first to the second, to close it: by the part that this substep has
+// made, and a bounded part of an older gap.
 void JointSolver::close_gap(Active &active, Vec2 gap, Vec2 relative_velocity, Real h) {
 	Side &first = active.sides[0];
 	Side &second = active.sides[1];
@@ -248,8 +248,8 @@ void JointSolver::close_gap(Active &active, Vec2 gap, Vec2 relative_velocity, Re
 	}
 }
 
-// Two anchors that are moved towards each other by `closed` keep their angular momentum about each other by turning
-// faster. Without this a rod or spring of angular velocity ω would lose h ω²/2 of its spin a second.
+// Two anchors moved towards each other by `closed` keep their angular momentum about each other by turning faster.
+// Without this a rod or spring of angular velocity ω would lose h ω²/2 of its spin a second.
 void JointSolver::keep_spin(Active &active, Real closed) {
 	auto &[first, second] = active.sides;
 	const Real distance = dot(second.at - first.at, active.direction);
@@ -275,7 +275,7 @@ void JointSolver::prepare(Active &active, Real elapsed, Real h) {
 	const Vec2 way = second.at - first.at;
 	const Vec2 relative_velocity = velocity_of(second) - velocity_of(first);
 	const Real distance = length(way);
-	// What is about to be reset must not take others along.
+	// A body that is about to be reset must not affect others.
 	active.is_idle = (first.body ? is_still(first) : true) && (second.body ? is_still(second) : true);
 	active.is_idle |= !is_finite(way) || !is_finite(relative_velocity);
 	if (active.is_idle) {
@@ -284,7 +284,7 @@ void JointSolver::prepare(Active &active, Real elapsed, Real h) {
 	Vec2 gap = way;
 	if (active.is_line) {
 		if (!(distance > 0)) {
-			active.is_idle = true; // no direction; the next substep brings one
+			active.is_idle = true; // no direction; the next substep may bring one
 			return;
 		}
 		active.direction = way * (1 / distance);
@@ -296,7 +296,7 @@ void JointSolver::prepare(Active &active, Real elapsed, Real h) {
 			update_place(first, elapsed);
 			update_place(second, elapsed);
 		} else {
-			active.wanted = gap * (-JOINT_PULL / dt_); // a rigid body that hangs from what cannot move
+			active.wanted = gap * (-JOINT_PULL / dt_); // a rigid body joined to an immovable anchor
 		}
 	}
 	if (!active.is_line) {
@@ -337,7 +337,7 @@ void JointSolver::push(Active &active) {
 		change = solve_2x2(a, b, c, relative);
 	}
 	if (!is_finite(change)) {
-		return; // no more than in `prepare`
+		return; // skipped as in `prepare`
 	}
 	apply(first, change);
 	apply(second, -change);
@@ -345,9 +345,9 @@ void JointSolver::push(Active &active) {
 	active.total += change;
 }
 
-// J = h (k C + c C'), with the stretch C and its speed C' = (way within the substep)/h as they are after J, which shortens
-// both by h w J: J (1 + h (h k + c) w) = h k C + c way. A dynamic rigid body has got its acceleration after its way: for
-// that end, what counts is where it goes in the coming substep.
+// J = h (k C + c C'), with the stretch C and its speed C' = (way within the substep)/h after J, which shortens both by
+// h w J: J (1 + h (h k + c) w) = h k C + c way. A dynamic rigid body gets its acceleration after its motion, so its end
+// counts with the motion of the coming substep.
 void JointSolver::stretch(Active &active, Real h) {
 	const Joint &joint = world_->joints()[active.joint];
 	auto &[first, second] = active.sides;

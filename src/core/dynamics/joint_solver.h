@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Holds joints together.
+// Solves joints.
 #pragma once
 
 #include "core/collision/broad_phase.h"
@@ -16,70 +16,67 @@
 
 namespace softbody {
 
-/// Solves the joints of a world once a contact substep, after the bodies have moved. Rigid joints twice: the anchors are
-/// moved to where they belong, which changes no velocity, and the velocity at which they would part is taken from them by
-/// impulses, equal and opposite in one place, so that momentum and angular momentum stay. Springs are compliant
-/// constraints, stable at any stiffness (Macklin, Müller, Chentanez 2016, eq. 18 and 26).
+/// Solves the joints of a world once a contact substep, after the bodies have moved. A rigid joint is solved twice. Its
+/// anchors are moved to where they belong, which changes no velocity. Then impulses remove the velocity at which they
+/// would part. Impulses are equal and opposite in one place, so that momentum and angular momentum stay. Springs are
+/// compliant constraints, stable at any stiffness (Macklin, Müller, Chentanez 2016, eq. 18 and 26).
 ///
-/// The velocities of rigid joints are not derived from the corrections of positions, as XPBD would: a rigid body is not
-/// ours to move, and so would be left with the speed that it gains in a substep, and the engine would let it creep. That is
-/// right for soft bodies too, as a joint that was made with a gap closes without a jump.
-///
-/// Joints are gone through one after the other, there and back, as several may hold on to one point or rigid body.
-/// Bodies go by their active index (`ActiveBodies`).
+/// Joints are solved one after the other, forward and backward, as several may hold one point or rigid body. Bodies are
+/// indexed by active index (`ActiveBodies`).
 class JointSolver {
 public:
-	/// Finds what each joint joins in the coming step of `dt` [s]. `is_rearranged`: the list of bodies is another. O(1)
-	/// without joints, else O(joints), and O(bodies) where joints or bodies have changed.
+	/// Finds the ends of each joint for the coming step of `dt` [s]. `is_rearranged`: the list of bodies was rebuilt.
+	/// O(1) without joints, else O(joints), and O(bodies) if joints or bodies have changed.
 	void begin_step(WorldData &world, std::span<const std::uint32_t> body_indices, bool is_rearranged, Real dt);
 	bool has_joints() const { return !active_.empty(); }
-	/// The bodies that a joint holds to a rigid body, or would if that were there, in order.
+	/// Bodies joined to a rigid body, present or missing, in order.
 	std::span<const std::uint32_t> held_to_rigid() const { return held_to_rigid_; }
-	/// A number that stands for where the rigid ends of a body's joints are; 0: it has none.
+	/// Hash of the positions of the rigid ends of a body's joints; 0 if it has none.
 	std::uint64_t rigid_ends_of(std::uint32_t active_index) const { return rigid_ends_.empty() ? 0 : rigid_ends_[active_index]; }
-	/// Wakes whoever is joined to a body that is awake, or to a rigid one that moves or may. True when somebody woke.
+	/// Wakes sleeping bodies that are joined to an awake body, or to a rigid body that moves or may move. Returns
+	/// whether any body woke.
 	bool wake_joined();
-	/// Whether the body is held by a joint in this step.
+	/// Whether a joint holds the body in this step.
 	bool holds(std::uint32_t active_index) const { return !is_held_.empty() && is_held_[active_index] != 0; }
 	/// Whether any joint holds a dynamic rigid body.
 	bool has_dynamic_ends() const { return std::ranges::any_of(is_held_, [](char held) { return held > 1; }); }
-	/// Whether a joint holds it to a dynamic rigid body.
+	/// Whether a joint holds the body to a dynamic rigid body.
 	bool holds_to_dynamic(std::uint32_t active_index) const { return !is_held_.empty() && is_held_[active_index] > 1; }
-	/// The pairs that are not to collide, because they are joined, in order.
+	/// Joined pairs that must not collide, sorted.
 	std::span<const BodyPair> separated() const { return separated_; }
-	/// The bodies that are joined to each other.
+	/// Pairs of bodies that are joined to each other.
 	std::span<const BodyPair> joined() const { return joined_; }
 
-	/// Keeps where the anchors are as a substep begins, of all joints of the bodies whose turn it is.
+	/// Stores the positions of the anchors at the start of a substep, for all joints of the group's bodies.
 	void begin_substep(const SubstepGroup &group);
-	/// Answers their joints at the end of a substep of `h` [s], `elapsed` [s] after the step began.
+	/// Solves the group's joints at the end of a substep of `h` [s], `elapsed` [s] after the step began.
 	void solve(Real elapsed, Real h, const SubstepGroup &group);
-	/// Removes the joints that bore more than they can in the step, and adds them to `broken`.
+	/// Removes the joints that bore more than Joint::break_force in the step, and adds them to `broken`.
 	void end_step(std::vector<JointId> &broken);
 
 private:
-	/// An end of a joint; of a soft body, of a rigid one, or neither.
+	/// An end of a joint: on a soft body, on a rigid body, or on the world.
 	struct Side {
 		SoftBodyData *body = nullptr;
 		std::uint32_t active_index = UINT32_MAX;
-		PointOnEdge place; ///< on the soft body; has no inverse mass where this end is not soft
+		PointOnEdge place; ///< on the soft body; has inverse mass 0 if this end is not soft
 		std::uint32_t rigid = NO_RIGID_BODY;
 		Vec2 position; ///< as in `JointAnchor`
-		Vec2 before; ///< where it was when the substep began
-		Vec2 at; ///< where it is now
+		Vec2 before; ///< position at the start of the substep
+		Vec2 at; ///< present position
 		Vec2 arm; ///< from the rigid body's center of mass
 	};
 	struct Active {
 		std::uint32_t joint = 0; ///< index in the world's list
 		std::array<Side, 2> sides;
-		Vec2 direction; ///< unit, from the first to the second, where the joint acts along a line
-		bool is_idle = false; ///< in this substep
+		Vec2 direction; ///< unit, from the first to the second end, if the joint acts along a line
+		bool is_idle = false; ///< not solved in this substep
 		bool is_in(const SubstepGroup &group) const {
 			return std::ranges::any_of(sides, [&](const Side &side) { return side.body && group.has(side.active_index); });
 		}
 		bool is_line = false;
 		Real response = 0; ///< change of the speed along the line per impulse
-		Vec2 wanted; ///< relative velocity [length/s]
+		Vec2 wanted; ///< target relative velocity [length/s]
 		Vec2 impulse; ///< of the substep, on the first side
 		Vec2 total; ///< of the step
 	};
@@ -102,12 +99,12 @@ private:
 	Real dt_ = 0;
 	std::vector<std::uint32_t> active_indices_; ///< of every body in the world
 	std::vector<Active> active_;
-	std::vector<char> is_held_; ///< a active index; 2: to a dynamic rigid body
-	std::vector<std::uint64_t> rigid_ends_; ///< a active index
+	std::vector<char> is_held_; ///< one for each active index; 2: held to a dynamic rigid body
+	std::vector<std::uint64_t> rigid_ends_; ///< one for each active index
 	std::vector<std::uint32_t> held_to_rigid_;
 	std::vector<BodyPair> joined_;
-	std::vector<BodyPair> separated_; ///< in order
-	std::vector<std::pair<std::uint64_t, std::uint32_t>> tags_; ///< of rigid bodies, in order
+	std::vector<BodyPair> separated_; ///< sorted
+	std::vector<std::pair<std::uint64_t, std::uint32_t>> tags_; ///< of rigid bodies, sorted
 };
 
 } // namespace softbody

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Pins that move.
+// Moves pinned points to their targets.
 #include "core/dynamics/pin_motion.h"
 
 namespace softbody {
 
 void PinMotion::begin_step(WorldData &world, Real dt, bool is_rearranged) {
 	body_indices_.clear();
-	// Bodies that came or were activated may have brought targets along.
+	// Bodies that were added or activated may have targets.
 	if (seen_targets_ == world.change_counts().pin_targets && !is_rearranged) {
 		return;
 	}

@@ -10,12 +10,13 @@
 namespace softbody {
 
 /// Moves pins to their targets (SoftBodyData::set_pin_target). During a step such a pin has the velocity that takes it
-/// to its target in a straight line. It has no inverse mass, so every integrator moves it by just that, in any
-/// substeps, and springs and contacts feel a moving point. After the step it is put exactly at its target, and rests.
+/// to its target in a straight line. It has no inverse mass, so every integrator moves it by exactly that, in any
+/// number of substeps, and springs and contacts see a moving point. After the step it is put exactly at its target, and
+/// rests.
 class PinMotion {
 public:
-	/// Sets the pins of active bodies that have targets in motion, for a step of `dt` [s]. `is_rearranged`: bodies
-	/// came, went or changed since the last step. O(1) while no target is set, else O(bodies).
+	/// Sets the velocities of pins of active bodies that have targets, for a step of `dt` [s]. `is_rearranged`: the
+	/// list of bodies was rebuilt. O(1) while no target is set, else O(bodies).
 	void begin_step(WorldData &world, Real dt, bool is_rearranged);
 	/// Puts moved pins at their targets.
 	void end_step(WorldData &world);

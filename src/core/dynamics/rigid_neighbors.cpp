@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies may meet a rigid body that they push back.
+// Finds the bodies that may meet a dynamic rigid body.
 #include "core/dynamics/rigid_neighbors.h"
 
 #include "core/collision/environment_contact_solver.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies may meet a rigid body that they push back.
+// Finds the bodies that may meet a dynamic rigid body.
 #pragma once
 
 #include "core/base/parallel_for.h"
@@ -14,30 +14,31 @@
 
 namespace softbody {
 
-/// Beside a dynamic rigid body that sleeps bodies may sleep as well, and what is beside the same one sleeps and wakes
-/// together; beside one that is awake nobody sleeps, or what rests on it would sink in. Bodies go by their active index.
+/// Bodies near dynamic rigid bodies, by active index. Bodies beside a sleeping rigid body may sleep; all bodies beside
+/// it sleep and wake together. Bodies beside an awake rigid body stay awake, or a rigid body resting on them would sink
+/// in.
 class RigidNeighbors {
 public:
-	/// Finds them for a step of `dt` [s], and wakes sleeping bodies beside a rigid body that is awake. The caller then takes
-	/// over which bodies have woken, and calls `report_sleepers`. O(bodies) where there are dynamic colliders.
+	/// Finds the bodies for a step of `dt` [s], and wakes sleeping bodies beside an awake rigid body. The caller then
+	/// updates the sleep states, and calls `report_sleepers`. O(bodies) if there are dynamic colliders.
 	void find(const ActiveBodies &bodies, WorldData &world, const ColliderIndex &surroundings, Real dt,
 			const ParallelFor &parallel_for);
-	/// Marks the rigid bodies beside which a body sleeps (Reaction::beside_sleeper).
+	/// Marks the rigid bodies that have a sleeping body beside them (Reaction::beside_sleeper).
 	void report_sleepers(const ActiveBodies &bodies, WorldData &world) const;
 
-	/// Whether there is anything to meet.
+	/// Whether there are dynamic colliders.
 	bool has_any() const { return !is_near_.empty(); }
 	bool has(std::uint32_t active_index) const { return !is_near_.empty() && is_near_[active_index] != 0; }
-	/// Bodies near a rigid body that is awake; empty when there is nothing to meet.
+	/// For each body, whether it is near an awake rigid body. Empty if there are no dynamic colliders.
 	std::span<const char> restless() const { return restless_; }
-	/// Adds bodies that lie beside one rigid body, as pairs that link all of them.
+	/// Adds pairs that link all bodies beside one rigid body.
 	void add_linked(std::vector<BodyPair> &pairs) const;
 
 private:
-	// One a active index; empty when there is nothing to meet.
+	// One entry for each active index; empty if there are no dynamic colliders.
 	std::vector<char> is_near_;
 	std::vector<char> restless_;
-	std::vector<std::pair<std::uint32_t, std::uint32_t>> beside_; ///< rigid bodies and the active indices near them, in order
+	std::vector<std::pair<std::uint32_t, std::uint32_t>> beside_; ///< rigid bodies and the active indices of bodies near them, sorted
 	std::vector<std::uint32_t> colliders_;
 };
 

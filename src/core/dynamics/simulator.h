@@ -25,57 +25,57 @@
 
 namespace softbody {
 
-/// What one step did.
+/// Results of one step.
 struct StepReport {
-	Status refused; ///< set when `dt` was refused; then nothing moved
-	std::uint64_t substeps = 0; ///< body-substeps, summed over bodies
-	std::uint64_t contacts = 0; ///< contacts with the surroundings solved, summed over substeps
+	Status refused; ///< set if `dt` was refused; then nothing has moved
+	std::uint64_t substeps = 0; ///< body substeps, summed over bodies
+	std::uint64_t contacts = 0; ///< contacts with the environment solved, summed over substeps
 	std::uint64_t pair_contacts = 0; ///< contacts between bodies solved, summed over substeps
 	std::size_t sleeping_bodies = 0; ///< after the step
-	/// Bodies whose state became non-finite in this step, or that flew apart (CREDIBLE_REACH). Each was given its rest
-	/// shape again, with the center, rotation and mean velocity that it had before, so that its next step starts
-	/// sane; at rest if that velocity cannot be believed or a point is pinned. Pinned points stay. The others are
-	/// untouched. Those whose settings say so (FailureResponse::FREEZE) are frozen from the next step on.
+	/// Bodies whose state became non-finite in this step, or that flew apart (CREDIBLE_REACH). Each has got its rest
+	/// shape again with its last center, rotation and mean velocity. It is at rest if that velocity is not credible or
+	/// a point is pinned. Pinned points stay. Other bodies are not changed. Bodies with FailureResponse::FREEZE are
+	/// frozen from the next step on.
 	std::vector<BodyId> reset_bodies;
 	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves solved, summed over substeps
-	/// Joints that bore more than they can (Joint::break_force) and are gone. Each is told once.
+	/// Joints removed because they bore more than Joint::break_force. Each joint is reported once.
 	std::vector<JointId> broken_joints;
 	StepProfile profile;
 };
 
-/// Steps a world (thesis 4.4.2, "Simulator"). Bodies with nothing near them take their substeps one body after the
-/// other. Bodies that may touch one another or a dynamic rigid body, or are joined to something, take contact substeps
-/// together: the world's (more in a long step, see `substeps_of_step`), or as many as one of the island needs (`ContactSubsteps`). In
-/// each of them every body advances, in as many force substeps as it needs, and then contacts between bodies are solved,
-/// with dynamic rigid bodies, and joints. Owns nothing but scratch memory, which grows with the world.
-/// Islands of bodies at rest fall asleep (`SleepWatch`).
+/// Steps a world (thesis 4.4.2, "Simulator"). A body with no other body near takes its substeps independently of
+/// others. Bodies that may touch one another or a dynamic rigid body, or that are joined to something, take contact
+/// substeps together. Their number is that of the world (more in a long step, see `substeps_of_step`), or the largest
+/// that a body of the island needs (`ContactSubsteps`). In each contact substep every body takes its force substeps;
+/// then contacts between bodies, with dynamic rigid bodies, and joints are solved. Islands of bodies at rest fall
+/// asleep (`SleepWatch`). Owns nothing but scratch memory, which grows with the world.
 class Simulator {
 public:
-	/// `world` must outlive the simulator. With `parallel_for` the work of a step is divided; its results are the
-	/// same bits for any number of threads.
+	/// `world` must outlive the simulator. `parallel_for` divides the work of a step. The results have the same bits
+	/// for any number of threads.
 	explicit Simulator(WorldData &world, ParallelFor parallel_for = {}, Clock clock = {});
 	Simulator(const Simulator &) = delete;
 	Simulator &operator=(const Simulator &) = delete;
 
-	/// Advances every body by `dt` [s], > 0 and finite. External forces act during the whole step and
-	/// are then forgotten.
+	/// Advances every body by `dt` [s], > 0 and finite. External forces act during the whole step and are then cleared.
 	StepReport simulate(Real dt);
 
-	/// Every contact of the last step of a body that monitors (BodySettings::contact_monitor), as that body sees it: the
-	/// same list for any number of threads, sorted by body, what it touches, and body index. What sleeps is not stepped and has
-	/// none; its touches last. Valid until the next step.
+	/// Contacts of monitored bodies in the last step (BodySettings::contact_monitor), each from that body's side. The
+	/// list does not depend on the number of threads. It is sorted by body, other side and place. A sleeping body has
+	/// no contacts; its touches last. Valid until the next step.
 	std::span<const Contact> contacts() const { return contact_monitor_.contacts(); }
-	/// Which touches of such bodies the last step has begun or ended (see `ContactMonitor`): first the ends. Each is
-	/// told once, so that a step that is refused tells nothing. Valid until the next step.
+	/// Touches of monitored bodies that the last step has begun or ended (see `ContactMonitor`), ends first. Each is
+	/// reported once; a refused step reports none. Valid until the next step.
 	std::span<const ContactEvent> contact_events() const { return contact_monitor_.events(); }
-	/// The touches that have begun and not ended. Valid until the next step.
+	/// Touches that have begun and not ended. Valid until the next step.
 	std::span<const Touch> touches() const { return contact_monitor_.touches(); }
 
-	/// What `simulate(dt)` would choose for a body. One that may touch another takes at least the contact substeps.
+	/// The substeps that `simulate(dt)` would choose for a body by itself. A body that may touch another takes at least
+	/// the contact substeps.
 	SubstepPlan plan(const SoftBodyData &body, Real dt) const;
 
 private:
-	// A step, in this order.
+	// The parts of a step, in order.
 	void begin_step(Real dt);
 	void find_rigid_contacts(Real dt);
 	void divide_bodies(Real dt);
@@ -85,7 +85,8 @@ private:
 	void let_sleep();
 	void collect(StepReport &report);
 
-	/// Calls `work(stepper, batch, prefetch)` for the bodies of a list, ordered as `ActiveBodies::awake`, divided over the steppers.
+	/// Calls `work(stepper, batch, prefetch)` for the bodies of a list, ordered as `ActiveBodies::awake`, divided among
+	/// the steppers.
 	template <class Work>
 	void for_batches(std::span<const std::uint32_t> list, const Work &work);
 	void step_islands(int substeps, Real dt);
@@ -100,7 +101,7 @@ private:
 	ParallelFor parallel_for_;
 	Clock clock_;
 	PhaseTimer timer_{ clock_ };
-	StepProfile profile_; ///< of the present step
+	StepProfile profile_; ///< of the current step
 	ActiveBodies bodies_;
 	ColliderIndex surroundings_;
 	SleepWatch sleep_;
@@ -111,14 +112,14 @@ private:
 	RigidNeighbors rigid_neighbors_;
 	JointSolver joint_solver_;
 	ContactMonitor contact_monitor_;
-	std::vector<BodyStepper> steppers_; ///< one a task, so that no two threads share scratch memory
+	std::vector<BodyStepper> steppers_; ///< one for each task, so that no two threads share scratch memory
 
 	// Active indices, ordered as `ActiveBodies::awake`.
 	std::vector<std::uint32_t> free_; ///< bodies that meet no other body
-	std::vector<std::uint32_t> coupled_; ///< bodies that may
-	std::vector<std::uint32_t> group_; ///< coupled bodies that take as many contact substeps
+	std::vector<std::uint32_t> coupled_; ///< bodies that take contact substeps
+	std::vector<std::uint32_t> group_; ///< bodies of `coupled_` in the current substep group
 	ContactSubsteps contact_substeps_;
-	std::vector<std::uint32_t> beside_dynamic_; ///< active indices that may meet a dynamic rigid body, or are joined to one
+	std::vector<std::uint32_t> beside_dynamic_; ///< active indices of bodies that may meet a dynamic rigid body, or are joined to one
 	std::vector<BodyPair> joined_; ///< pairs that sleep and wake together without touching
 
 	std::uint64_t seen_forces_ = 0;

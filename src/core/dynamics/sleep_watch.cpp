@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lets islands of bodies at rest fall asleep, and wakes them when what is around them changes.
+// Lets islands of bodies at rest fall asleep, and wakes them when their environment changes.
 #include "core/dynamics/sleep_watch.h"
 
 #include "core/base/constants.h"
@@ -36,13 +36,13 @@ void SleepWatch::take_over(bool is_rearranged) {
 			bodies_.set_resting(i, rests);
 		}
 	}
-	world_.take_woken_islands(); // what this has added
+	world_.take_woken_islands(); // discards entries that this function has added
 }
 
 void SleepWatch::begin_step(bool is_rearranged) {
 	take_over(is_rearranged);
 	for (std::uint32_t i = 0; is_rearranged && bodies_.resting_count() > 0 && i < bodies_.count(); ++i) {
-		// A body put to sleep from outside sleeps amid what is there now.
+		// A body put to sleep from outside is compared with the environment of this moment.
 		RestState &rest = bodies_.data(i).rest_state();
 		if (rest.asleep && rest.surroundings == 0) {
 			rest.surroundings = describe(i);
@@ -68,8 +68,8 @@ void SleepWatch::wake_by_changes() {
 	for (std::uint32_t active_index = 0; active_index < bodies_.count(); ++active_index) {
 		SoftBodyData &body = bodies_.data(active_index);
 		const Aabb box = rest_box(active_index);
-		// A sleeping body is compared with what was there when it fell asleep, not in the last step: so it does not matter
-		// how this state came about. An awake body does not come to rest beside one that moves.
+		// A sleeping body is compared with the environment in which it fell asleep, not with that of the last step. So
+		// the result depends only on the state. An awake body does not come to rest beside a moving collider.
 		const bool has_changed = bodies_.is_resting(active_index) && (asks_all || is_in(watch_.changed_boxes(), box)) &&
 				describe(active_index) != body.rest_state().surroundings;
 		if (has_changed || is_in(watch_.moving_boxes(), box)) {
@@ -79,7 +79,7 @@ void SleepWatch::wake_by_changes() {
 	take_over();
 }
 
-// A joint may be longer than what is near, so that nothing has to have changed there.
+// A joint may reach farther than the rest box, so the environment near the body need not have changed.
 void SleepWatch::wake_by_rigid_ends() {
 	bool has_woken = false;
 	for (const std::uint32_t active_index : joints_.held_to_rigid()) {
@@ -94,26 +94,26 @@ void SleepWatch::wake_by_rigid_ends() {
 	}
 }
 
-// Where one was, is now, or both.
+// The boxes are where a frozen body was, is now, or both.
 void SleepWatch::wake_by_frozen_bodies() {
 	const std::vector<Aabb> boxes = world_.take_disturbed_boxes();
 	if (boxes.empty()) {
 		return;
 	}
 	for (std::uint32_t active_index = 0; active_index < bodies_.count(); ++active_index) {
-		if (is_in(boxes, rest_box(active_index))) { // an awake body does not rest either while that changes
+		if (is_in(boxes, rest_box(active_index))) { // an awake body does not come to rest beside a change either
 			bodies_.data(active_index).wake();
 		}
 	}
 	take_over();
 	for (std::uint32_t active_index = 0; active_index < bodies_.count(); ++active_index) {
 		if (bodies_.data(active_index).is_frozen()) {
-			bodies_.set_resting(active_index, true); // it may lie elsewhere now
+			bodies_.set_resting(active_index, true); // updates the extent, as the body may have moved
 		}
 	}
 }
 
-// What a body rests on touches its box at most.
+// A neighbor that the body rests on may only touch the body's own box, so the box is grown.
 Aabb SleepWatch::rest_box(std::uint32_t active_index) const {
 	const SolverBody &body = bodies_.solver_body(active_index);
 	return (bodies_.is_resting(active_index) ? body.box : bounding_box(body.hull())).grown(body.rolling_radius / 8);
@@ -163,7 +163,8 @@ void SleepWatch::let_sleep(std::span<const BodyPair> pairs, std::span<const char
 		if (bodies_.is_resting(i) || least_rest_[island] < SLEEP_TIME) {
 			continue;
 		}
-		// An island is named after its first body, which sleeps on no other: so the name depends on no past.
+		// An island is named after its first body, which is part of no other sleeping island. So the name does not
+		// depend on the past.
 		if (names_[island] == 0) {
 			names_[island] = world_.id_at(bodies_.body_indices()[i]).index + std::uint64_t(1);
 		}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks memory for the state of bodies that are stepped soon.
+// Prefetches the state of bodies that are stepped soon.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -10,16 +10,16 @@
 
 namespace softbody {
 
-/// Prefetches the state of a few bodies. A core keeps track of a dozen or so cache lines on their way, and waits beyond
-/// that: so bodies are asked for one or two at a time, between other work. Changes nothing but the time that a step takes.
+/// Prefetches the state of a few bodies. A core tracks about a dozen cache lines in flight and waits beyond that. So
+/// bodies are prefetched one or two at a time, between other work. Changes only the time that a step takes.
 class StatePrefetch {
 public:
 	/// Adds a body of `point_count` points, at most WIDE_WIDTH of them.
 	void add(const Vec2 *state, std::size_t point_count) {
-		bytes_ = (2 * point_count + 1) * sizeof(Vec2); // the bodies of a batch, and mostly those of the next, are alike
+		bytes_ = (2 * point_count + 1) * sizeof(Vec2); // the bodies of a batch have one size, and so have most of the next batch
 		states_[count_++] = reinterpret_cast<const char *>(state);
 	}
-	/// Prefetches up to `bodies` bodies more.
+	/// Prefetches up to `bodies` more bodies.
 	void ask(std::size_t bodies) {
 #if defined(__GNUC__) || defined(__clang__)
 		constexpr std::size_t LINE = 64; // bytes of a cache line on nearly all processors

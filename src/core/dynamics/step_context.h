@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the parts of a step share.
+// Context shared by the parts of a step.
 #pragma once
 
 #include "core/collision/collider_index.h"
@@ -8,7 +8,7 @@
 
 namespace softbody {
 
-/// The world as one step sees it. All must outlive the step.
+/// The world during one step. All members must outlive the step.
 struct StepContext {
 	WorldData &world;
 	const ColliderIndex &colliders;
@@ -17,12 +17,12 @@ struct StepContext {
 	bool borders_bounce = false; ///< whether any border has restitution
 };
 
-/// One of `parts` equal slices of a step; each body takes its share of its substeps in it.
+/// One of `parts` equal slices of a step. Each body takes its share of its substeps in a slice.
 struct TimeSlice {
 	Real elapsed = 0; ///< since the step began [s]
 	Real duration = 0; ///< [s]
 	int parts = 1;
-	/// Whether other bodies have yet to push the bodies of the slice: contacts of a body with itself then wait.
+	/// Whether other bodies push the bodies of the slice afterwards. Contacts of a body with itself then wait.
 	bool is_coupled = false;
 
 	int substeps_of(const SubstepPlan &plan) const { return (plan.substeps + parts - 1) / parts; }

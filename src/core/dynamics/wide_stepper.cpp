@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Batches of WIDE_WIDTH bodies, where the processor has registers twice as wide.
+// Batches of WIDE_WIDTH bodies, on processors with registers of 32 bytes.
 #include "core/dynamics/wide_stepper.h"
 
 namespace softbody {

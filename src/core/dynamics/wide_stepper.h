@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Batches of WIDE_WIDTH bodies, where the processor has registers twice as wide.
+// Batches of WIDE_WIDTH bodies, on processors with registers of 32 bytes.
 #pragma once
 
 #include "core/base/pack.h"
@@ -17,8 +17,7 @@
 
 namespace softbody {
 
-/// A slice of the step for a batch of WIDE_WIDTH bodies that meet no colliders, feel no external forces, do not bounce and are
-/// not monitored.
+/// A time slice for a batch of WIDE_WIDTH bodies without near colliders, external forces, bounces or monitoring.
 struct WideTimeSlice {
 	const Batch *batch = nullptr;
 	std::span<const Border> borders;
@@ -26,30 +25,30 @@ struct WideTimeSlice {
 	Vec2 gravity; ///< [length/s²]
 	Real h = 0; ///< of a substep [s]
 	int substeps = 1;
-	Real reach = 0; ///< how far apart points may be at the end [length], see `is_finite_within`
-	/// Whose extents are measured at the end (`SolverBody::measure_extent`), or all null.
+	Real reach = 0; ///< largest distance of points at the end [length], see `is_finite_within`
+	/// Bodies whose extents are measured at the end (`SolverBody::measure_extent`), or all null.
 	std::array<SolverBody *, WIDE_WIDTH> solver_bodies{};
 };
 
-/// Advances a wide batch, with the bits that each body would get alone. Serves one thread.
+/// Advances a wide batch. Each body gets the bits that it would get alone. One object serves one thread.
 class WideStepper {
 public:
 	virtual ~WideStepper() = default;
-	/// Returns how many contacts with borders it solved. Returns nothing, and changes nothing, if a body would not end finite
-	/// and whole. Prefetches all of `prefetch` meanwhile.
+	/// Returns the number of contacts with borders solved. Returns nothing, and changes nothing, if a body would not
+	/// end finite and whole. Prefetches all of `prefetch` meanwhile.
 	virtual std::optional<std::uint64_t> advance(const WideTimeSlice &slice, StatePrefetch &prefetch) = 0;
 };
 
-/// Null where the compiler or the processor offers no registers of that width, in double precision, and while
-/// `allow_wide_steppers` says no.
+/// Returns null if the compiler or the processor has no registers of 32 bytes, in double precision, and after
+/// `allow_wide_steppers(false)`.
 std::unique_ptr<WideStepper> make_wide_stepper();
-/// Whether simulators made from now on may use registers of that width. For tests, which compare: the bits are the same.
-/// Not to be called while another thread makes one. Default true.
+/// Sets whether simulators made from now on may use registers of 32 bytes. For tests that compare both: the bits are
+/// the same. Must not be called while another thread makes a simulator. Default true.
 void allow_wide_steppers(bool allowed);
 
 namespace detail {
-/// Makes one, whatever the processor. Null where the program was compiled without. It lies in the one file that is
-/// compiled for AVX2, and must not be called where that is missing.
+/// Makes an AVX2 stepper without asking the processor. Null if the program was compiled without it. The function lies
+/// in the one file that is compiled for AVX2, and must not be called on a processor without AVX2.
 extern std::unique_ptr<WideStepper> (*const make_avx2_stepper)();
 } // namespace detail
 

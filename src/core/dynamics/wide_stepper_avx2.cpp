@@ -33,7 +33,7 @@ using Lanes = std::array<Vec2 *, WIDE_WIDTH>;
 typedef float Floats __attribute__((vector_size(16)));
 typedef float WideFloats __attribute__((vector_size(32)));
 
-// Two vectors each of lanes l and l + 4, in the two halves of a register: shuffles work within each half.
+// Two vectors each of lanes l and l + 4, in the two halves of a register. Shuffles work within each half.
 WideFloats load_two(const Lanes &lanes, std::size_t lane, std::size_t i) {
 	Floats low;
 	Floats high;
@@ -49,7 +49,7 @@ void store_two(WideFloats two, const Lanes &lanes, std::size_t lane, std::size_t
 	std::memcpy(static_cast<void *>(lanes[lane + 4] + i), &high, sizeof(high));
 }
 
-// Of each pair of halves the first or last two numbers: singly in turn, or as pairs one after the other.
+// The first or last two numbers of each pair of halves: interleaved (in_turn), or one pair after the other (pairs).
 WideFloats first_in_turn(WideFloats a, WideFloats b) {
 	return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
 }
@@ -63,8 +63,8 @@ WideFloats last_pairs(WideFloats a, WideFloats b) {
 	return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
-// Moving the state in and out of lanes is a third of a step of explicit Euler: two points at a time, by transposing. Of
-// an odd number the last but one goes twice.
+// Transposes two points at a time, to move the state into lanes. With an odd number of points, the last but one is
+// moved twice.
 void gather_all(const Lanes &lanes, std::span<WideVec2> all) {
 	for (std::size_t next = 0; next < all.size(); next += 2) {
 		const std::size_t i = std::min(next, all.size() - 2);
@@ -119,7 +119,7 @@ public:
 				bodies.model.rotation_memory.s.set(lane, memory.s);
 			}
 		}
-		// A body or two at a time, as evenly as the work lets them be spread.
+		// Prefetches one or two bodies at a time, spread evenly over the work.
 		prefetch.ask(1);
 		gather_all(to_positions, bodies.positions);
 		prefetch.ask(1);
@@ -137,7 +137,7 @@ public:
 			}
 			if (settings.has_limits() && any(may_break_limits<WidePack>(bodies.model, bodies.positions))) {
 				prefetch.ask_all();
-				return std::nullopt; // rare, and for the narrower code
+				return std::nullopt; // rare; left to the narrower code
 			}
 			prefetch.ask(2);
 			if (settings.has_damp()) {
@@ -169,7 +169,7 @@ public:
 	}
 
 private:
-	// As `EnvironmentContactSolver::solve_borders_side_by_side` does.
+	// As `EnvironmentContactSolver::solve_borders_side_by_side`.
 	static WidePack solve_borders(const BodyLanes<WidePack> &bodies, const WideTimeSlice &slice) {
 		BasicContactLoad<WidePack> load;
 		for (const Border &border : slice.borders) {
@@ -194,7 +194,7 @@ private:
 	BasicWorkspace<WidePack> workspace_;
 	std::vector<WideVec2> positions_;
 	std::vector<WideVec2> velocities_;
-	std::vector<WideVec2> before_; ///< the hulls' points at the start
+	std::vector<WideVec2> before_; ///< hull points at the start
 };
 
 std::unique_ptr<WideStepper> make() {
