@@ -15,6 +15,7 @@ NAMES = {
     "soft_alone": "without collisions",
     "soft_monitored": "with contact monitor",
     "soft_asleep": "asleep",
+    "soft_resting": "asleep from the start",
     "soft_off_screen": "off-screen",
     "soft_off_screen_still": "off-screen, not simulated",
     "rigid": "rigid points and spring joints",

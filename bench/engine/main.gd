@@ -22,6 +22,7 @@ const LOADS := {
 	"soft_alone": { "collision_mask": 0 },
 	"soft_monitored": { "contact_monitor": true, "max_contacts_reported": 8 },
 	"soft_asleep": {},
+	"soft_resting": { "sleeping": true },
 	"soft_off_screen": {},
 	"soft_off_screen_still": { "simulate_off_screen": false },
 	"rigid": {},
@@ -83,7 +84,7 @@ func _cost(load_name: String, count: int) -> void:
 
 # Means and medians over some ticks of a pile that has fallen [µs a tick].
 func _measure(load_name: String, count: int) -> Dictionary:
-	ProjectSettings.set_setting("physics/soft_body_2d/sleep/enabled", load_name == "soft_asleep")
+	ProjectSettings.set_setting("physics/soft_body_2d/sleep/enabled", load_name in ["soft_asleep", "soft_resting"])
 	await get_tree().process_frame
 	var pile: RefCounted
 	if load_name == "rigid":

@@ -35,6 +35,7 @@ measure_engine() {
 	for load in soft soft_unseen soft_apart soft_alone soft_monitored soft_asleep; do
 		headless+=(cost "$load" 1000)
 	done
+	headless+=(cost soft_resting 10000)
 	for load in soft soft_unseen soft_asleep soft_off_screen soft_off_screen_still; do
 		drawn+=(cost "$load" 1000)
 	done

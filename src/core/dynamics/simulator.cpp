@@ -304,6 +304,13 @@ void Simulator::resist_rolling_between_bodies() {
 	});
 }
 
+void Simulator::list_awake(std::vector<BodyId> &ids) {
+	ids.clear();
+	for (const std::uint32_t i : bodies_.awake()) {
+		ids.push_back(world_.id_at(bodies_.body_indices()[i]));
+	}
+}
+
 void Simulator::let_sleep() {
 	joined_.assign(joint_solver_.joined().begin(), joint_solver_.joined().end());
 	rigid_neighbors_.add_linked(joined_);

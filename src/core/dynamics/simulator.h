@@ -70,6 +70,9 @@ public:
 	/// Touches that have begun and not ended. Valid until the next step.
 	std::span<const Touch> touches() const { return contact_monitor_.touches(); }
 
+	/// Lists the bodies that the last step left awake: neither asleep, nor frozen, nor inactive. O(awake bodies).
+	void list_awake(std::vector<BodyId> &ids);
+
 	/// The substeps that `simulate(dt)` would choose for a body by itself. A body that may touch another takes at least
 	/// the contact substeps.
 	SubstepPlan plan(const SoftBodyData &body, Real dt) const;

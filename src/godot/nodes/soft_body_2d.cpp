@@ -6,6 +6,7 @@
 #include "core/model/body_frame.h"
 #include "godot/convert.h"
 #include "godot/server/soft_body_simulation_2d.h"
+#include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
@@ -83,7 +84,7 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	design_ = design.value();
 	polygon_reversed_ = design_->is_reversed;
 	space_->world().remove_soft_body(body_id_);
-	body_id_ = space_->world().add_soft_body(std::move(fresh.value()));
+	body_id_ = space_->add_body(*this, std::move(fresh.value()));
 	apply_pins();
 	pins_.clear(); // their places in the frames of their targets are those of the new shape
 	proxy_.forget_shape();
@@ -99,10 +100,11 @@ void SoftBody2D::enter_space() {
 	if (Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	space_ = SoftBodySimulation2D::get_singleton()->add_body(this);
+	space_ = &SoftBodySimulation2D::get_singleton()->space_of(this);
+	space_->add(*this);
 	view_ = SoftBodySimulation2D::get_singleton()->drawing().add(get_viewport());
 	if (stored_body_) {
-		body_id_ = space_->world().add_soft_body(std::move(*stored_body_));
+		body_id_ = space_->add_body(*this, std::move(*stored_body_));
 		stored_body_.reset();
 		apply_exceptions();
 		apply_freeze();
@@ -128,6 +130,7 @@ void SoftBody2D::leave_space() {
 		stored_body_ = std::move(*found);
 		space_->world().remove_soft_body(body_id_);
 	}
+	space_->remove(*this);
 	space_ = nullptr;
 	body_id_ = {};
 	interpolation_.end();
@@ -136,8 +139,7 @@ void SoftBody2D::leave_space() {
 	unseen_frames_ = 0; // a body that comes in is shown to a frame first
 	debug_drawing_.reset();
 	contacts_.clear(); // `touched_` is kept: the body may come back
-	// Last: the simulation drops a space that has no nodes left.
-	SoftBodySimulation2D::get_singleton()->remove_body(this);
+	SoftBodySimulation2D::get_singleton()->drop_empty_spaces(); // last
 }
 
 void SoftBody2D::_notification(int p_what) {
@@ -154,6 +156,10 @@ void SoftBody2D::_notification(int p_what) {
 		case NOTIFICATION_DISABLED:
 		case NOTIFICATION_ENABLED: {
 			note_enabled();
+		} break;
+		case NOTIFICATION_PAUSED:
+		case NOTIFICATION_UNPAUSED: {
+			note_change();
 		} break;
 		case NOTIFICATION_WORLD_2D_CHANGED: {
 			if (space_ != nullptr) {
@@ -196,6 +202,7 @@ void SoftBody2D::take_over_transform() {
 	if (transform == known_transform_) {
 		return;
 	}
+	note_change();
 	if (!transform.is_finite() || transform.determinant() == 0) {
 		accept("transform", softbody::Error{ "transform", "a scale of zero or a non-finite value", "must be invertible", "set a finite position and a scale other than zero" });
 		set_global_transform(known_transform_);
@@ -227,16 +234,26 @@ const softbody::SoftBodyData *SoftBody2D::followed_body() const {
 	return body();
 }
 
+// The caller may change it.
 softbody::SoftBodyData *SoftBody2D::followed_body() {
 	take_over_transform();
+	note_change();
 	return body();
+}
+
+void SoftBody2D::note_change() {
+	if (space_ != nullptr) {
+		space_->note_change(*this);
+	}
 }
 
 void SoftBody2D::prepare_step() {
 	take_over_transform();
 	follow_pin_targets();
 	if (softbody::SoftBodyData *found = body()) {
-		found->set_active(takes_part() && (simulate_off_screen_ || !is_off_screen()));
+		const bool is_wanted = takes_part() && (simulate_off_screen_ || !is_off_screen());
+		const bool sleeps_through_pause = enabled_ && found->is_active() && found->is_asleep() && get_tree()->is_paused();
+		found->set_active(is_wanted || sleeps_through_pause); // to take it out and back would wake it
 		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
 			apply_constant_forces();
 		}
@@ -249,10 +266,10 @@ void SoftBody2D::finish_step() {
 		return;
 	}
 	// A body that has just stopped or fallen asleep is where its last step left it.
-	const bool has_stopped = moving_;
+	has_stopped_ = moving_;
 	const Transform2D before = known_transform_;
 	moving_ = body()->is_active() && !body()->is_asleep() && !body()->is_frozen();
-	if (moving_ || has_stopped) {
+	if (moving_ || has_stopped_) {
 		follow_body();
 	}
 	if (moving_) {
@@ -260,6 +277,19 @@ void SoftBody2D::finish_step() {
 	} else {
 		interpolation_.end();
 	}
+}
+
+// What must be asked for again in every tick keeps it busy. A body that has just stopped is busy for one tick more, in
+// which its surroundings are read as those of a body at rest.
+bool SoftBody2D::is_idle() const {
+	const softbody::SoftBodyData *found = body();
+	if (found == nullptr) {
+		return true;
+	}
+	const bool has_pin_targets = !pinned_points_.is_empty() && !pin_targets_.is_empty();
+	const bool is_asked = contact_monitor_ || has_pin_targets || !simulate_off_screen_ || (!enabled_ && disable_mode_ != DISABLE_MODE_REMOVE);
+	const bool has_felt_areas = !found->is_active() || (knows_areas_ && (engine_steps_ > 1 || !proxy_.is_in_space()));
+	return !moving_ && !has_stopped_ && !is_asked && has_felt_areas && proxy_.is_still();
 }
 
 void SoftBody2D::follow_body() {

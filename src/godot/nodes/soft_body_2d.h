@@ -14,7 +14,7 @@
 #include "godot/drawing/soft_body_skin.h"
 #include "godot/resources/soft_body_material_2d.h"
 #include "godot/resources/unfit_values.h"
-#include "godot/surroundings/area_effects.h"
+#include "godot/server/stepped_node.h"
 #include "godot/surroundings/hull_proxy.h"
 
 #include <godot_cpp/classes/node2d.hpp>
@@ -38,7 +38,6 @@
 #include <vector>
 
 namespace softbody {
-class BodySignals;
 class SoftBodySpace2D;
 }
 
@@ -49,7 +48,7 @@ namespace godot {
 /// the world of the node's space while the node is in the tree, and in `stored_body_` while it is not,
 /// so that re-parenting keeps its motion. Point indices of the public interface follow `polygon`; the
 /// core may hold the hull reversed (`polygon_reversed_`), and `core_index` translates.
-class SoftBody2D : public Node2D {
+class SoftBody2D : public Node2D, public softbody::SteppedNode {
 	GDCLASS(SoftBody2D, Node2D)
 
 public:
@@ -266,10 +265,9 @@ public:
 	void set_failure_mode(FailureMode p_mode);
 	FailureMode get_failure_mode() const { return failure_mode_; }
 	/// The core has put the body back, and frozen it if that is its mode: says so, and follows.
-	void note_failure(softbody::BodySignals &r_signals);
 	void set_disable_mode(DisableMode p_mode);
 	DisableMode get_disable_mode() const { return disable_mode_; }
-	void set_simulate_off_screen(bool p_enabled) { simulate_off_screen_ = p_enabled; }
+	void set_simulate_off_screen(bool p_enabled);
 	bool is_simulating_off_screen() const { return simulate_off_screen_; }
 	void set_freeze_enabled(bool p_freeze);
 	bool is_freeze_enabled() const { return freeze_; }
@@ -289,7 +287,7 @@ public:
 	void set_point_velocities(const PackedVector2Array &p_velocities);
 	double get_area() const;
 	double get_rest_area() const;
-	double get_penetration() const;
+	double get_penetration() const override;
 
 	// Motion: soft_body_2d_motion.cpp.
 	void set_linear_velocity(const Vector2 &p_velocity);
@@ -351,34 +349,24 @@ public:
 	static softbody::Vec2 project_gravity();
 
 	// For the simulation.
-	softbody::BodyId get_body_id() const { return body_id_; }
-	/// Its place in the space's list of nodes.
-	size_t get_space_index() const { return space_index_; }
-	void set_space_index(size_t p_index) { space_index_ = p_index; }
+	uint64_t instance_id() const override { return get_instance_id(); }
+	softbody::BodyId get_body_id() const override { return body_id_; }
 	/// "SoftBody2D 'Jelly' (/root/Main/Jelly)": how messages name this node.
 	String describe() const;
-	/// What the project says of bodies that leave it open is another.
-	void note_project_settings() { apply_settings(); }
-	/// Before the step: takes over a transform that the user set, and whether the node may process.
-	void prepare_step();
-	/// After the step: moves the node along and keeps what drawing interpolates.
-	void finish_step();
-	/// Before a frame is drawn: brings the skin to where the body is in it. False when there was nothing to do.
-	bool draw_frame(const softbody::DrawingFrame &p_frame);
-	/// Whether it monitors contacts, or has signals about former ones to emit.
-	bool watches_contacts() const { return contact_monitor_; }
-	/// After the step: takes the contacts and touches of this body. `p_colliders` has the instance id of the other side of
-	/// each contact, 0 for none. Signals go to `r_signals`: none is emitted before all nodes are up to date.
+	void note_project_settings() override { apply_settings(); }
+	void prepare_step() override;
+	void feel_areas(const softbody::AreaEffects &p_space) override;
+	void stir_proxy() override;
+	softbody::HullProxy &proxy() override { return proxy_; }
+	void note_failure(softbody::StepSignals &r_signals) override;
+	void finish_step() override;
+	bool follow_with_proxy(bool p_may_detail) override;
+	void take_sleep(softbody::StepSignals &r_signals) override;
+	bool watches_contacts() const override { return contact_monitor_; }
 	void take_contacts(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders,
-			std::vector<uint64_t> p_touched, softbody::BodySignals &r_signals);
-	void take_sleep(softbody::BodySignals &r_signals);
-	/// While signals are emitted: notices when the other leaves the tree.
-	void watch_collider(Node *p_collider, bool p_watch);
-	/// Before the step: takes over the gravity and damping of areas. `p_space` is what holds where no area is.
-	void feel_areas(const softbody::AreaEffects &p_space, uint64_t p_tick);
-	/// After the step: moves the proxy along. True when `flush_hull_proxies` must follow.
-	bool follow_with_proxy(bool p_may_detail);
-	softbody::HullProxy &proxy() { return proxy_; }
+			std::vector<uint64_t> p_touched, softbody::StepSignals &r_signals) override;
+	bool is_idle() const override;
+	bool draw_frame(const softbody::DrawingFrame &p_frame) override;
 	/// For joints: the body passes through the object of this instance id, which is no soft body, until the id has been
 	/// removed as often as it was added.
 	void add_joined(uint64_t p_id);
@@ -509,6 +497,11 @@ private:
 	static bool decided_by_network_values(const Design &p_design);
 	void append_stability_warnings(const Design &p_design, PackedStringArray &r_warnings) const;
 	const ContactRecord *find_contact(int p_index) const;
+	struct Impact;
+	static Impact impact_of(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders, uint64_t p_collider);
+	void watch_collider(Node *p_collider, bool p_watch);
+	void emit_entered(uint64_t p_collider, const Impact &p_impact);
+	void emit_exited(uint64_t p_collider);
 	void on_collider_exiting(uint64_t p_collider);
 	void forget_contacts();
 	void take_over_pins();
@@ -535,6 +528,8 @@ private:
 	void apply_settings();
 	void take_over_transform();
 	void update_proxy_presence();
+	/// The next tick does not leave the node out, though its body may rest.
+	void note_change();
 	void note_enabled();
 	/// Whether its process mode lets it be stepped, and if not, its disable mode.
 	bool takes_part() const;
@@ -625,7 +620,6 @@ private:
 
 	softbody::SoftBodySpace2D *space_ = nullptr;
 	softbody::BodyId body_id_;
-	size_t space_index_ = 0;
 	std::optional<softbody::SoftBodyData> stored_body_;
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
@@ -639,6 +633,7 @@ private:
 	int engine_steps_ = 0; ///< that the engine can have made since the proxy entered its space
 	bool knows_areas_ = false; ///< whether the body has been told what areas do to it
 	bool moving_ = false; ///< whether the last tick stepped the body
+	bool has_stopped_ = false; ///< whether the tick before it did
 
 	softbody::SoftBodySkin skin_;
 	softbody::BodyInterpolation interpolation_;

@@ -4,7 +4,7 @@
 
 #include "core/base/constants.h"
 #include "godot/convert.h"
-#include "godot/server/body_signals.h"
+#include "godot/server/step_signals.h"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -24,9 +24,18 @@ namespace {
 // As Godot's RigidBody2D.
 constexpr int MOST_CONTACTS = 4096;
 
+} // namespace
+
+/// Place and strength of a contact when two things met.
+struct SoftBody2D::Impact {
+	Vector2 point; ///< in the world [px]
+	Vector2 normal; ///< unit, towards this body
+	double impulse = 0; ///< [kg·px/s]
+};
+
 // One place and one normal for all contacts with one collider, weighted by their impulses.
-softbody::BodySignals::Impact impact_of(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders, uint64_t p_collider) {
-	softbody::BodySignals::Impact impact;
+SoftBody2D::Impact SoftBody2D::impact_of(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders, uint64_t p_collider) {
+	Impact impact;
 	double weights = 0;
 	for (std::size_t i = 0; i < p_contacts.size(); i++) {
 		if (p_colliders[i] != p_collider) {
@@ -45,8 +54,6 @@ softbody::BodySignals::Impact impact_of(std::span<const softbody::Contact> p_con
 	}
 	return impact;
 }
-
-} // namespace
 
 void SoftBody2D::set_contact_monitor(bool p_enabled) {
 	if (contact_monitor_ == p_enabled) {
@@ -68,7 +75,7 @@ void SoftBody2D::set_max_contacts_reported(int p_amount) {
 
 // Of more contacts than are wanted, the strongest; in the order of the core, which does not depend on threads.
 void SoftBody2D::take_contacts(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders,
-		std::vector<uint64_t> p_touched, softbody::BodySignals &r_signals) {
+		std::vector<uint64_t> p_touched, softbody::StepSignals &r_signals) {
 	std::vector<uint32_t> kept(p_contacts.size());
 	std::iota(kept.begin(), kept.end(), 0u);
 	if (kept.size() > std::size_t(max_contacts_reported_)) {
@@ -88,14 +95,39 @@ void SoftBody2D::take_contacts(std::span<const softbody::Contact> p_contacts, st
 	std::vector<uint64_t> changed;
 	std::ranges::set_difference(touched_, p_touched, std::back_inserter(changed));
 	for (const uint64_t collider : changed) {
-		r_signals.add_exited(get_instance_id(), collider);
+		r_signals.add(get_instance_id(), [this, collider] { emit_exited(collider); });
 	}
 	changed.clear();
 	std::ranges::set_difference(p_touched, touched_, std::back_inserter(changed));
 	for (const uint64_t collider : changed) {
-		r_signals.add_entered(get_instance_id(), collider, impact_of(p_contacts, p_colliders, collider));
+		const Impact impact = impact_of(p_contacts, p_colliders, collider);
+		r_signals.add(get_instance_id(), [this, collider, impact] { emit_entered(collider, impact); });
 	}
 	touched_ = std::move(p_touched);
+}
+
+// A listener of a signal may have switched the monitor off, freed the other, or freed this node.
+void SoftBody2D::emit_entered(uint64_t p_collider, const Impact &p_impact) {
+	Node *collider = Object::cast_to<Node>(ObjectDB::get_instance(p_collider));
+	if (collider == nullptr || !contact_monitor_) {
+		return;
+	}
+	const uint64_t id = get_instance_id();
+	const Impact impact = p_impact;
+	watch_collider(collider, true);
+	emit_signal("body_entered", collider);
+	collider = Object::cast_to<Node>(ObjectDB::get_instance(p_collider));
+	if (collider != nullptr && ObjectDB::get_instance(id) != nullptr) {
+		emit_signal("contact_started", collider, impact.point, impact.normal, impact.impulse);
+	}
+}
+
+void SoftBody2D::emit_exited(uint64_t p_collider) {
+	Node *collider = Object::cast_to<Node>(ObjectDB::get_instance(p_collider));
+	if (collider != nullptr && contact_monitor_) {
+		watch_collider(collider, false);
+		emit_signal("body_exited", collider);
+	}
 }
 
 // A collider that is freed, or leaves the tree, is told while it can still be looked at, as by RigidBody2D.

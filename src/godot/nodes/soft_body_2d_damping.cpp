@@ -10,40 +10,43 @@
 
 namespace godot {
 
-namespace {
-
-// How often a body that sleeps asks whether the areas around it have changed [ticks].
-constexpr uint64_t ASLEEP_INTERVAL = 16;
-
-} // namespace
-
 void SoftBody2D::set_linear_damp(double p_damp) {
 	if (accept("linear_damp", softbody::check_at_least("linear_damp", p_damp, 0, "1/s"))) {
 		linear_damp_ = p_damp;
+		note_change();
 	}
 }
 
 void SoftBody2D::set_angular_damp(double p_damp) {
 	if (accept("angular_damp", softbody::check_at_least("angular_damp", p_damp, 0, "1/s"))) {
 		angular_damp_ = p_damp;
+		note_change();
 	}
 }
 
 void SoftBody2D::set_linear_damp_mode(DampMode p_mode) {
 	if (accept("linear_damp_mode", softbody::check_between("linear_damp_mode", p_mode, 0, 1, ""))) {
 		linear_damp_mode_ = p_mode;
+		note_change();
 	}
 }
 
 void SoftBody2D::set_angular_damp_mode(DampMode p_mode) {
 	if (accept("angular_damp_mode", softbody::check_between("angular_damp_mode", p_mode, 0, 1, ""))) {
 		angular_damp_mode_ = p_mode;
+		note_change();
+	}
+}
+
+void SoftBody2D::stir_proxy() {
+	if (proxy_.is_in_space()) {
+		proxy_.stir();
 	}
 }
 
 // What the engine has worked out holds from the second step on that it has seen the proxy in: its first one asks for gravity
 // before it looks at areas. While the tree is paused the engine makes no steps, and what it last said goes on holding.
-void SoftBody2D::feel_areas(const softbody::AreaEffects &p_space, uint64_t p_tick) {
+void SoftBody2D::feel_areas(const softbody::AreaEffects &p_space) {
 	softbody::SoftBodyData *found = body();
 	if (found == nullptr || !found->is_active()) {
 		return;
@@ -52,12 +55,6 @@ void SoftBody2D::feel_areas(const softbody::AreaEffects &p_space, uint64_t p_tic
 	if (proxy_.is_in_space()) {
 		if (!get_tree()->is_paused()) {
 			engine_steps_++;
-		}
-		if (found->is_asleep()) {
-			if ((p_tick + get_instance_id() / 2) % ASLEEP_INTERVAL != 0) {
-				return;
-			}
-			proxy_.stir();
 		}
 		if (engine_steps_ > 1) {
 			effects = softbody::read_area_effects(proxy_.rid());

@@ -39,6 +39,7 @@ void SoftBody2D::set_pinned_points(const PackedInt32Array &p_points) {
 void SoftBody2D::set_pin_targets(const TypedArray<NodePath> &p_targets) {
 	pin_targets_ = p_targets.duplicate();
 	pins_.clear();
+	note_change();
 	update_configuration_warnings();
 }
 
@@ -75,6 +76,7 @@ NodePath SoftBody2D::get_pin_target(int p_index) const {
 // Which points of the core's body are pinned follows the list; where they are stays.
 void SoftBody2D::apply_pins() {
 	softbody::SoftBodyData *found = body();
+	note_change();
 	if (found == nullptr) {
 		return;
 	}

@@ -269,6 +269,7 @@ const softbody::SoftBodyData *SoftBody2D::body() const {
 
 void SoftBody2D::apply_settings() {
 	softbody::SoftBodyData *found = body();
+	note_change();
 	if (found != nullptr && design() != nullptr) {
 		const auto settings = make_settings(*design_);
 		accept("settings", settings ? found->set_settings(settings.value()) : softbody::Status(settings.error()));

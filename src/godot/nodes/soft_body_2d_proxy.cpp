@@ -32,6 +32,7 @@ void SoftBody2D::set_collision_proxy_margin(double p_margin) {
 		return;
 	}
 	collision_proxy_margin_ = p_margin;
+	note_change();
 }
 
 RID SoftBody2D::get_rid() const {
@@ -56,6 +57,7 @@ void SoftBody2D::update_proxy_presence() {
 	} else if (!wanted) {
 		proxy_.leave();
 	}
+	note_change();
 }
 
 bool SoftBody2D::follow_with_proxy(bool p_may_detail) {

@@ -2,7 +2,7 @@
 // Whether the node's body moves at all: sleep, freezing, being seen, and having failed.
 #include "godot/nodes/soft_body_2d.h"
 
-#include "godot/server/body_signals.h"
+#include "godot/server/step_signals.h"
 
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -55,6 +55,7 @@ void SoftBody2D::set_freeze_enabled(bool p_freeze) {
 void SoftBody2D::apply_freeze() {
 	if (softbody::SoftBodyData *found = body()) {
 		found->set_frozen(freeze_ || is_held_static());
+		note_change();
 	}
 }
 
@@ -68,6 +69,7 @@ void SoftBody2D::set_disable_mode(DisableMode p_mode) {
 
 void SoftBody2D::note_enabled() {
 	enabled_ = is_enabled(this);
+	note_change();
 	apply_freeze();
 	update_proxy_presence();
 }
@@ -77,6 +79,11 @@ bool SoftBody2D::takes_part() const {
 	return enabled_ || disable_mode_ == DISABLE_MODE_REMOVE ? can_process() : !get_tree()->is_paused();
 }
 
+void SoftBody2D::set_simulate_off_screen(bool p_enabled) {
+	simulate_off_screen_ = p_enabled;
+	note_change();
+}
+
 void SoftBody2D::set_failure_mode(FailureMode p_mode) {
 	if (accept("failure_mode", softbody::check_between("failure_mode", p_mode, FAILURE_MODE_RESET, FAILURE_MODE_FREEZE, ""))) {
 		failure_mode_ = p_mode;
@@ -84,8 +91,8 @@ void SoftBody2D::set_failure_mode(FailureMode p_mode) {
 	}
 }
 
-void SoftBody2D::note_failure(softbody::BodySignals &r_signals) {
-	r_signals.add_failed(get_instance_id());
+void SoftBody2D::note_failure(softbody::StepSignals &r_signals) {
+	r_signals.add(get_instance_id(), [this] { emit_signal("failed"); });
 	String consequence = "it has its rest shape again, where it was before this tick";
 	if (failure_mode_ == FAILURE_MODE_FREEZE) {
 		freeze_ = true;
@@ -94,11 +101,11 @@ void SoftBody2D::note_failure(softbody::BodySignals &r_signals) {
 	ERR_PRINT(describe() + ": its motion became non-finite or tore it apart; " + consequence + ". Lower the stiffness or the forces, or raise the substeps.");
 }
 
-void SoftBody2D::take_sleep(softbody::BodySignals &r_signals) {
+void SoftBody2D::take_sleep(softbody::StepSignals &r_signals) {
 	const softbody::SoftBodyData *found = body();
 	if (found != nullptr && found->is_asleep() != sleeping_) {
 		sleeping_ = found->is_asleep();
-		r_signals.add_sleep_changed(get_instance_id());
+		r_signals.add(get_instance_id(), [this] { emit_signal("sleeping_state_changed"); });
 	}
 }
 

@@ -250,7 +250,8 @@ void SoftBodyJoint2D::_notification(int p_what) {
 
 void SoftBodyJoint2D::enter_space() {
 	if (!Engine::get_singleton()->is_editor_hint()) {
-		space_ = SoftBodySimulation2D::get_singleton()->add_joint(this);
+		space_ = &SoftBodySimulation2D::get_singleton()->space_of(this);
+		space_->add_joint(*this);
 	}
 }
 
@@ -258,9 +259,10 @@ void SoftBodyJoint2D::leave_space() {
 	update_exception(false);
 	if (space_ != nullptr) {
 		space_->world().remove_joint(id_);
-		space_ = nullptr;
 		id_ = {};
-		SoftBodySimulation2D::get_singleton()->remove_joint(this);
+		space_->remove_joint(*this);
+		space_ = nullptr;
+		SoftBodySimulation2D::get_singleton()->drop_empty_spaces();
 	}
 }
 
@@ -343,10 +345,11 @@ void SoftBodyJoint2D::update_exception(bool p_joins) {
 	excepted_ = wanted;
 }
 
-void SoftBodyJoint2D::note_break() {
+void SoftBodyJoint2D::note_break(softbody::StepSignals &r_signals) {
 	id_ = {};
 	broken_ = true;
 	update_exception(false);
+	r_signals.add(get_instance_id(), [this] { emit_signal("broken"); });
 }
 
 void SoftBodyJoint2D::mend() {

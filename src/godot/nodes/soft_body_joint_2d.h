@@ -4,6 +4,7 @@
 
 #include "core/model/joint.h"
 #include "godot/resources/unfit_values.h"
+#include "godot/server/stepped_node.h"
 
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/variant/node_path.hpp>
@@ -24,7 +25,7 @@ class SoftBody2D;
 
 /// Like Godot's Joint2D: two node paths, and the place of the node says where the joint is. Holds the joint of the core for
 /// as long as both ends are in one space. See doc_classes/SoftBodyJoint2D.xml.
-class SoftBodyJoint2D : public Node2D {
+class SoftBodyJoint2D : public Node2D, public softbody::SteppedJoint {
 	GDCLASS(SoftBodyJoint2D, Node2D)
 
 public:
@@ -57,13 +58,10 @@ public:
 	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
 
 	// For the space.
-	softbody::JointId get_joint_id() const { return id_; }
-	/// The RigidBody2D that it pulls, which must then be among the surroundings; invalid if it pulls none.
-	RID get_rigid_body() const;
-	/// Before a step: makes the joint if its ends have come, follows what was changed.
-	void prepare_step();
-	/// The core's joint is no more.
-	void note_break();
+	softbody::JointId get_joint_id() const override { return id_; }
+	RID get_rigid_body() const override;
+	void prepare_step() override;
+	void note_break(softbody::StepSignals &r_signals) override;
 
 protected:
 	static void _bind_methods();

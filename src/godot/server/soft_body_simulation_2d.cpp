@@ -2,8 +2,6 @@
 // The singleton that steps every soft body once a physics tick.
 #include "godot/server/soft_body_simulation_2d.h"
 
-#include "godot/nodes/soft_body_2d.h"
-#include "godot/nodes/soft_body_joint_2d.h"
 #include "godot/server/shape_cache.h"
 
 #include <godot_cpp/classes/os.hpp>
@@ -54,7 +52,6 @@ SoftBodySimulation2D::~SoftBodySimulation2D() {
 	}
 }
 
-// The space of the node's World2D, made on first use.
 softbody::SoftBodySpace2D &SoftBodySimulation2D::space_of(const CanvasItem *p_node) {
 	watch(p_node->get_tree());
 	if (!settings_known_) {
@@ -69,32 +66,6 @@ softbody::SoftBodySpace2D &SoftBodySimulation2D::space_of(const CanvasItem *p_no
 		found->content->apply_settings(settings_);
 	}
 	return *found->content;
-}
-
-softbody::SoftBodySpace2D *SoftBodySimulation2D::add_body(SoftBody2D *p_node) {
-	softbody::SoftBodySpace2D &space = space_of(p_node);
-	space.add(p_node);
-	return &space;
-}
-
-softbody::SoftBodySpace2D *SoftBodySimulation2D::add_joint(SoftBodyJoint2D *p_node) {
-	softbody::SoftBodySpace2D &space = space_of(p_node);
-	space.add_joint(p_node);
-	return &space;
-}
-
-void SoftBodySimulation2D::remove_joint(SoftBodyJoint2D *p_node) {
-	for (Space &space : spaces_) {
-		space.content->remove_joint(p_node);
-	}
-	drop_empty_spaces();
-}
-
-void SoftBodySimulation2D::remove_body(SoftBody2D *p_node) {
-	for (Space &space : spaces_) {
-		space.content->remove(p_node);
-	}
-	drop_empty_spaces();
 }
 
 void SoftBodySimulation2D::drop_empty_spaces() {
@@ -177,11 +148,7 @@ void SoftBodySimulation2D::draw_frame() {
 	drawing_.begin();
 	last_drawn_count_ = 0;
 	for (Space &space : spaces_) {
-		for (SoftBody2D *node : space.content->nodes()) {
-			if (node != nullptr) { // null for a node that has left during a step that draws
-				last_drawn_count_ += node->draw_frame(drawing_);
-			}
-		}
+		space.content->nodes().for_each([&](softbody::SteppedNode &r_node) { last_drawn_count_ += r_node.draw_frame(drawing_); });
 	}
 	last_drawing_usec_ = double(Time::get_singleton()->get_ticks_usec() - start);
 }
@@ -196,7 +163,7 @@ void SoftBodySimulation2D::draw_idle_frame() {
 int64_t SoftBodySimulation2D::get_body_count() const {
 	int64_t count = 0;
 	for (const Space &space : spaces_) {
-		count += space.content->body_count();
+		count += int64_t(space.content->nodes().count());
 	}
 	return count;
 }
@@ -233,6 +200,7 @@ int SoftBodySimulation2D::get_thread_count() const {
 Dictionary SoftBodySimulation2D::get_step_profile() const {
 	const double steps = double(std::max<int64_t>(1, counted_steps_));
 	Dictionary result;
+	result["nodes"] = profile_.nodes / steps;
 	result["prepare"] = profile_.prepare / steps;
 	result["surroundings"] = profile_.surroundings / steps;
 	result["simulate"] = profile_.simulate / steps;
@@ -261,9 +229,8 @@ void SoftBodySimulation2D::reset_statistics() {
 double SoftBodySimulation2D::measure_max_penetration() const {
 	double deepest = 0;
 	for (const Space &space : spaces_) {
-		for (const SoftBody2D *node : space.content->nodes()) {
-			deepest = std::max(deepest, node ? node->get_penetration() : 0.0);
-		}
+		space.content->nodes().for_each(
+				[&](const softbody::SteppedNode &p_node) { deepest = std::max(deepest, p_node.get_penetration()); });
 	}
 	return deepest;
 }

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "godot/drawing/drawing_frame.h"
-#include "godot/server/body_signals.h"
 #include "godot/server/soft_body_space_2d.h"
 #include "godot/server/step_settings.h"
+#include "godot/server/step_signals.h"
 #include "godot/server/step_threads.h"
 
 #include <godot_cpp/classes/canvas_item.hpp>
@@ -32,11 +32,10 @@ public:
 	SoftBodySimulation2D();
 	~SoftBodySimulation2D();
 
-	/// Registers a node with the space of its World2D and returns that space's world.
-	softbody::SoftBodySpace2D *add_body(SoftBody2D *p_node);
-	void remove_body(SoftBody2D *p_node);
-	softbody::SoftBodySpace2D *add_joint(SoftBodyJoint2D *p_node);
-	void remove_joint(SoftBodyJoint2D *p_node);
+	/// The space of the node's World2D, made on first use. The node must then be added to it.
+	softbody::SoftBodySpace2D &space_of(const CanvasItem *p_node);
+	/// To be called after a node or joint has been removed from its space: drops spaces that have none left.
+	void drop_empty_spaces();
 
 	/// Settings of the project's soft bodies, as last read.
 	const softbody::StepSettings &settings() const { return settings_; }
@@ -67,7 +66,6 @@ private:
 		std::unique_ptr<softbody::SoftBodySpace2D> content;
 	};
 
-	softbody::SoftBodySpace2D &space_of(const CanvasItem *p_node);
 	void step();
 	void step_spaces(double p_delta);
 	void draw_frame();
@@ -75,13 +73,12 @@ private:
 	void watch(SceneTree *p_tree);
 	void read_settings();
 	void add_monitors();
-	void drop_empty_spaces();
 
 	softbody::StepSettings settings_;
 	bool settings_known_ = false;
 	softbody::StepThreads threads_; ///< before the spaces, whose simulators use them
 	std::vector<Space> spaces_;
-	softbody::BodySignals signals_;
+	softbody::StepSignals signals_;
 	bool stepping_ = false; ///< while nodes may come and go, but no space may
 	uint64_t watched_tree_ = 0; ///< instance id of the tree whose ticks step the spaces
 	int64_t tick_count_ = 0;

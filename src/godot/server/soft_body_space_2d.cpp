@@ -3,16 +3,16 @@
 #include "godot/server/soft_body_space_2d.h"
 
 #include "godot/convert.h"
-#include "godot/nodes/soft_body_2d.h"
-#include "godot/nodes/soft_body_joint_2d.h"
-#include "godot/server/body_signals.h"
+#include "godot/server/step_signals.h"
 #include "godot/surroundings/hull_proxy.h"
+#include "godot/surroundings/rigid_reactions.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 using namespace godot;
@@ -23,6 +23,14 @@ namespace {
 
 // Most bodies with dents that are shown to the engine with them without need. The others are shown without dents.
 constexpr int MAX_DETAILED_PROXIES = 16;
+
+// A body at rest looks once in so many ticks whether the areas around it have changed.
+constexpr std::size_t LOOK_INTERVAL = 16;
+// Most bodies that look in one tick; more bodies look more seldom. More: changes are noticed sooner, for about a
+// microsecond each.
+constexpr std::size_t LOOKS = 64;
+// The same after one of them has found a change: that change may be everywhere.
+constexpr std::size_t URGENT_LOOKS = 1024;
 
 // Time since creation or the last query [µs].
 class Stopwatch {
@@ -36,9 +44,17 @@ private:
 	uint64_t start_ = Time::get_singleton()->get_ticks_usec();
 };
 
+// Records of one body, in a list that is sorted by bodies.
+template <class Record>
+std::span<const Record> of_body(std::span<const Record> p_list, BodyId p_body) {
+	const auto found = std::ranges::equal_range(p_list, p_body.index, {}, [](const Record &p_record) { return p_record.body.index; });
+	return found.empty() || found.front().body != p_body ? std::span<const Record>() : std::span<const Record>(found);
+}
+
 } // namespace
 
 TickProfile &TickProfile::operator+=(const TickProfile &p_other) {
+	nodes += p_other.nodes;
 	prepare += p_other.prepare;
 	surroundings += p_other.surroundings;
 	simulate += p_other.simulate;
@@ -58,54 +74,54 @@ void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
 	world_.set_sleeping(p_settings.can_sleep);
 	if (default_substeps_ != p_settings.substeps) {
 		default_substeps_ = p_settings.substeps;
-		for_nodes([](SoftBody2D &r_node) { r_node.note_project_settings(); });
+		nodes_.for_each([](SteppedNode &r_node) { r_node.note_project_settings(); });
 	}
 }
 
-void SoftBodySpace2D::add(SoftBody2D *p_node) {
-	p_node->set_space_index(nodes_.size());
-	nodes_.push_back(p_node);
-	body_count_++;
+void SoftBodySpace2D::add(SteppedNode &r_node) {
+	nodes_.add(r_node);
+	busy_.add(r_node);
 }
 
-// During a step the other nodes keep their places.
-void SoftBodySpace2D::remove(SoftBody2D *p_node) {
-	const size_t index = p_node->get_space_index();
-	if (index >= nodes_.size() || nodes_[index] != p_node) {
+void SoftBodySpace2D::remove(SteppedNode &r_node) {
+	if (!nodes_.contains(r_node)) {
 		return; // of another space
 	}
-	body_count_--;
-	nodes_[index] = nullptr;
-	if (!stepping_) {
-		nodes_[index] = nodes_.back();
-		nodes_.pop_back();
-		if (index < nodes_.size()) {
-			nodes_[index]->set_space_index(index);
+	nodes_.remove(r_node);
+	busy_.remove(r_node);
+	near_moving_.remove(r_node);
+	detailed_count_ -= int(std::exchange(r_node.is_counted_detailed, false));
+}
+
+BodyId SoftBodySpace2D::add_body(SteppedNode &r_node, SoftBodyData p_body) {
+	const BodyId body = world_.add_soft_body(std::move(p_body));
+	owners_.resize(std::max<std::size_t>(owners_.size(), body.index + 1));
+	owners_[body.index] = { body, &r_node, r_node.instance_id() };
+	busy_.add(r_node);
+	return body;
+}
+
+// Null if the body has left the world.
+const SoftBodySpace2D::Owner *SoftBodySpace2D::owner_of(BodyId p_body) const {
+	const bool is_there = p_body.index < owners_.size() && owners_[p_body.index].body == p_body && world_.find(p_body) != nullptr;
+	return is_there ? &owners_[p_body.index] : nullptr;
+}
+
+void SoftBodySpace2D::prepare_joints() {
+	joined_.clear();
+	for (SteppedJoint *joint : joints_) {
+		joint->prepare_step();
+		if (const RID rigid_body = joint->get_rigid_body(); rigid_body.is_valid()) {
+			joined_.push_back(rigid_body);
 		}
 	}
 }
 
-void SoftBodySpace2D::add_joint(SoftBodyJoint2D *p_node) {
-	joints_.push_back(p_node);
-}
-
-void SoftBodySpace2D::remove_joint(SoftBodyJoint2D *p_node) {
-	std::erase(joints_, p_node);
-}
-
-void SoftBodySpace2D::collect_broken_joints(const StepReport &p_report, BodySignals &r_signals) {
-	for (SoftBodyJoint2D *joint : joints_) {
+void SoftBodySpace2D::collect_broken_joints(const StepReport &p_report, StepSignals &r_signals) {
+	for (SteppedJoint *joint : joints_) {
 		if (std::ranges::find(p_report.broken_joints, joint->get_joint_id()) != p_report.broken_joints.end()) {
-			joint->note_break();
-			r_signals.add_broken(joint->get_instance_id());
+			joint->note_break(r_signals);
 		}
-	}
-}
-
-void SoftBodySpace2D::close_gaps() {
-	std::erase(nodes_, nullptr);
-	for (size_t i = 0; i < nodes_.size(); i++) {
-		nodes_[i]->set_space_index(i);
 	}
 }
 
@@ -116,92 +132,172 @@ void SoftBodySpace2D::read_gravity() {
 	}
 }
 
+// Nodes at rest look in turn. A look takes two ticks: the engine works out effects of areas for what has moved, so the
+// proxy is stirred in one tick and asked in the next.
+void SoftBodySpace2D::feel_areas() {
+	busy_.for_each([&](SteppedNode &r_node) { r_node.feel_areas(space_effects_); });
+	for (const BodyId body : stirred_) {
+		const Owner *owner = owner_of(body);
+		if (owner == nullptr || busy_.contains(*owner->node)) {
+			continue;
+		}
+		owner->node->feel_areas(space_effects_);
+		if (!world_.find(body)->is_asleep()) { // something has changed, perhaps not only here
+			busy_.add(*owner->node);
+			urgent_looks_ = nodes_.count();
+		}
+	}
+	stirred_.clear();
+	const std::size_t count = nodes_.count();
+	look_credit_ += std::min(count, LOOKS * LOOK_INTERVAL);
+	std::size_t looks = look_credit_ / LOOK_INTERVAL;
+	look_credit_ %= LOOK_INTERVAL;
+	if (urgent_looks_ > 0) {
+		looks = std::min(URGENT_LOOKS, urgent_looks_);
+		urgent_looks_ -= looks;
+	}
+	for (std::size_t i = 0; i < looks; i++) {
+		next_look_ = next_look_ + 1 < count ? next_look_ + 1 : 0;
+		SteppedNode &node = nodes_[next_look_];
+		const SoftBodyData *body = world_.find(node.get_body_id());
+		if (!busy_.contains(node) && body != nullptr && body->is_asleep()) {
+			node.stir_proxy();
+			stirred_.push_back(node.get_body_id());
+		}
+	}
+}
+
 void SoftBodySpace2D::read_environment(double p_delta) {
 	PhysicsDirectSpaceState2D *state = PhysicsServer2D::get_singleton()->space_get_direct_state(space_);
 	ERR_FAIL_NULL_MSG(state, "SoftBody2D: the physics space cannot be read now; this tick has the surroundings of the last.");
-	reader_.read(state, joined_, p_delta, world_);
+	busy_rows_.clear();
+	const SoftBodyData *first = world_.soft_bodies().data();
+	busy_.for_each([&](SteppedNode &r_node) {
+		if (const SoftBodyData *body = world_.find(r_node.get_body_id())) {
+			busy_rows_.push_back(uint32_t(body - first));
+		}
+	});
+	reader_.read(state, busy_rows_, joined_, p_delta, world_);
 	tell_proxies();
 }
 
-void SoftBodySpace2D::step(double p_delta, BodySignals &r_signals) {
+void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals) {
 	Stopwatch watch;
 	read_gravity();
-	stepping_ = true;
-	for_nodes([](SoftBody2D &r_node) { r_node.prepare_step(); });
-	joined_.clear();
-	for (SoftBodyJoint2D *joint : joints_) {
-		joint->prepare_step();
-		if (const RID rigid_body = joint->get_rigid_body(); rigid_body.is_valid()) {
-			joined_.push_back(rigid_body);
-		}
-	}
-	tick_++;
-	for_nodes([&](SoftBody2D &r_node) { r_node.feel_areas(space_effects_, tick_); });
+	busy_.for_each([](SteppedNode &r_node) { r_node.prepare_step(); });
+	prepare_joints();
+	feel_areas();
 	profile_.prepare = watch.lap();
+	profile_.nodes = double(busy_.count());
 	read_environment(p_delta);
 	profile_.surroundings = watch.lap();
 	const StepReport report = simulator_.simulate(Real(p_delta));
-	reader_.give_back(world_, p_delta);
+	give_back_impulses(reader_.rigid_bodies(), world_, p_delta);
 	profile_.simulate = watch.lap();
 	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
-	awake_body_count_ = count_awake();
-	for (const BodyId id : report.reset_bodies) {
-		if (SoftBody2D *node = node_of(id)) {
-			node->note_failure(r_signals);
+	simulator_.list_awake(awake_);
+	for (const BodyId body : awake_) {
+		if (const Owner *owner = owner_of(body)) {
+			busy_.add(*owner->node);
 		}
 	}
-	for_nodes([](SoftBody2D &r_node) { r_node.finish_step(); });
+	for (const BodyId body : report.reset_bodies) {
+		if (const Owner *owner = owner_of(body)) {
+			owner->node->note_failure(r_signals);
+		}
+	}
+	busy_.for_each([](SteppedNode &r_node) { r_node.finish_step(); });
 	profile_.finish = watch.lap();
 	move_proxies();
-	reader_.keep_asleep();
+	keep_rigid_bodies_asleep(reader_.rigid_bodies());
 	profile_.proxies = watch.lap();
-	stepping_ = false;
-	close_gaps();
 	if (!report.broken_joints.empty()) {
 		collect_broken_joints(report, r_signals);
 	}
 	collect_signals(r_signals);
+	let_idle();
 	profile_.finish += watch.lap();
 }
 
+// A proxy is told of moving bodies near it while there are any, and once more after that, of none.
 void SoftBodySpace2D::tell_proxies() {
-	if (!reader_.has_moving()) {
-		return;
+	for (const uint32_t row : reader_.rows_near_moving()) {
+		if (const Owner *owner = owner_of(world_.id_at(row))) {
+			near_moving_.add(*owner->node);
+		}
 	}
 	const SoftBodyData *first = world_.soft_bodies().data();
-	for_nodes([&](SoftBody2D &r_node) {
-		if (const SoftBodyData *body = world_.find(r_node.get_body_id())) {
-			reader_.tell(std::size_t(body - first), r_node.proxy());
+	for (std::size_t i = near_moving_.count(); i-- > 0;) {
+		SteppedNode &node = near_moving_[i];
+		HullProxy &proxy = node.proxy();
+		const SoftBodyData *body = world_.find(node.get_body_id());
+		const bool was_pressed = proxy.is_pressed();
+		bool is_near = false;
+		proxy.begin_near();
+		if (body != nullptr) {
+			reader_.for_moving_near(std::size_t(body - first), [&](const RID &p_body, PhysicsServer2D::BodyMode p_mode) {
+				proxy.note_near(p_body, p_mode);
+				is_near = true;
+			});
 		}
-	});
+		proxy.end_near();
+		if (proxy.is_pressed() != was_pressed) {
+			busy_.add(node);
+		}
+		if (!is_near) {
+			near_moving_.remove(node);
+		}
+	}
 }
 
 void SoftBodySpace2D::move_proxies() {
 	RID changed;
-	int detailed = 0;
-	for_nodes([&](SoftBody2D &r_node) { detailed += int(r_node.proxy().is_detailed()); });
-	for_nodes([&](SoftBody2D &r_node) {
-		detailed -= int(r_node.proxy().is_detailed());
-		if (r_node.follow_with_proxy(detailed < MAX_DETAILED_PROXIES)) {
-			changed = r_node.get_rid();
+	busy_.for_each([&](SteppedNode &r_node) {
+		detailed_count_ -= int(r_node.is_counted_detailed);
+		if (r_node.follow_with_proxy(detailed_count_ < MAX_DETAILED_PROXIES)) {
+			changed = r_node.proxy().rid();
 		}
-		detailed += int(r_node.proxy().is_detailed());
+		r_node.is_counted_detailed = r_node.proxy().is_detailed();
+		detailed_count_ += int(r_node.is_counted_detailed);
 	});
 	if (changed.is_valid()) {
 		flush_hull_proxies(changed);
 	}
 }
 
-int64_t SoftBodySpace2D::count_awake() const {
-	return std::ranges::count_if(world_.soft_bodies(), [](const SoftBodyData &p_body) {
-		return p_body.is_active() && !p_body.is_asleep() && !p_body.is_frozen();
+void SoftBodySpace2D::collect_signals(StepSignals &r_signals) {
+	std::vector<uint64_t> colliders;
+	const auto id_of = [&](const ContactOther &p_other) -> uint64_t { // 0 for a surface without an object
+		if (p_other.kind != ContactOther::Kind::SOFT_BODY) {
+			return p_other.tag;
+		}
+		const Owner *owner = owner_of(p_other.body);
+		return owner != nullptr ? owner->id : 0;
+	};
+	busy_.for_each([&](SteppedNode &r_node) {
+		r_node.take_sleep(r_signals);
+		if (!r_node.watches_contacts()) {
+			return;
+		}
+		const std::span<const Contact> contacts = of_body(simulator_.contacts(), r_node.get_body_id());
+		colliders.clear();
+		for (const Contact &contact : contacts) {
+			colliders.push_back(id_of(contact.other));
+		}
+		std::vector<uint64_t> touched;
+		for (const Touch &touch : of_body(simulator_.touches(), r_node.get_body_id())) {
+			touched.push_back(id_of(touch.other));
+		}
+		r_node.take_contacts(contacts, colliders, std::move(touched), r_signals);
 	});
 }
 
-SoftBody2D *SoftBodySpace2D::node_of(BodyId p_id) const {
-	const auto found = std::find_if(nodes_.begin(), nodes_.end(),
-			[p_id](const SoftBody2D *p_node) { return p_node != nullptr && p_node->get_body_id() == p_id; });
-	return found == nodes_.end() ? nullptr : *found;
+void SoftBodySpace2D::let_idle() {
+	busy_.for_each([&](SteppedNode &r_node) {
+		if (r_node.is_idle()) {
+			busy_.remove(r_node);
+		}
+	});
 }
 
 } // namespace softbody

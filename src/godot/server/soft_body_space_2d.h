@@ -4,7 +4,9 @@
 
 #include "core/dynamics/simulator.h"
 #include "core/model/world_data.h"
+#include "godot/server/node_list.h"
 #include "godot/server/step_settings.h"
+#include "godot/server/stepped_node.h"
 #include "godot/surroundings/area_effects.h"
 #include "godot/surroundings/environment_reader.h"
 
@@ -12,17 +14,13 @@
 
 #include <vector>
 
-namespace godot {
-class SoftBody2D;
-class SoftBodyJoint2D;
-}
-
 namespace softbody {
 
-class BodySignals;
+class StepSignals;
 
 /// Time of the parts of a step [µs].
 struct TickProfile {
+	double nodes = 0; ///< number of nodes gone through
 	double prepare = 0; ///< taking over changes of users
 	double surroundings = 0; ///< reading the environment near bodies
 	double simulate = 0; ///< in the core
@@ -32,7 +30,8 @@ struct TickProfile {
 	TickProfile &operator+=(const TickProfile &p_other);
 };
 
-/// Joins the core's world of one `World2D` with the nodes of its bodies.
+/// Joins the core's world of one `World2D` with the nodes of its bodies. A tick goes through busy nodes only: those
+/// whose bodies move, and those that have something else to do in it. A node at rest costs nothing in a tick.
 class SoftBodySpace2D {
 public:
 	/// `p_space` is the space of a `World2D` and must outlive this object. `p_parallel_for` divides the work of a step.
@@ -42,46 +41,47 @@ public:
 	const WorldData &world() const { return world_; }
 	const Simulator &simulator() const { return simulator_; }
 	void apply_settings(const StepSettings &p_settings);
-	bool is_empty() const { return body_count_ == 0 && joints_.empty(); }
-	int64_t body_count() const { return body_count_; }
-	/// An entry is null if its node has left during the present step.
-	const std::vector<godot::SoftBody2D *> &nodes() const { return nodes_; }
+	bool is_empty() const { return nodes_.count() == 0 && joints_.empty(); }
+	/// All nodes, those without a body among them.
+	NodeList<&SteppedNode::Places::all> &nodes() { return nodes_; }
 
 	/// Number of bodies that were neither asleep nor disabled in the last step.
-	int64_t awake_body_count() const { return awake_body_count_; }
+	int64_t awake_body_count() const { return int64_t(awake_.size()); }
 	/// Contacts solved in the last step, counted in every substep.
 	int64_t contact_count() const { return contact_count_; }
 	/// Times of the last step.
 	const TickProfile &profile() const { return profile_; }
 
-	void add(godot::SoftBody2D *p_node);
-	void remove(godot::SoftBody2D *p_node);
-	void add_joint(godot::SoftBodyJoint2D *p_node);
-	void remove_joint(godot::SoftBodyJoint2D *p_node);
+	void add(SteppedNode &r_node);
+	void remove(SteppedNode &r_node);
+	/// Puts a node's body into the world.
+	BodyId add_body(SteppedNode &r_node, SoftBodyData p_body);
+	/// Has the node take part in the coming tick, though its body may rest. To be called for every change of the node or
+	/// of its body.
+	void note_change(SteppedNode &r_node) { busy_.add(r_node); }
+	void add_joint(SteppedJoint &r_joint) { joints_.push_back(&r_joint); }
+	void remove_joint(SteppedJoint &r_joint) { std::erase(joints_, &r_joint); }
 	/// Reads gravity and environment, steps the core by `p_delta` [s], and hands the result to the nodes and to the
 	/// rigid bodies of the engine. Adds the signals of the step to `r_signals`.
-	void step(double p_delta, BodySignals &r_signals);
+	void step(double p_delta, StepSignals &r_signals);
 
 private:
-	/// Calls `p_work(node)` for the present nodes. Nodes that it removes are skipped; nodes that it adds wait.
-	template <class Work>
-	void for_nodes(const Work &p_work) {
-		const size_t count = nodes_.size();
-		for (size_t i = 0; i < count; i++) {
-			if (nodes_[i] != nullptr) {
-				p_work(*nodes_[i]);
-			}
-		}
-	}
-	void close_gaps();
-	void collect_broken_joints(const StepReport &p_report, BodySignals &r_signals);
-	int64_t count_awake() const;
+	struct Owner {
+		BodyId body;
+		SteppedNode *node = nullptr;
+		uint64_t id = 0; ///< instance id of the node
+	};
+
+	void prepare_joints();
+	void collect_broken_joints(const StepReport &p_report, StepSignals &r_signals);
 	void read_gravity();
+	void feel_areas();
 	void read_environment(double p_delta);
-	void collect_signals(BodySignals &r_signals);
+	void collect_signals(StepSignals &r_signals);
 	void tell_proxies();
 	void move_proxies();
-	godot::SoftBody2D *node_of(BodyId p_id) const;
+	void let_idle();
+	const Owner *owner_of(BodyId p_body) const;
 
 	godot::RID space_;
 	WorldData world_;
@@ -89,13 +89,19 @@ private:
 	EnvironmentReader reader_;
 	AreaEffects space_effects_; ///< outside all areas
 	std::vector<godot::RID> joined_; ///< bodies of the engine at the ends of joints
-	uint64_t tick_ = 0;
-	std::vector<godot::SoftBody2D *> nodes_;
-	std::vector<godot::SoftBodyJoint2D *> joints_;
+	NodeList<&SteppedNode::Places::all> nodes_;
+	NodeList<&SteppedNode::Places::busy> busy_;
+	NodeList<&SteppedNode::Places::near_moving> near_moving_; ///< whose proxies were told of moving bodies near them
+	std::vector<Owner> owners_; ///< by the index of the body's id
+	std::vector<SteppedJoint *> joints_;
+	std::vector<BodyId> awake_; ///< after the last step
+	std::vector<uint32_t> busy_rows_; ///< scratch memory of `read_environment`
+	std::vector<BodyId> stirred_; ///< bodies at rest whose proxies the engine works out anew
+	std::size_t next_look_ = 0; ///< place in `nodes_` of the next node at rest that looks at areas
+	std::size_t look_credit_ = 0; ///< looks due, times LOOK_INTERVAL
+	std::size_t urgent_looks_ = 0;
 	int default_substeps_ = 0; ///< as the nodes know it
-	int64_t body_count_ = 0; ///< nodes that are not null
-	bool stepping_ = false;
-	int64_t awake_body_count_ = 0;
+	int detailed_count_ = 0; ///< proxies that show dents
 	int64_t contact_count_ = 0;
 	TickProfile profile_;
 };

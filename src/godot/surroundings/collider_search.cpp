@@ -32,6 +32,15 @@ constexpr Real LEAST_WIDTH = 16;
 // known before they hit, half of that if all bodies of the group sleep.
 constexpr Real MARGIN = 128;
 
+// Most sleeping bodies that are asked for in one tick, and the longest time between two queries [ticks]. Rarer: what
+// appears beside a sleeping body is noticed later. The margin grows with that time.
+constexpr std::size_t ASLEEP_A_TICK = 1024;
+constexpr std::size_t LEAST_INTERVAL = 2;
+constexpr std::size_t MOST_INTERVAL = 8;
+
+// Sleeping groups share a query while its rectangle is not larger than theirs, by this factor.
+constexpr Real WASTE = Real(1.25);
+
 // Distance from all groups, beyond their margins, at which a body is forgotten [px]. Smaller: bodies that go to and fro
 // are read again and again.
 constexpr Real NEAR_MARGIN = 512;
@@ -71,28 +80,21 @@ ColliderSearch::~ColliderSearch() {
 	}
 }
 
-void ColliderSearch::follow(const WorldData &p_world, double p_delta) {
-	const std::span<const SoftBodyData> bodies = p_world.soft_bodies();
-	bool is_changed = bodies.size() != followed_.size();
+void ColliderSearch::follow(const WorldData &p_world, std::span<const uint32_t> p_changed, double p_delta) {
+	const std::size_t count = p_world.soft_bodies().size();
+	const bool is_rearranged = arrangement_ != p_world.change_counts().arrangement;
+	bool is_changed = count != followed_.size();
 	bool is_moving = false;
-	followed_.resize(bodies.size());
-	for (std::size_t i = 0; i < bodies.size(); i++) {
-		const SoftBodyData &body = bodies[i];
-		Followed &followed = followed_[i];
-		const bool is_new = !(followed.id == p_world.id_at(i));
-		const uint32_t mask = body.is_active() ? body.settings().collision_mask : 0;
-		is_changed |= is_new || (mask == 0) != (followed.mask == 0);
-		followed.id = p_world.id_at(i);
-		followed.mask = mask;
-		if (mask == 0 || (!is_new && followed.asleep && body.is_asleep())) {
-			continue;
+	followed_.resize(count);
+	arrangement_ = p_world.change_counts().arrangement;
+	if (is_rearranged) {
+		for (std::size_t row = 0; row < count; row++) {
+			is_changed |= follow(p_world, row, Real(p_delta), is_moving);
 		}
-		followed.asleep = body.is_asleep();
-		const Aabb reach = reach_of(body, p_world.gravity(), Real(p_delta));
-		if (is_finite(reach.max - reach.min)) { // otherwise the step resets the body, near its place
-			followed.reach = reach;
+	} else {
+		for (const uint32_t row : p_changed) {
+			is_changed |= follow(p_world, row, Real(p_delta), is_moving);
 		}
-		is_moving |= !followed.asleep;
 	}
 	tick_++;
 	is_regrouped_ = is_changed || (is_moving && tick_ - regrouped_ >= REGROUP_INTERVAL);
@@ -100,6 +102,33 @@ void ColliderSearch::follow(const WorldData &p_world, double p_delta) {
 		regroup();
 	}
 	measure_groups();
+}
+
+// True if the row has another body than before, or one that has begun or ceased to collide.
+bool ColliderSearch::follow(const WorldData &p_world, std::size_t p_row, Real p_delta, bool &r_is_moving) {
+	const SoftBodyData &body = p_world.soft_bodies()[p_row];
+	Followed &followed = followed_[p_row];
+	const bool is_new = !(followed.id == p_world.id_at(p_row));
+	const uint32_t mask = body.is_active() ? body.settings().collision_mask : 0;
+	const bool is_changed = is_new || (mask == 0) != (followed.mask == 0);
+	followed.id = p_world.id_at(p_row);
+	if (!is_changed && followed.mask == mask && (mask == 0 || (followed.asleep && body.is_asleep()))) {
+		return false;
+	}
+	followed.mask = mask;
+	followed.asleep = body.is_asleep();
+	if (followed.group != NO_GROUP) {
+		groups_[followed.group].is_current = false;
+	}
+	if (mask == 0) {
+		return is_changed;
+	}
+	const Aabb reach = reach_of(body, p_world.gravity(), p_delta);
+	if (is_finite(reach.max - reach.min)) { // otherwise the step resets the body, near its place
+		followed.reach = reach;
+	}
+	r_is_moving |= !followed.asleep;
+	return is_changed;
 }
 
 void ColliderSearch::regroup() {
@@ -150,18 +179,23 @@ void ColliderSearch::divide(std::size_t p_begin, std::size_t p_end) {
 }
 
 void ColliderSearch::measure_groups() {
+	asleep_count_ = 0;
 	for (Group &group : groups_) {
-		group.box = {};
-		group.mask = 0;
-		group.asleep = true;
-		for (std::size_t i = group.begin; i < group.end; i++) {
-			const Followed &followed = followed_[order_[i].second];
-			group.box.include(followed.reach.min);
-			group.box.include(followed.reach.max);
-			group.mask |= followed.mask;
-			group.asleep &= followed.asleep;
+		if (!group.is_current) {
+			group.is_current = true;
+			group.box = {};
+			group.mask = 0;
+			group.asleep = true;
+			for (std::size_t i = group.begin; i < group.end; i++) {
+				const Followed &followed = followed_[order_[i].second];
+				group.box.include(followed.reach.min);
+				group.box.include(followed.reach.max);
+				group.mask |= followed.mask;
+				group.asleep &= followed.asleep;
+			}
+			group.box = group.box.grown(MARGIN);
 		}
-		group.box = group.box.grown(MARGIN);
+		asleep_count_ += group.asleep ? group.end - group.begin : 0;
 	}
 }
 
@@ -228,18 +262,50 @@ void ColliderSearch::query(PhysicsDirectSpaceState2D *p_state, const Aabb &p_box
 	query(p_state, { center, p_box.max }, splits, p_depth + 1, r_found);
 }
 
+std::size_t ColliderSearch::end_of_run(std::size_t p_begin, Aabb &r_box) const {
+	const auto area = [](const Aabb &p_box) { return (p_box.max.x - p_box.min.x) * (p_box.max.y - p_box.min.y); };
+	r_box = groups_[p_begin].box;
+	Real covered = area(r_box);
+	std::size_t end = p_begin + 1;
+	for (; groups_[p_begin].asleep && end < groups_.size() && groups_[end].asleep; end++) {
+		Aabb box = r_box;
+		box.include(groups_[end].box.min);
+		box.include(groups_[end].box.max);
+		covered += area(groups_[end].box);
+		if (area(box) > WASTE * covered || groups_[end].end - groups_[p_begin].begin > ASLEEP_A_TICK) {
+			break;
+		}
+		r_box = box;
+	}
+	return end;
+}
+
 void ColliderSearch::find(PhysicsDirectSpaceState2D *p_state, std::vector<FoundShape> &r_found) {
-	for (std::size_t i = 0; i < groups_.size(); i++) {
-		const Group &group = groups_[i];
-		if (group.asleep && (tick_ + int64_t(i)) % 2 != 0 && !is_regrouped_) {
-			continue;
+	const int64_t interval = int64_t(std::clamp(asleep_count_ / ASLEEP_A_TICK, LEAST_INTERVAL, MOST_INTERVAL));
+	Aabb box;
+	for (std::size_t begin = 0, end = 0; begin < groups_.size(); begin = end) {
+		end = end_of_run(begin, box);
+		const std::span<Group> run = std::span(groups_).subspan(begin, end - begin);
+		if (run.front().asleep) {
+			const auto is_due = [&](const Group &p_group) { return tick_ - p_group.asked >= interval; };
+			if (!is_regrouped_ && std::ranges::none_of(run, is_due)) {
+				continue;
+			}
+			box = box.grown(MARGIN * (Real(interval) / Real(LEAST_INTERVAL) - 1));
+		}
+		int64_t shapes = 0;
+		uint32_t mask = 0;
+		for (Group &group : run) {
+			group.asked = is_regrouped_ ? tick_ - int64_t(begin) % interval : tick_; // spreads them over the ticks
+			shapes += group.shapes + int64_t(group.end - group.begin);
+			mask |= group.mask;
 		}
 		int splits = 0;
-		for (int64_t shapes = group.shapes + int64_t(group.end - group.begin); shapes > KNOWN_SHAPES && splits < MAX_SPLITS; splits++) {
+		for (; shapes > KNOWN_SHAPES && splits < MAX_SPLITS; splits++) {
 			shapes /= 4;
 		}
-		query_->set_collision_mask(group.mask);
-		query(p_state, group.box, splits, 0, r_found);
+		query_->set_collision_mask(mask);
+		query(p_state, box, splits, 0, r_found);
 	}
 }
 

@@ -24,8 +24,9 @@ struct FoundShape {
 };
 
 /// Asks the engine by one rectangle around each group of close soft bodies. Known bodies (the list of `exclude`, and
-/// proxies) are left out of the answers. Groups of sleeping bodies are asked every second tick. The engine tests at
-/// most 2048 shapes in one query and does not report more, so rectangles with many known shapes are asked in pieces.
+/// proxies) are left out of the answers. Sleeping bodies are asked for every second tick, or more seldom and in larger
+/// rectangles if there are thousands. The engine tests at most 2048 shapes in one query and does not report more, so
+/// rectangles with many known shapes are asked in pieces.
 /// See docs/decisions/reading-the-engine.md.
 class ColliderSearch {
 public:
@@ -34,9 +35,10 @@ public:
 	ColliderSearch(const ColliderSearch &) = delete;
 	ColliderSearch &operator=(const ColliderSearch &) = delete;
 
-	/// Updates places and reach of soft bodies for a step of `p_delta` [s]. O(bodies), sorted once in REGROUP_INTERVAL
-	/// ticks.
-	void follow(const WorldData &p_world, double p_delta);
+	/// Updates places and reach of soft bodies for a step of `p_delta` [s]. `p_changed` are the rows of those that move or
+	/// have changed since the last call. O(changed); O(bodies) after bodies came, went or got other settings, and once in
+	/// REGROUP_INTERVAL ticks.
+	void follow(const WorldData &p_world, std::span<const uint32_t> p_changed, double p_delta);
 	/// Adds shapes that overlap a group, on layers that its bodies collide with. May repeat known shapes.
 	void find(godot::PhysicsDirectSpaceState2D *p_state, std::vector<FoundShape> &r_found);
 
@@ -61,6 +63,12 @@ public:
 	/// Box around the bodies of a group, with a margin for fast bodies.
 	const Aabb &group_box(std::size_t p_group) const { return groups_[p_group].box; }
 
+	/// Adds the rows of a group's bodies.
+	void append_rows(std::size_t p_group, std::vector<uint32_t> &r_rows) const {
+		for (std::size_t i = groups_[p_group].begin; i < groups_[p_group].end; i++) {
+			r_rows.push_back(order_[i].second);
+		}
+	}
 	/// Group of the body stored at `p_row`, or NO_GROUP if it collides with nothing.
 	uint32_t group_of(std::size_t p_row) const { return followed_[p_row].group; }
 	/// Layers that the body collides with.
@@ -84,11 +92,16 @@ private:
 		uint32_t mask = 0;
 		int64_t shapes = 0; ///< known shapes, without proxies
 		bool asleep = true;
+		int64_t asked = 0; ///< tick of its last query
+		bool is_current = false; ///< whether box, mask and sleep are those of its bodies
 	};
 
+	bool follow(const WorldData &p_world, std::size_t p_row, Real p_delta, bool &r_is_moving);
 	void regroup();
 	void divide(std::size_t p_begin, std::size_t p_end);
 	void measure_groups();
+	/// The groups from `p_begin` on that one query covers: one whose bodies are awake, or several asleep side by side.
+	std::size_t end_of_run(std::size_t p_begin, Aabb &r_box) const;
 	void query(godot::PhysicsDirectSpaceState2D *p_state, const Aabb &p_box, int p_splits, int p_depth,
 			std::vector<FoundShape> &r_found);
 
@@ -97,7 +110,9 @@ private:
 	std::vector<Followed> followed_; ///< one a body of the world, in its order
 	std::vector<std::pair<Vec2, uint32_t>> order_; ///< centers and rows of bodies that collide, group by group
 	std::vector<Group> groups_;
+	std::size_t asleep_count_ = 0; ///< bodies of groups in which all are asleep
 	bool is_regrouped_ = false;
+	uint64_t arrangement_ = UINT64_MAX; ///< of the world when all bodies were last followed
 	int64_t tick_ = 0;
 	int64_t regrouped_ = 0; ///< tick of the last regrouping
 

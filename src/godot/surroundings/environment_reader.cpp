@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hands bodies of Godot's physics server to the core, and impulses of soft bodies back.
+// Hands bodies of Godot's physics server to the core.
 #include "godot/surroundings/environment_reader.h"
 
 #include "core/model/internal_edges.h"
@@ -45,9 +45,10 @@ EnvironmentReader::~EnvironmentReader() {
 	}
 }
 
-void EnvironmentReader::read(PhysicsDirectSpaceState2D *p_state, const std::vector<RID> &p_joined, double p_delta, WorldData &r_world) {
+void EnvironmentReader::read(PhysicsDirectSpaceState2D *p_state, std::span<const uint32_t> p_changed,
+		const std::vector<RID> &p_joined, double p_delta, WorldData &r_world) {
 	tick_++;
-	search_.follow(r_world, p_delta);
+	search_.follow(r_world, p_changed, p_delta);
 	take_back();
 	take_joined(p_joined);
 	take_new(p_state);
@@ -259,7 +260,6 @@ void EnvironmentReader::poll(double p_delta, WorldData &r_world) {
 }
 
 void EnvironmentReader::list_moving() {
-	had_moving_ = !moving_.empty();
 	moving_.clear();
 	for (const BodyRecord *body : leaders_) {
 		if (body->mode() != PhysicsServer2D::BODY_MODE_STATIC) {
@@ -267,6 +267,7 @@ void EnvironmentReader::list_moving() {
 		}
 	}
 	moving_near_.resize(search_.group_count());
+	rows_near_moving_.clear();
 	for (std::size_t group = 0; group < moving_near_.size(); group++) {
 		moving_near_[group].clear();
 		for (uint32_t i = 0; i < moving_.size(); i++) {
@@ -274,21 +275,10 @@ void EnvironmentReader::list_moving() {
 				moving_near_[group].push_back(i);
 			}
 		}
-	}
-}
-
-void EnvironmentReader::tell(std::size_t p_row, HullProxy &r_proxy) const {
-	r_proxy.begin_near();
-	const uint32_t group = search_.group_of(p_row);
-	if (group != ColliderSearch::NO_GROUP) {
-		for (const uint32_t i : moving_near_[group]) {
-			const Moving &moving = moving_[i];
-			if ((moving.layer & search_.mask(p_row)) != 0 && moving.box.overlaps(search_.reach(p_row))) {
-				r_proxy.note_near(moving.body, moving.mode);
-			}
+		if (!moving_near_[group].empty()) {
+			search_.append_rows(group, rows_near_moving_);
 		}
 	}
-	r_proxy.end_near();
 }
 
 void EnvironmentReader::hand_over_shapes(const BodyRecord &p_body, double p_delta, WorldData &r_world) {
@@ -329,30 +319,6 @@ void EnvironmentReader::hand_over(double p_delta, WorldData &r_world) {
 	for (Collider &collider : colliders_) {
 		if (const Status status = r_world.add_collider(std::move(collider))) {
 			ERR_PRINT_ONCE("SoftBody2D ignores a collision shape: " + to_godot(status->message()));
-		}
-	}
-}
-
-void EnvironmentReader::keep_asleep() {
-	for (BodyRecord *body : movers_) {
-		if (body->is_rigid()) {
-			body->keep_asleep();
-		}
-	}
-}
-
-void EnvironmentReader::give_back(const WorldData &p_world, double p_delta) {
-	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
-	for (BodyRecord *body : movers_) {
-		if (!body->is_rigid()) {
-			continue;
-		}
-		const Reaction reaction = body->take_reaction(p_world.reactions()[body->rigid_index], p_delta);
-		if (reaction.impulse != Vec2{}) {
-			server->body_apply_central_impulse(body->rid(), to_godot(reaction.impulse));
-		}
-		if (reaction.angular_impulse != 0) {
-			server->body_apply_torque_impulse(body->rid(), reaction.angular_impulse);
 		}
 	}
 }

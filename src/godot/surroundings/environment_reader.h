@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hands bodies of Godot's physics server to the core, and impulses of soft bodies back.
+// Hands bodies of Godot's physics server to the core.
 #pragma once
 
 #include "core/model/world_data.h"
@@ -11,11 +11,10 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 namespace softbody {
-
-class HullProxy;
 
 /// Keeps the core's environment equal to the engine's: shapes of every kind but separation rays, on bodies of every
 /// mode, with any transform. A body near a soft one is read once and kept while it is near; its place, motion and
@@ -28,17 +27,28 @@ public:
 	EnvironmentReader(const EnvironmentReader &) = delete;
 	EnvironmentReader &operator=(const EnvironmentReader &) = delete;
 
-	/// Updates the environment for a step of `p_delta` [s]. The bodies `p_joined` belong to it wherever they are.
-	void read(godot::PhysicsDirectSpaceState2D *p_state, const std::vector<godot::RID> &p_joined, double p_delta, WorldData &r_world);
-	/// Whether `tell` has bodies to report, in this tick or to withdraw from the last.
-	bool has_moving() const { return had_moving_ || !moving_.empty(); }
-	/// Reports to the proxy of the soft body stored at `p_row` the bodies near it that move, or may.
-	void tell(std::size_t p_row, HullProxy &r_proxy) const;
-	/// Hands impulses of soft bodies in the step of `p_delta` [s] to the physics server. Bodies without impulses are
-	/// not touched, so that they can sleep.
-	void give_back(const WorldData &p_world, double p_delta);
-	/// Called after proxies have moved, which wakes bodies near them.
-	void keep_asleep();
+	/// Updates the environment for a step of `p_delta` [s]. `p_changed` are the rows of soft bodies that move or have
+	/// changed since the last call. The bodies `p_joined` belong to the environment wherever they are.
+	void read(godot::PhysicsDirectSpaceState2D *p_state, std::span<const uint32_t> p_changed,
+			const std::vector<godot::RID> &p_joined, double p_delta, WorldData &r_world);
+	/// Rows of the soft bodies whose group (`ColliderSearch`) has bodies near it that move, or may.
+	std::span<const uint32_t> rows_near_moving() const { return rows_near_moving_; }
+	/// Calls `p_work(body, mode)` for the bodies that move, or may, and are near the soft body stored at `p_row`.
+	template <class Work>
+	void for_moving_near(std::size_t p_row, const Work &p_work) const {
+		const uint32_t group = search_.group_of(p_row);
+		if (group == ColliderSearch::NO_GROUP) {
+			return;
+		}
+		for (const uint32_t i : moving_near_[group]) {
+			const Moving &moving = moving_[i];
+			if ((moving.layer & search_.mask(p_row)) != 0 && moving.box.overlaps(search_.reach(p_row))) {
+				p_work(moving.body, moving.mode);
+			}
+		}
+	}
+	/// Bodies that are rigid bodies of the core (`BodyRecord::rigid_index`) in this tick.
+	std::span<BodyRecord *const> rigid_bodies() const { return movers_; }
 
 private:
 	/// A body of the engine that moves, or may.
@@ -79,12 +89,12 @@ private:
 	std::vector<godot::RID> known_;
 	std::vector<Moving> moving_;
 	std::vector<std::vector<uint32_t>> moving_near_; ///< for each group of soft bodies
+	std::vector<uint32_t> rows_near_moving_;
 	int64_t tick_ = 0;
 	int64_t look_from_ = 0; ///< id of the body with which checking goes on
 	int64_t reread_from_ = 0; ///< id of the body with which rereading goes on
 	bool are_bodies_listed_ = true;
 	bool is_handed_over_ = true;
-	bool had_moving_ = false;
 };
 
 } // namespace softbody

@@ -287,6 +287,7 @@ bool HullProxy::follow(const SoftBodyData &body, Real inset, bool may_detail) {
 	inset_ = wanted;
 	const BodyFrame frame = measure_frame(body);
 	const bool asleep = body.is_asleep();
+	const bool rests = asleep || body.is_frozen() || !body.is_active();
 	const bool is_placed = place(frame, asleep);
 	trace(body, frame, inset_);
 	const bool is_new = shown_.empty();
@@ -310,7 +311,7 @@ bool HullProxy::follow(const SoftBodyData &body, Real inset, bool may_detail) {
 	if (!asleep && !is_placed) {
 		stir(); // the engine updates areas for bodies that seem to move
 	}
-	still_ = asleep && (!is_detailed() || (wedged_ && smooth_follows_ == 0));
+	still_ = rests && (!is_detailed() || (wedged_ && smooth_follows_ == 0));
 	return slots_.size() > 1;
 }
 

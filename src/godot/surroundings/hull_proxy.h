@@ -53,6 +53,10 @@ public:
 	void begin_near();
 	void note_near(const godot::RID &body, godot::PhysicsServer2D::BodyMode mode);
 	void end_near();
+	/// Whether a kinematic body is near.
+	bool is_pressed() const { return pressed_; }
+	/// Whether `follow` has nothing to do until the body moves or `is_pressed` changes.
+	bool is_still() const { return !in_space_ || still_; }
 
 	void add_exception(const godot::RID &body);
 	void remove_exception(const godot::RID &body);
@@ -88,7 +92,7 @@ private:
 	Real angular_velocity_ = 0;
 	Real inset_ = 0;
 	bool in_space_ = false;
-	bool still_ = false; ///< the body sleeps, and all of it has been shown
+	bool still_ = false; ///< the body rests, and all of it has been shown
 	bool wedged_ = false; ///< the first slots show wedges
 	int smooth_follows_ = 0; ///< ticks without a deep dent
 	bool placed_ = false;

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+extends "res://tests/support/suite.gd"
+## A node at rest is left out of a tick, and comes back whenever something concerns it.
+
+
+## Nodes that a tick goes through, over some ticks.
+func _nodes_a_tick(count := 8) -> float:
+	SoftBodySimulation2D.reset_statistics()
+	await ticks(count)
+	return SoftBodySimulation2D.get_step_profile().nodes
+
+
+## Sleeping bodies side by side in the air, which nothing has woken yet.
+func _add_sleepers(count: int, properties := {}) -> Array[SoftBody2D]:
+	var bodies: Array[SoftBody2D] = []
+	for i in count:
+		bodies.append(add_body(Vector2(150.0 * (i % 40), -150.0 * floorf(i / 40.0)), properties.merged({ "sleeping": true })))
+	return bodies
+
+
+func test_nodes_at_rest_are_left_out() -> void:
+	var bodies := _add_sleepers(12)
+	for i in 4:
+		bodies[i].sleeping = false
+		bodies[i].freeze = true
+		bodies[4 + i].process_mode = Node.PROCESS_MODE_DISABLED
+	check_above(await _nodes_a_tick(1), 11, "nodes in the first tick")
+	await ticks(10)
+	check_equal(await _nodes_a_tick(), 0.0, "nodes a tick: 4 frozen, 4 disabled, 4 asleep")
+	bodies[8].apply_central_impulse(Vector2(10, 0))
+	check_equal(await _nodes_a_tick(), 1.0, "nodes a tick after one was pushed")
+
+
+func test_a_body_that_has_come_to_rest_is_left_out() -> void:
+	add_floor(0)
+	var body := add_body(Vector2(0, -60))
+	check_equal(await _nodes_a_tick(), 1.0, "nodes a tick while it falls")
+	for i in 600:
+		await ticks(1)
+		if body.sleeping:
+			break
+	check(body.sleeping, "it sleeps within ten seconds")
+	await ticks(8)
+	check_equal(await _nodes_a_tick(), 0.0, "nodes a tick when it sleeps")
+
+
+func test_what_must_be_asked_every_tick_is_not_left_out() -> void:
+	var target := Node2D.new()
+	stage.add_child(target)
+	var pinned := _add_sleepers(1)[0]
+	pinned.set_point_pinned(0, true, pinned.get_path_to(target))
+	await ticks(10)
+	check_equal(await _nodes_a_tick(), 1.0, "nodes a tick with a pin on another node")
+	var before := pinned.get_point_positions()[0]
+	target.position += Vector2(30, 0)
+	await ticks(2)
+	check_near(pinned.get_point_positions()[0], before + Vector2(30, 0), 0.01, "the pinned point when its node has moved")
+
+
+func test_a_parent_moves_bodies_at_rest() -> void:
+	var parent := Node2D.new()
+	stage.add_child(parent)
+	var bodies := _add_sleepers(3)
+	for body in bodies:
+		body.freeze = true
+		body.reparent(parent)
+	await ticks(20)
+	check_equal(await _nodes_a_tick(), 0.0, "nodes a tick")
+	for i in 5:
+		parent.position.x += 7
+		await ticks(1)
+	for i in 3:
+		check_near(bodies[i].get_center_of_mass_position(), Vector2(150.0 * i + 35, 0), 0.1, "center of a body that its parent moved")
+
+
+## Both ways: what holds while they rest, and what changes.
+func test_areas_wake_all_bodies_at_rest() -> void:
+	var area := Area2D.new()
+	var collision := CollisionShape2D.new()
+	var shape := RectangleShape2D.new()
+	shape.size = Vector2(20000, 20000)
+	collision.shape = shape
+	area.add_child(collision)
+	area.gravity_direction = Vector2.RIGHT
+	stage.add_child(area)
+	var bodies := _add_sleepers(200)
+	await ticks(60)
+	check_equal(await _nodes_a_tick(), 0.0, "nodes a tick in an area that changes nothing")
+	area.gravity_space_override = Area2D.SPACE_OVERRIDE_REPLACE
+	await ticks(40)
+	var awake := 0
+	for body in bodies:
+		awake += 0 if body.sleeping else 1
+	check_equal(awake, 200, "bodies awake 40 ticks after the area's gravity was switched on")
+
+
+func test_a_pause_brings_no_body_at_rest_back_for_long() -> void:
+	var bodies := _add_sleepers(5)
+	await ticks(10)
+	tree.paused = true
+	await ticks(5)
+	tree.paused = false
+	await ticks(5)
+	check_equal(await _nodes_a_tick(), 0.0, "nodes a tick after a pause")
+	for body in bodies:
+		check(body.sleeping, "it sleeps on")
+
+
+## Each node that leaves takes only itself off the list, whatever the order.
+func test_nodes_come_and_go_among_nodes_at_rest() -> void:
+	var bodies := _add_sleepers(30)
+	await ticks(10)
+	var random := RandomNumberGenerator.new()
+	random.seed = 5
+	var awake := 0
+	for round in 40:
+		var i := random.randi_range(0, bodies.size() - 1)
+		match random.randi_range(0, 3):
+			0:
+				bodies[i].free()
+				bodies[i] = add_body(Vector2(150.0 * i, 3000), { "sleeping": true })
+			1:
+				bodies[i].sleeping = false
+			2:
+				bodies[i].freeze = not bodies[i].freeze
+			3:
+				stage.remove_child(bodies[i])
+				stage.add_child(bodies[i])
+		await ticks(1)
+	awake = 0
+	await ticks(10)
+	for body in bodies:
+		awake += 1 if not body.sleeping and not body.freeze else 0
+	check_above(awake, 3, "bodies awake")
+	check_equal(await _nodes_a_tick(1), float(awake), "nodes a tick, which are those awake")

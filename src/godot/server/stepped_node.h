@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// What a space asks of the nodes whose bodies and joints it steps.
+#pragma once
+
+#include "core/model/contact.h"
+#include "core/model/joint.h"
+#include "core/model/soft_body_data.h"
+#include "godot/surroundings/area_effects.h"
+
+#include <godot_cpp/variant/rid.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace softbody {
+
+class DrawingFrame;
+class HullProxy;
+class StepSignals;
+
+/// A node with a body in a `SoftBodySpace2D`. The space knows nothing else of nodes.
+class SteppedNode {
+public:
+	virtual uint64_t instance_id() const = 0;
+	/// The body in the space's world; that of no body if the node has none.
+	virtual BodyId get_body_id() const = 0;
+	/// Settings of the project that bodies may leave open have changed.
+	virtual void note_project_settings() = 0;
+
+	// The parts of a tick, in order.
+	/// Takes over a transform that the user set, and whether the node may process.
+	virtual void prepare_step() = 0;
+	/// Takes over gravity and damping of areas. `p_space` holds where no area is.
+	virtual void feel_areas(const AreaEffects &p_space) = 0;
+	/// Has the engine work out the effects of areas anew for a proxy that rests, for `feel_areas` in the next tick.
+	virtual void stir_proxy() = 0;
+	virtual HullProxy &proxy() = 0;
+	/// Says of a body that the step has reset why that was done.
+	virtual void note_failure(StepSignals &r_signals) = 0;
+	/// Moves the node along, and keeps what drawing interpolates.
+	virtual void finish_step() = 0;
+	/// Moves the proxy along. If it returns true, `flush_hull_proxies` must be called.
+	virtual bool follow_with_proxy(bool p_may_detail) = 0;
+	/// Adds a signal if the body has fallen asleep or woken.
+	virtual void take_sleep(StepSignals &r_signals) = 0;
+	virtual bool watches_contacts() const = 0;
+	/// Takes the contacts and touches of this body. `p_colliders` has the instance id of the other side of each contact,
+	/// 0 for none.
+	virtual void take_contacts(std::span<const Contact> p_contacts, std::span<const uint64_t> p_colliders,
+			std::vector<uint64_t> p_touched, StepSignals &r_signals) = 0;
+	/// Whether all of these can be left out until the body moves or the node changes (`SoftBodySpace2D::note_change`).
+	virtual bool is_idle() const = 0;
+
+	/// Before a frame is drawn: brings the skin to where the body is in it. False if there was nothing to do.
+	virtual bool draw_frame(const DrawingFrame &p_frame) = 0;
+	/// How deep the body is inside of surfaces [px].
+	virtual double get_penetration() const = 0;
+
+	/// The node's places in the lists of its space (`NodeList`), which alone change them.
+	struct Places {
+		std::size_t all = SIZE_MAX;
+		std::size_t busy = SIZE_MAX;
+		std::size_t near_moving = SIZE_MAX;
+	};
+	Places places;
+	/// Whether its proxy shows dents, as the space last counted it.
+	bool is_counted_detailed = false;
+
+protected:
+	~SteppedNode() = default;
+};
+
+/// A node with a joint in a `SoftBodySpace2D`.
+class SteppedJoint {
+public:
+	virtual JointId get_joint_id() const = 0;
+	/// The RigidBody2D that it pulls, which must then be among the surroundings; invalid if it pulls none.
+	virtual godot::RID get_rigid_body() const = 0;
+	/// Before a step: makes the joint if its ends have come, takes over what was changed.
+	virtual void prepare_step() = 0;
+	/// The step has removed the core's joint, which bore too much.
+	virtual void note_break(StepSignals &r_signals) = 0;
+
+protected:
+	~SteppedJoint() = default;
+};
+
+} // namespace softbody
