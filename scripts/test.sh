@@ -56,6 +56,7 @@ test_core() {
 		programs=(float)
 		options+=("--test-suite-exclude=$SLOW_SUITES")
 	fi
+	test_rooms
 	step "Building the tests of the core"
 	run_scons "${programs[@]/#/tests_}" || { problem "the core or its tests do not compile"; return 1; }
 	[[ -z $QUICK ]] || say_slow float
@@ -67,6 +68,20 @@ test_core() {
 			status=$?
 		count_doctest "$status" "$log"
 	done
+}
+
+# test_rooms: the folders of src include one another in one direction. A folder within a room of the core belongs to it.
+test_rooms() {
+	local includes circles
+	includes=$(cd "$REPO_DIR" && grep -roE '^#include "(core|godot|thesis)/[^"]*"' src --include='*.h' --include='*.cpp' |
+		sed -E 's|^src/||; s|:#include "| |; s|[^ /]*\.h"$||; s|/[^ /]* |/ |; s|(core/[a-z]+/)[a-z]+/|\1|g' |
+		awk '$1 != $2' | sort -u)
+	if [[ -n $includes ]] && circles=$(tsort <<<"$includes" 2>&1 >/dev/null); then
+		count 0 1 0
+	else
+		echo "folders that include one another: $circles" >&2
+		count 1 0 1
+	fi
 }
 
 # say_slow NAME: the test cases of that program that are left out.

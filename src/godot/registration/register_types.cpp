@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Registers the extension's classes and its singleton with Godot.
-#include "godot/register_types.h"
+#include "godot/registration/register_types.h"
 
 #include "godot/editor/soft_body_preview_2d.h"
 #include "godot/nodes/soft_body_2d.h"
