@@ -133,3 +133,74 @@ func test_nodes_come_and_go_among_nodes_at_rest() -> void:
 		awake += 1 if not body.sleeping and not body.freeze else 0
 	check_above(awake, 3, "bodies awake")
 	check_equal(await _nodes_a_tick(1), float(awake), "nodes a tick, which are those awake")
+
+
+## A body that fell asleep on the floor, and a RigidBody2D beside it that did.
+func _asleep_on_floor() -> Array[Node2D]:
+	add_floor(0)
+	var soft := add_body(Vector2(0, -60))
+	var rigid := RigidBody2D.new()
+	var collision := CollisionShape2D.new()
+	collision.shape = circle(50)
+	rigid.add_child(collision)
+	rigid.position = Vector2(300, -51)
+	stage.add_child(rigid)
+	for i in 900:
+		await ticks(1)
+		if soft.sleeping and rigid.sleeping:
+			break
+	check(soft.sleeping and rigid.sleeping, "both sleep")
+	return [soft, rigid]
+
+
+func test_a_sleeper_that_is_put_back_elsewhere_falls_as_a_rigid_body_does() -> void:
+	for body in await _asleep_on_floor():
+		stage.remove_child(body)
+		body.position.y = -400
+		stage.add_child(body)
+		await ticks(30)
+		check_above(body.position.y, -300, body.get_class() + " put back above the floor after half a second")
+
+
+func test_a_sleeper_that_gets_another_parent_falls_as_a_rigid_body_does() -> void:
+	var parent := Node2D.new()
+	parent.position.y = -350
+	stage.add_child(parent)
+	for body in await _asleep_on_floor():
+		body.reparent(parent, false)
+		await ticks(30)
+		check_above(body.global_position.y, -320, body.get_class() + " below another parent after half a second")
+
+
+func test_a_sleeper_whose_floor_is_freed_while_it_is_away_falls() -> void:
+	var bodies := await _asleep_on_floor()
+	for body in bodies:
+		stage.remove_child(body)
+	for node in stage.get_children():
+		if node is StaticBody2D:
+			node.free()
+	for body in bodies:
+		stage.add_child(body)
+		await ticks(30)
+		check_above(body.position.y, 30, body.get_class() + " half a second after it came back without a floor")
+
+
+func test_a_sleeper_given_a_velocity_while_it_is_away_moves() -> void:
+	for body in await _asleep_on_floor():
+		stage.remove_child(body)
+		body.linear_velocity = Vector2(0, -500)
+		stage.add_child(body)
+		await ticks(10)
+		check_below(body.position.y, -80, body.get_class() + " that was given a velocity upward")
+
+
+## What a scene may want: bodies that come in asleep.
+func test_a_body_put_to_sleep_while_it_is_away_sleeps_when_it_comes_back() -> void:
+	var body := add_body(Vector2(0, -300))
+	await ticks(3)
+	stage.remove_child(body)
+	body.sleeping = true
+	stage.add_child(body)
+	await ticks(30)
+	check(body.sleeping, "it sleeps")
+	check_near(body.position.y, -300, 5, "its place")

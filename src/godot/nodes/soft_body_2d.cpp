@@ -103,7 +103,9 @@ void SoftBody2D::enter_space() {
 	space_ = &SoftBodySimulation2D::get_singleton()->space_of(this);
 	space_->add(*this);
 	view_ = SoftBodySimulation2D::get_singleton()->drawing().add(get_viewport());
+	bool sleeps = sleeping_;
 	if (stored_body_) {
+		sleeps = stored_body_->is_asleep(); // put to sleep since it left
 		body_id_ = space_->add_body(*this, std::move(*stored_body_));
 		stored_body_.reset();
 		apply_exceptions();
@@ -112,7 +114,7 @@ void SoftBody2D::enter_space() {
 	} else {
 		rebuild_body(false);
 	}
-	if (sleeping_) {
+	if (sleeps) {
 		set_sleeping(true);
 	}
 	if (get_tree()->is_debugging_collisions_hint()) {
@@ -129,6 +131,7 @@ void SoftBody2D::leave_space() {
 	if (softbody::SoftBodyData *found = body()) {
 		stored_body_ = std::move(*found);
 		space_->world().remove_soft_body(body_id_);
+		stored_body_->wake(); // what it slept on is not where it comes back to
 	}
 	space_->remove(*this);
 	space_ = nullptr;
