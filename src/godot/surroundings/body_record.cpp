@@ -48,9 +48,6 @@ constexpr Real LEAST_TURN = Real(0.1);
 // Farther than anything [px]: where the bounds of a border end.
 constexpr Real EVERYWHERE = Real(1e15);
 
-// Ticks for which a shape counts after the last query that found it: queries of sleeping bodies come every second tick.
-constexpr int64_t SEEN_TICKS = 3;
-
 bool is_same_scale(const Transform2D &p_a, const Transform2D &p_b) {
 	const real_t size = p_a.columns[0].length() + p_a.columns[1].length();
 	return p_a.columns[0].distance_to(p_b.columns[0]) <= 1e-5 * size && p_a.columns[1].distance_to(p_b.columns[1]) <= 1e-5 * size;
@@ -147,8 +144,8 @@ bool BodyRecord::read_surface() {
 	return is_different;
 }
 
-bool BodyRecord::is_enabled(const ShapeRecord &p_shape, int64_t p_tick) const {
-	return is_told_by_node_ ? !p_shape.traits.disabled : p_tick - p_shape.seen <= SEEN_TICKS;
+bool BodyRecord::is_enabled(const ShapeRecord &p_shape, int64_t p_since) const {
+	return is_told_by_node_ ? !p_shape.traits.disabled : p_shape.seen >= p_since;
 }
 
 // The up direction of a one-way shape, out of its holding side, by its own transform.
@@ -202,17 +199,17 @@ bool BodyRecord::is_there() const {
 	return server->body_get_direct_state(rid_) != nullptr && server->body_get_space(rid_) == space_;
 }
 
-bool BodyRecord::has_other_shapes(int64_t p_tick) const {
+bool BodyRecord::has_other_shapes(int64_t p_since) const {
 	if (PhysicsServer2D::get_singleton()->body_get_shape_count(rid_) != int32_t(shapes_.size())) {
 		return true;
 	}
 	if (is_told_by_node_) {
 		return !is_tile_ && describe_shape_owners(ObjectDB::get_instance(object_id_)) != owners_;
 	}
-	return std::ranges::any_of(shapes_, [&](const ShapeRecord &p_shape) { return is_enabled(p_shape, p_tick) == p_shape.traits.disabled; });
+	return std::ranges::any_of(shapes_, [&](const ShapeRecord &p_shape) { return is_enabled(p_shape, p_since) == p_shape.traits.disabled; });
 }
 
-bool BodyRecord::reread(int64_t p_tick) {
+bool BodyRecord::reread(int64_t p_since) {
 	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
 	Object *node = ObjectDB::get_instance(object_id_);
 	const int count = server->body_get_shape_count(rid_);
@@ -230,7 +227,7 @@ bool BodyRecord::reread(int64_t p_tick) {
 			traits.one_way_margin = shape.traits.one_way_margin;
 		}
 		if (!is_told_by_node_) {
-			traits.disabled = !is_enabled(shape, p_tick);
+			traits.disabled = !is_enabled(shape, p_since);
 		}
 		const RID rid = server->body_get_shape(rid_, int(i));
 		if (i < known && rid == shape.shape && traits == shape.traits &&

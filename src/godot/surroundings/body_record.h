@@ -75,10 +75,11 @@ public:
 
 	/// Reads place, motion and layers of the body after `p_delta` [s].
 	BodyChange poll(double p_delta);
-	/// Reads shapes and surface again. True if anything has changed.
-	bool reread(int64_t p_tick);
+	/// Reads shapes and surface again. True if anything has changed. Of a body without a node, shapes count that a query
+	/// has found in the tick `p_since` or later; so below.
+	bool reread(int64_t p_since);
 	/// Whether shapes were added, removed, enabled or disabled since they were read. O(shape owners).
-	bool has_other_shapes(int64_t p_tick) const;
+	bool has_other_shapes(int64_t p_since) const;
 	/// Whether it is still a body of the space. Cheap.
 	bool is_there() const;
 
@@ -99,7 +100,7 @@ private:
 	void estimate_support(godot::PhysicsDirectBodyState2D *p_state, double p_delta, RigidBody &r_body) const;
 	bool read_surface();
 	void read_shape(int32_t p_index, const ShapeTraits &p_traits, ShapeRecord &r_shape);
-	bool is_enabled(const ShapeRecord &p_shape, int64_t p_tick) const;
+	bool is_enabled(const ShapeRecord &p_shape, int64_t p_since) const;
 	void translate(ShapeRecord &r_shape) const;
 	void measure_bounds();
 	void translate_all();

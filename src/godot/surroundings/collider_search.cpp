@@ -262,6 +262,10 @@ void ColliderSearch::query(PhysicsDirectSpaceState2D *p_state, const Aabb &p_box
 	query(p_state, { center, p_box.max }, splits, p_depth + 1, r_found);
 }
 
+int64_t ColliderSearch::interval() const {
+	return int64_t(std::clamp(asleep_count_ / ASLEEP_A_TICK, LEAST_INTERVAL, MOST_INTERVAL));
+}
+
 std::size_t ColliderSearch::end_of_run(std::size_t p_begin, Aabb &r_box) const {
 	const auto area = [](const Aabb &p_box) { return (p_box.max.x - p_box.min.x) * (p_box.max.y - p_box.min.y); };
 	r_box = groups_[p_begin].box;
@@ -281,22 +285,21 @@ std::size_t ColliderSearch::end_of_run(std::size_t p_begin, Aabb &r_box) const {
 }
 
 void ColliderSearch::find(PhysicsDirectSpaceState2D *p_state, std::vector<FoundShape> &r_found) {
-	const int64_t interval = int64_t(std::clamp(asleep_count_ / ASLEEP_A_TICK, LEAST_INTERVAL, MOST_INTERVAL));
 	Aabb box;
 	for (std::size_t begin = 0, end = 0; begin < groups_.size(); begin = end) {
 		end = end_of_run(begin, box);
 		const std::span<Group> run = std::span(groups_).subspan(begin, end - begin);
 		if (run.front().asleep) {
-			const auto is_due = [&](const Group &p_group) { return tick_ - p_group.asked >= interval; };
+			const auto is_due = [&](const Group &p_group) { return tick_ - p_group.asked >= interval(); };
 			if (!is_regrouped_ && std::ranges::none_of(run, is_due)) {
 				continue;
 			}
-			box = box.grown(MARGIN * (Real(interval) / Real(LEAST_INTERVAL) - 1));
+			box = box.grown(MARGIN * (Real(interval()) / Real(LEAST_INTERVAL) - 1));
 		}
 		int64_t shapes = 0;
 		uint32_t mask = 0;
 		for (Group &group : run) {
-			group.asked = is_regrouped_ ? tick_ - int64_t(begin) % interval : tick_; // spreads them over the ticks
+			group.asked = is_regrouped_ ? tick_ - int64_t(begin) % interval() : tick_; // spreads them over the ticks
 			shapes += group.shapes + int64_t(group.end - group.begin);
 			mask |= group.mask;
 		}

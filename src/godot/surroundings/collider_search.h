@@ -42,6 +42,8 @@ public:
 	/// Adds shapes that overlap a group, on layers that its bodies collide with. May repeat known shapes.
 	void find(godot::PhysicsDirectSpaceState2D *p_state, std::vector<FoundShape> &r_found);
 
+	/// Longest time between two queries that cover a body [ticks].
+	int64_t interval() const;
 	/// Counts answers of the last `find` that were known already.
 	void note_needless(int64_t p_count) { needless_ += p_count; }
 	/// Whether it is time to call `exclude`, with `p_known` bodies known.

@@ -104,8 +104,8 @@ void EnvironmentReader::take_new(PhysicsDirectSpaceState2D *p_state) {
 		BodyRecord &body = bodies_.find(found.body.get_id())->second;
 		needless += int64_t(!is_new && body.is_told_by_node());
 		body.note_seen(found.shape, tick_);
-		if (!body.is_told_by_node() && body.has_other_shapes(tick_)) {
-			body.reread(tick_);
+		if (!body.is_told_by_node() && body.has_other_shapes(seen_since())) {
+			body.reread(seen_since());
 			is_handed_over_ = false;
 		}
 	}
@@ -183,8 +183,8 @@ void EnvironmentReader::look_at_some() {
 		BodyRecord &body = next->second;
 		if (!body.is_there()) {
 			gone_.push_back(body.rid());
-		} else if (body.has_other_shapes(tick_)) {
-			body.reread(tick_);
+		} else if (body.has_other_shapes(seen_since())) {
+			body.reread(seen_since());
 			is_handed_over_ = false;
 		}
 	}
@@ -217,7 +217,7 @@ void EnvironmentReader::reread_some() {
 		count += 1 + int(body.shapes().size());
 		if (!body.is_there()) {
 			gone_.push_back(body.rid());
-		} else if (body.reread(tick_)) {
+		} else if (body.reread(seen_since())) {
 			is_handed_over_ = false;
 		}
 	}

@@ -59,6 +59,8 @@ private:
 		uint32_t layer = 0;
 	};
 
+	/// The tick since when a query has found every shape there is.
+	int64_t seen_since() const { return tick_ - search_.interval() - 1; }
 	void list_known();
 	void take_joined(const std::vector<godot::RID> &p_joined);
 	void take_new(godot::PhysicsDirectSpaceState2D *p_state);
