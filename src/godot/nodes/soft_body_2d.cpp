@@ -35,7 +35,7 @@ bool same_scale(const Transform2D &p_a, const Transform2D &p_b) {
 } // namespace
 
 SoftBody2D::SoftBody2D() {
-	polygon_ = make_circle_polygon(DEFAULT_RADIUS, DEFAULT_POINTS);
+	structure_.exchange<&softbody::BodyStructure::Values::polygon>(make_circle_polygon(DEFAULT_RADIUS, DEFAULT_POINTS));
 	update_topology();
 	set_notify_transform(true);
 }
@@ -85,7 +85,7 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	space_->world().remove_soft_body(body_id_);
 	body_id_ = space_->world().add_soft_body(std::move(fresh.value()));
 	apply_pins();
-	pins_.clear(); // their places in the frames of their targets are those of the new shape
+	pins_.forget_places(); // their places in the frames of their targets are those of the new shape
 	proxy_.forget_shape();
 	apply_exceptions();
 	known_transform_ = transform;
@@ -135,7 +135,7 @@ void SoftBody2D::leave_space() {
 	view_ = nullptr;
 	unseen_frames_ = 0; // a body that comes in is shown to a frame first
 	debug_drawing_.reset();
-	contacts_.clear(); // `touched_` is kept: the body may come back
+	contacts_.clear(); // what it touched is kept: the body may come back
 	// Last: the simulation drops a space that has no nodes left.
 	SoftBodySimulation2D::get_singleton()->remove_body(this);
 }
@@ -236,7 +236,7 @@ void SoftBody2D::prepare_step() {
 	take_over_transform();
 	follow_pin_targets();
 	if (softbody::SoftBodyData *found = body()) {
-		found->set_active(takes_part() && (simulate_off_screen_ || !is_off_screen()));
+		found->set_active(takes_part() && (values_.simulate_off_screen || !is_off_screen()));
 		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
 			apply_constant_forces();
 		}
