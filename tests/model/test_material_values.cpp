@@ -26,7 +26,7 @@ TEST_CASE("every material value is in the table once, with its default in range"
 		CHECK(&field(each.value) == &each);
 		CHECK(!each.check(defaults.*each.value));
 		CHECK(each.check(-1)->name == each.name);
-		CHECK(each.check(1e300));
+		CHECK(each.check(10 * double(std::numeric_limits<Real>::max()))); // finite where Real is float
 	}
 	CHECK(field(&Values::youngs_modulus).check(0));
 	CHECK(!field(&Values::stiffness).check(0));
