@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 extends "res://tests/support/suite.gd"
-## A material is shared by nodes: its values count instead of theirs, and a change reaches all of them.
+## A node has a material of its own, or one that it shares with others: a change of that reaches all of them. Its properties are
+## those of the material in use.
 
 const FIELDS := {
 	"youngs_modulus": [250.0, 320.0], "poisson_ratio": [0.25, 0.375], "damping_ratio": [0.5, 0.25],
@@ -33,19 +34,123 @@ func test_a_change_reaches_every_body_of_the_material_at_once() -> void:
 	check_equal(other.get_spring_stiffness(3), 100.0, "stiffness of a body without the material")
 
 
-func test_a_material_overrides_the_nodes_values_and_loses_none_of_them() -> void:
+# A body in a scene file, saved and loaded.
+func _reload(body: SoftBody2D, lines: PackedStringArray) -> SoftBody2D:
+	var path := "user://material_of_a_body.tscn"
+	var scene := PackedScene.new()
+	check_equal(scene.pack(body), OK, "packing")
+	check_equal(ResourceSaver.save(scene, path), OK, "saving")
+	lines.append_array(FileAccess.get_file_as_string(path).split("\n"))
+	var loaded := ResourceLoader.load(path, "PackedScene", ResourceLoader.CACHE_MODE_IGNORE) as PackedScene
+	DirAccess.remove_absolute(path)
+	return loaded.instantiate() as SoftBody2D
+
+
+func test_a_nodes_properties_are_those_of_the_material_in_use() -> void:
 	var material := _make({"stiffness": 250.0})
 	var body := add_weightless_body(Vector2.ZERO, {"stiffness": 60.0})
 	body.soft_body_material = material
-	check_equal(body.get_spring_stiffness(0), 250.0, "stiffness with the material")
-	check_equal(body.stiffness, 60.0, "the node's own stiffness")
-	body.stiffness = 70.0
-	check_equal(body.get_spring_stiffness(0), 250.0, "stiffness after the node's own has changed")
+	check_equal([body.stiffness, body.get_spring_stiffness(0)], [250.0, 250.0], "stiffness with the material")
+	material.stiffness = 320.0
+	material.preset = SoftBodyMaterial2D.PRESET_FOAM
+	check_equal([body.stiffness, body.poisson_ratio, body.has_network_values()], [320.0, 0.0, true], "values after a change of the material")
 	body.soft_body_material = null
-	check_equal(body.get_spring_stiffness(0), 70.0, "stiffness without the material")
+	check_equal([body.stiffness, body.get_spring_stiffness(0)], [60.0, 60.0], "stiffness without the material, as undo wants it")
+	check_equal([body.poisson_ratio, body.preset], [0.45, SoftBodyMaterial2D.PRESET_JELLY], "other values without the material")
 	material.stiffness = 400.0
-	check_equal(body.get_spring_stiffness(0), 70.0, "stiffness after a change of the material that was taken away")
+	check_equal(body.get_spring_stiffness(0), 60.0, "stiffness after a change of the material that was taken away")
 	check_equal(material.changed.get_connections().size(), 0, "listeners that the material has left")
+
+
+func test_a_value_set_beside_a_shared_material_changes_nothing_and_a_warning_says_so_once() -> void:
+	var material := _make({"stiffness": 250.0})
+	var body := add_weightless_body(Vector2.ZERO, {"soft_body_material": material})
+	var grip := surface(0.75)
+	body.physics_material_override = grip
+	take_errors()
+	for i in 3:
+		body.stiffness = 70.0
+		body.preset = SoftBodyMaterial2D.PRESET_RUBBER
+		body.clear_network_values()
+	check_equal([body.stiffness, material.stiffness, body.physics_material_override], [250.0, 250.0, grip], "values")
+	var errors := take_errors()
+	if _error_log != null and check_equal(errors.size(), 1, "number of warnings: %s" % [errors]):
+		for word: String in [String(body.name), "'stiffness'", "'soft_body_material'"]:
+			check(word in errors[0], "the warning does not name %s: %s" % [word, errors[0]])
+	body.soft_body_material = null
+	check_equal([body.stiffness, body.has_network_values()], [100.0, false], "values of the node itself")
+
+
+func test_a_scene_holds_the_values_of_a_body_once() -> void:
+	var body := SoftBody2D.new()
+	body.youngs_modulus = 480.0
+	body.stiffness = 60.0
+	var lines := PackedStringArray()
+	var loaded := _reload(body, lines)
+	check("youngs_modulus = 480.0" in lines and "stiffness = 60.0" in lines, "own values are not saved: %s" % [lines])
+	check(not "SoftBodyMaterial2D" in "".join(lines), "the node's own material is saved, which instances of the scene would share: %s" % [lines])
+	check_equal([loaded.youngs_modulus, loaded.stiffness, loaded.has_network_values()], [480.0, 60.0, true], "own values after loading")
+	loaded.youngs_modulus = 500.0
+	check_equal(body.youngs_modulus, 480.0, "value of the body that was saved")
+	loaded.free()
+	body.soft_body_material = _make({"youngs_modulus": 777.0})
+	lines = []
+	loaded = _reload(body, lines)
+	check_equal(Array(lines).filter(func(line: String) -> bool: return line.begins_with("youngs_modulus") or line.begins_with("stiffness")),
+			["youngs_modulus = 777.0"], "values in the scene")
+	check_equal(loaded.youngs_modulus, 777.0, "value in use after loading")
+	loaded.free()
+	body.free()
+
+
+func test_an_old_scene_with_values_beside_a_shared_material_goes_on_by_the_material_and_says_so() -> void:
+	var path := "user://old_material.tscn"
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	file.store_string("[gd_scene format=3]\n\n[sub_resource type=\"SoftBodyMaterial2D\" id=\"1\"]\nyoungs_modulus = 777.0\n\n"
+			+ "[node name=\"Jelly\" type=\"SoftBody2D\"]\nsoft_body_material = SubResource(\"1\")\nyoungs_modulus = 480.0\npoisson_ratio = 0.25\n")
+	file.close()
+	var body := (ResourceLoader.load(path, "PackedScene", ResourceLoader.CACHE_MODE_IGNORE) as PackedScene).instantiate() as SoftBody2D
+	DirAccess.remove_absolute(path)
+	stage.add_child(body)
+	check_equal([body.youngs_modulus, body.poisson_ratio], [777.0, 0.45], "values in use")
+	var errors := take_errors()
+	if _error_log != null and check_equal(errors.size(), 1, "number of warnings: %s" % [errors]):
+		check("Jelly" in errors[0] and "'soft_body_material'" in errors[0], "the warning: " + errors[0])
+	body.soft_body_material = null
+	check_equal(body.youngs_modulus, 300.0, "value of the node itself")
+
+
+func test_duplicates_have_values_of_their_own() -> void:
+	var body := add_weightless_body(Vector2.ZERO, {"youngs_modulus": 480.0, "damping": 0.5})
+	var copy := body.duplicate() as SoftBody2D
+	stage.add_child(copy)
+	copy.youngs_modulus = 500.0
+	check_equal([body.youngs_modulus, copy.youngs_modulus, copy.damping], [480.0, 500.0, 0.5], "values of body and copy")
+	check(body.get_soft_body_material_in_use() != copy.get_soft_body_material_in_use(), "both have one material")
+
+
+func test_the_own_material_of_a_node_can_be_asked_for_changed_and_shared() -> void:
+	var body := add_weightless_body(Vector2.ZERO, {"stiffness": 60.0})
+	var own := body.get_soft_body_material_in_use()
+	check_equal([own.stiffness, body.soft_body_material == null], [60.0, true], "stiffness of the node's own material, and whether none is shared")
+	own.stiffness = 90.0
+	check_equal([body.stiffness, body.get_spring_stiffness(0)], [90.0, 90.0], "stiffness of the body")
+	body.stiffness = 110.0
+	check_equal(own.stiffness, 110.0, "stiffness of the material")
+	check_refused(func() -> void: body.stiffness = -1.0, [String(body.name), "stiffness"], "stiffness = -1")
+	check_equal(own.stiffness, 110.0, "stiffness of the material after a refused value")
+	var other := add_weightless_body(Vector2(300, 0), {"soft_body_material": own})
+	body.stiffness = 130.0
+	check_equal(other.get_spring_stiffness(0), 130.0, "stiffness of another body that shares it")
+	body.soft_body_material = own
+	own.stiffness = 150.0
+	check_equal([body.get_spring_stiffness(0), other.get_spring_stiffness(0)], [150.0, 150.0], "stiffness of both")
+	check_equal(body.get_soft_body_material_in_use(), own, "material in use")
+	body.soft_body_material = null
+	check_equal(body.stiffness, 100.0, "stiffness of a node that has given its material away")
+	var plain := SoftBody2D.new()
+	check_equal(plain.get_soft_body_material_in_use().youngs_modulus, 300.0, "Young's modulus of a node left at its defaults")
+	plain.free()
 
 
 func test_every_value_of_a_material_makes_the_motion_that_the_nodes_own_makes() -> void:
@@ -109,7 +214,7 @@ func test_density_makes_the_mass_of_the_area_and_a_scaled_body_heavier() -> void
 	check_equal(body.mass, 5.0, "the node's own mass")
 
 
-func test_what_a_material_overrides_is_shown_and_saved_but_not_edited() -> void:
+func test_the_values_of_a_shared_material_are_shown_at_the_node_but_neither_edited_nor_saved_there() -> void:
 	var body := add_weightless_body(Vector2.ZERO, {"stiffness": 60.0})
 	var usage := func(name: String) -> int:
 		for property in body.get_property_list():
@@ -122,7 +227,8 @@ func test_what_a_material_overrides_is_shown_and_saved_but_not_edited() -> void:
 	body.soft_body_material = _make()
 	for name: String in own:
 		check(usage.call(name) & PROPERTY_USAGE_READ_ONLY, name + " can be edited with a material")
-		check(usage.call(name) & PROPERTY_USAGE_STORAGE, name + " is not saved with a material")
+		check(usage.call(name) & PROPERTY_USAGE_EDITOR, name + " is not shown with a material")
+		check(not usage.call(name) & PROPERTY_USAGE_STORAGE, name + " is saved with a material")
 	check(not usage.call("mass") & PROPERTY_USAGE_READ_ONLY, "mass cannot be edited though the density is 0")
 	body.soft_body_material.density = 1
 	check(usage.call("mass") & PROPERTY_USAGE_READ_ONLY, "mass can be edited though the density decides")

@@ -6,12 +6,15 @@
 #include "core/base/vec2.h"
 #include "core/model/soft_body_data.h"
 
+#include <godot_cpp/variant/color.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/transform2d.hpp>
 #include <godot_cpp/variant/vector2.hpp>
 
+#include <cmath>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace softbody {
@@ -54,6 +57,36 @@ inline godot::PackedVector2Array to_godot(std::span<const Vec2> p_points) {
 	}
 	return points;
 }
+
+inline bool is_finite(const godot::Vector2 &p_vector) {
+	return p_vector.is_finite();
+}
+
+inline bool is_finite(const godot::Color &p_color) {
+	return std::isfinite(p_color.r) && std::isfinite(p_color.g) && std::isfinite(p_color.b) && std::isfinite(p_color.a);
+}
+
+/// Refuses an array of vectors or colors by the name of its first entry that is not finite.
+template <class Array>
+Status check_all_finite(const std::string &p_name, const Array &p_values) {
+	for (int64_t i = 0; i < p_values.size(); i++) {
+		if (!is_finite(p_values[i])) {
+			return Error{ p_name + "[" + std::to_string(i) + "]", "non-finite", "must be finite", "check the computation that produced this value" };
+		}
+	}
+	return {};
+}
+
+/// Order of a body's points. The core holds a hull of negative winding reversed about its first point.
+struct PointOrder {
+	int hull_count = 0;
+	bool is_reversed = false;
+
+	/// Of the same point the core's index for the user's, or the user's for the core's. A reversal undoes itself.
+	int mirror(int p_index) const {
+		return is_reversed && p_index < hull_count ? (hull_count - p_index) % hull_count : p_index;
+	}
+};
 
 /// Rotation and position of a transform; its scale and skew are left out.
 inline Pose to_core_pose(const godot::Transform2D &p_transform) {

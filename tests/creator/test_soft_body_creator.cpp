@@ -211,3 +211,30 @@ TEST_CASE("a damping ratio is c over sqrt(k m)") {
 	CHECK(relative_error(damping_for_ratio(1, 50, 4, 2), 10) <= 2 * EPSILON);
 	CHECK(damping_for_ratio(0, 50, 4, 2) == 0);
 }
+
+TEST_CASE("spring pairs that no structure can have are refused by the first of them") {
+	using Indices = std::vector<std::int32_t>;
+	CHECK(!check_spring_pairs("springs", Indices{}));
+	CHECK(!check_spring_pairs("springs", Indices{ 0, 1, 1, 2 }));
+	CHECK(check_spring_pairs("springs", Indices{ 0, 1, 2 })->name == "springs");
+	CHECK(check_spring_pairs("springs", Indices{ 0, 1, -1, 2 })->name == "springs[1]");
+	CHECK(check_spring_pairs("springs", Indices{ 0, 1, 2, 2 })->name == "springs[1]");
+	CHECK(check_spring_pairs("springs", Indices{ 0, 1, 2, 3, 1, 0 })->value == "points 0 and 1 twice");
+}
+
+TEST_CASE("a refused part of a structure is left out, and factors with the springs that they belong to") {
+	StructureOptions options;
+	options.springs = { { 0, 1 } };
+	options.spring_stiffness_scales = { 2 };
+	options.spring_damping_scales = { 2 };
+	options.spring_length_scales = { 2 };
+	CHECK(leave_out(options, "spring_damping_scales[0]"));
+	CHECK(options.spring_damping_scales.empty());
+	CHECK_FALSE(leave_out(options, "spring_damping_scales"));
+	CHECK_FALSE(leave_out(options, "springs[0].stiffness"));
+	CHECK_FALSE(leave_out(options, "hull"));
+	CHECK(options.spring_length_scales.size() == 1);
+	CHECK(leave_out(options, "springs[0]"));
+	CHECK(options == StructureOptions{});
+	CHECK_FALSE(leave_out(options, "springs[0]"));
+}

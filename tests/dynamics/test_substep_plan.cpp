@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 using namespace softbody;
 using namespace softbody::testing;
@@ -170,4 +171,10 @@ TEST_CASE("a fixed count is kept, and is safe below the linear limit only") {
 		CHECK_FALSE(outside.safe);
 		CHECK(std::abs(double(inside.stability_margin) - 1 / 0.999) <= 8 * EPSILON);
 	}
+}
+
+TEST_CASE("every reason of a plan has a name") {
+	CHECK(std::string(name_of(PlanReason::STABILITY)) == "stability");
+	CHECK(std::string(name_of(PlanReason::TOO_STIFF)) == "too_stiff");
+	CHECK(std::string(name_of(PlanReason::UNSTABLE)) == "unstable");
 }

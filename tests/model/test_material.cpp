@@ -132,3 +132,19 @@ TEST_CASE("models that a shape cannot follow are refused") {
 	CHECK(apply_material({}, ElasticModel::SPRINGS, *limp, settings)->name == "elastic_model");
 	CHECK(settings == BodySettings{});
 }
+
+TEST_CASE("a network has the values of its springs, and shape matching with the damping ratio that was asked for") {
+	StructureOptions options;
+	options.stiffness = 1;
+	options.damping = 1;
+	const auto shape = SoftBodyCreator::create_circle(50, 8, options).value(); // nine points
+	BodySettings settings;
+	REQUIRE(!apply_network({ 200, 3, 0.5, 0.25 }, 18, *shape, settings));
+	CHECK(settings.spring_stiffness_scale == 200);
+	CHECK(settings.spring_damping_scale == 3);
+	CHECK(settings.shape_stiffness == 100);
+	CHECK(double(settings.shape_damping) == doctest::Approx(2 * 0.25 * std::sqrt(100.0 * 2)));
+	const double most = double(std::numeric_limits<Real>::max());
+	CHECK(apply_network({ most, 3, 0.5, 0.25 }, 18, *shape, settings)->name == "stiffness");
+	CHECK(apply_network({ 200, most, 0.5, 0.25 }, 18, *shape, settings)->name == "damping");
+}

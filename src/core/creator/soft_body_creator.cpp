@@ -194,4 +194,44 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	return SoftBodyShape::create(std::move(description));
 }
 
+Status check_spring_pairs(const std::string &name, std::span<const std::int32_t> indices) {
+	if (indices.size() % 2 != 0) {
+		return Error{ name, std::to_string(indices.size()) + " entries", "must be pairs of point indices", "add or remove an entry" };
+	}
+	std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+	for (std::size_t i = 0; i < indices.size(); i += 2) {
+		const auto [a, b] = std::minmax(indices[i], indices[i + 1]);
+		if (a < 0 || a == b) {
+			return Error{ name + "[" + std::to_string(i / 2) + "]", "points " + std::to_string(indices[i]) + " and " + std::to_string(indices[i + 1]),
+				"must be two different indices >= 0", "choose other points" };
+		}
+		pairs.push_back({ a, b });
+	}
+	std::ranges::sort(pairs);
+	const auto twice = std::ranges::adjacent_find(pairs);
+	if (twice != pairs.end()) {
+		return Error{ name, "points " + std::to_string(twice->first) + " and " + std::to_string(twice->second) + " twice",
+			"must join each two points once", "remove one of the two springs" };
+	}
+	return {};
+}
+
+bool leave_out(StructureOptions &options, const std::string &refused) {
+	using Scales = std::vector<Real> StructureOptions::*;
+	const std::pair<const char *, Scales> all_scales[] = { { "spring_stiffness_scales", &StructureOptions::spring_stiffness_scales },
+		{ "spring_damping_scales", &StructureOptions::spring_damping_scales }, { "spring_length_scales", &StructureOptions::spring_length_scales } };
+	for (const auto &[name, scales] : all_scales) {
+		if (refused.starts_with(name)) {
+			return !std::exchange(options.*scales, {}).empty();
+		}
+	}
+	if (!refused.starts_with("springs") || refused.ends_with("stiffness") || refused.ends_with("damping")) {
+		return false;
+	}
+	for (const auto &[name, scales] : all_scales) {
+		(options.*scales).clear(); // factors belong to these springs
+	}
+	return !std::exchange(options.springs, {}).empty();
+}
+
 } // namespace softbody

@@ -7,8 +7,10 @@
 #include "core/creator/structure.h"
 #include "core/model/soft_body_shape.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace softbody {
@@ -41,6 +43,14 @@ struct StructureOptions {
 
 	friend bool operator==(const StructureOptions &, const StructureOptions &) = default;
 };
+
+/// Refuses springs, as pairs of point indices, that no structure can have: an odd number of indices, indices below 0, a
+/// spring from a point to itself, and two springs between the same points.
+Status check_spring_pairs(const std::string &name, std::span<const std::int32_t> indices);
+
+/// Removes from the options the part that `create_polygon` refused by this name, where a body can do without it: springs,
+/// which fall back to the automatic ones, or factors on them. False when there is no such part.
+bool leave_out(StructureOptions &options, const std::string &refused);
 
 /// Builds soft bodies (thesis 4.4.2, "SoftBodyCreator"; Alg. 4.9 to 4.11). Fills data, simulates nothing.
 class SoftBodyCreator {

@@ -206,4 +206,9 @@ SubstepPlan plan_substeps(const SoftBodyData &body, Real dt, bool has_contacts) 
 	return plan_within(frequency_bounds(body, dt), body.shape(), body.settings(), dt, has_contacts);
 }
 
+const char *name_of(PlanReason reason) {
+	static constexpr const char *NAMES[] = { "stability", "contacts", "too_stiff", "fixed", "unstable" };
+	return NAMES[std::size_t(reason)];
+}
+
 } // namespace softbody

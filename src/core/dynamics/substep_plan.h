@@ -19,6 +19,9 @@ enum class PlanReason : std::uint8_t {
 	UNSTABLE, ///< not stable with any count up to MAX_SUBSTEPS
 };
 
+/// "stability", "contacts", "too_stiff", "fixed" or "unstable".
+const char *name_of(PlanReason reason);
+
 /// Result of the substep rule, for display as much as for stepping.
 struct SubstepPlan {
 	Real frequency = 0; ///< Ω: bound of the highest angular frequency [rad/s]

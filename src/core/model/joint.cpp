@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Validator and storage of joints.
+// Validator and storage of joints, and anchors on bodies.
 #include "core/model/joint.h"
+
+#include "core/geometry/segment.h"
+#include "core/model/soft_body_data.h"
 
 #include <cmath>
 #include <string>
@@ -55,6 +58,36 @@ Status check_joint(const Joint &joint) {
 		return status;
 	}
 	return check_up_to_infinity("joint.break_force", joint.break_force, false, "N");
+}
+
+JointAnchor nearest_anchor(const SoftBodyData &body, BodyId id, Vec2 place) {
+	const auto hull = body.hull();
+	Real nearest = std::numeric_limits<Real>::infinity();
+	JointAnchor anchor;
+	for (std::uint32_t i = 0; i < hull.size(); ++i) {
+		const Vec2 a = hull[i];
+		const Vec2 b = hull[(i + 1) % hull.size()];
+		const Real fraction = closest_parameter_on_segment(place, a, b);
+		const Real distance = length_squared(place - a - (b - a) * fraction);
+		if (distance < nearest) {
+			nearest = distance;
+			anchor = JointAnchor::on_edge(id, i, fraction);
+		}
+	}
+	for (std::uint32_t i = std::uint32_t(hull.size()); i < body.point_count(); ++i) {
+		const Real distance = length_squared(place - body.positions()[i]);
+		if (distance < nearest) {
+			nearest = distance;
+			anchor = JointAnchor::on_point(id, i);
+		}
+	}
+	return anchor;
+}
+
+Vec2 position_of(const JointAnchor &anchor, const SoftBodyData &body) {
+	const Vec2 a = body.positions()[anchor.point];
+	const Vec2 b = anchor.fraction > 0 ? body.hull()[(anchor.point + 1) % body.hull().size()] : a;
+	return a + (b - a) * anchor.fraction;
 }
 
 JointId JointList::add(const Joint &joint) {

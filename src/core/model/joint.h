@@ -14,6 +14,8 @@
 
 namespace softbody {
 
+class SoftBodyData;
+
 /// Refers to a joint as long as it lives, like `BodyId`.
 struct JointId {
 	std::uint32_t index = UINT32_MAX;
@@ -45,6 +47,8 @@ struct JointAnchor {
 		return { Kind::RIGID_BODY, {}, 0, 0, position, tag };
 	}
 	bool is_soft() const { return kind == Kind::SOFT_BODY; }
+
+	friend bool operator==(const JointAnchor &, const JointAnchor &) = default;
 };
 
 /// Keeps two anchors at a distance, or in one place. At least one anchor is on a soft body, and both are not on the
@@ -64,11 +68,18 @@ struct Joint {
 	Real break_force = std::numeric_limits<Real>::infinity();
 	/// Whether two soft bodies that it joins still collide with each other.
 	bool collide_joined = false;
+
+	friend bool operator==(const Joint &, const Joint &) = default;
 };
 
 /// Refuses, by name, values outside their range, non-finite anchors, two anchors of which none is on a soft body or
 /// both are on one body, and an anchor on a rigid body without a tag. Does not check that the bodies exist.
 Status check_joint(const Joint &joint);
+
+/// The place on a body that is nearest to `place`: on an edge of its hull, or one of its inner points. O(points).
+JointAnchor nearest_anchor(const SoftBodyData &body, BodyId id, Vec2 place);
+/// Where an anchor on this body is now. Precondition: its point is one of the body's.
+Vec2 position_of(const JointAnchor &anchor, const SoftBodyData &body);
 
 /// The joints of a world, stored densely under stable ids; removing one moves the last into its place.
 class JointList {

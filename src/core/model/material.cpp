@@ -146,4 +146,25 @@ Status apply_material(const Material &material, ElasticModel model, const SoftBo
 	return {};
 }
 
+Status apply_network(const SpringNetwork &network, double mass, const SoftBodyShape &shape, BodySettings &settings) {
+	const double point_mass = mass / double(shape.point_count());
+	const double shape_stiffness = network.shape_matching * network.stiffness;
+	settings.spring_stiffness_scale = Real(network.stiffness);
+	settings.spring_damping_scale = Real(network.damping);
+	settings.shape_stiffness = Real(shape_stiffness);
+	// The shape-matching oscillator of one point has the frequency sqrt(k_s/m): c = 2 ζ sqrt(k_s m).
+	settings.shape_damping = Real(2 * network.shape_damping_ratio * std::sqrt(shape_stiffness * point_mass));
+	return check_spring_rates(settings, shape);
+}
+
+Status check_spring_rates(const BodySettings &settings, const SoftBodyShape &shape) {
+	if (!std::isfinite(settings.spring_stiffness_scale * shape.spring_frequency_squared())) {
+		return Error{ "stiffness", "too large for the masses", "must stay within the range of numbers", "give less stiffness or more mass" };
+	}
+	if (!std::isfinite(settings.spring_damping_scale * shape.spring_damping_rate())) {
+		return Error{ "damping", "too large for the masses", "must stay within the range of numbers", "give less damping or more mass" };
+	}
+	return {};
+}
+
 } // namespace softbody

@@ -49,6 +49,20 @@ inline constexpr int ELASTIC_MODEL_COUNT = 5;
 /// without triangles, and springs for a shape without springs of stiffness > 0. O(springs).
 Status apply_material(const Material &material, ElasticModel model, const SoftBodyShape &shape, BodySettings &settings);
 
+/// Raw values of a body that is built as a spring network, and named as its values are refused.
+struct SpringNetwork {
+	double stiffness = 100; ///< of each spring [force/length]
+	double damping = 0; ///< of each spring [force·s/length]
+	double shape_matching = 0; ///< stiffness of shape matching, as a share of that of the springs [1]
+	double shape_damping_ratio = 0; ///< of the pull towards the rest shape [1]
+};
+
+/// Sets the coefficients of springs and shape matching in `settings`, for a shape of this mass whose springs have stiffness
+/// and damping 1. Other terms are left alone. Refuses what `check_spring_rates` refuses.
+Status apply_network(const SpringNetwork &network, double mass, const SoftBodyShape &shape, BodySettings &settings);
+/// Refuses, as "stiffness" or "damping", what is fine by itself: rates of springs that leave the range of numbers.
+Status check_spring_rates(const BodySettings &settings, const SoftBodyShape &shape);
+
 /// Shear modulus of the shape's springs under uniform strain, averaged over its directions: sum k l² / (8 A)
 /// [force/length]. Their bulk modulus is twice that, as in every network of central forces (Cauchy's relation).
 double spring_shear_modulus(const SoftBodyShape &shape);

@@ -2,8 +2,6 @@
 // The looks of a body: two meshes whose vertices follow its points.
 #include "godot/drawing/soft_body_skin.h"
 
-#include "godot/convert.h"
-
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/math.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
@@ -121,16 +119,12 @@ void SoftBodySkin::Mesh::free() {
 	}
 }
 
-void SoftBodySkin::set_rest(std::vector<Vec2> rest, std::size_t hull_count, bool is_reversed, Real pixel) {
+void SoftBodySkin::set_rest(std::vector<Vec2> rest, PointOrder order, Real pixel) {
 	rest_ = std::move(rest);
-	hull_count_ = hull_count;
-	is_reversed_ = is_reversed;
+	hull_count_ = std::size_t(order.hull_count);
+	order_ = order;
 	pixel_ = pixel;
 	is_stale_ = true;
-}
-
-std::size_t SoftBodySkin::user_index(std::size_t index) const {
-	return is_reversed_ ? (hull_count_ - index) % hull_count_ : index;
 }
 
 // The hull's box shows the whole texture, unless `uv` assigns a texture pixel to each hull point. Offset, rotation and
@@ -141,7 +135,7 @@ std::vector<Vector2> SoftBodySkin::texture_coordinates() const {
 	Vector2 middle;
 	if (std::size_t(style_.uv.size()) == hull_count_) {
 		for (std::size_t i = 0; i < hull_count_; ++i) {
-			pixels.push_back(to_core(style_.uv[int64_t(user_index(i))]));
+			pixels.push_back(to_core(style_.uv[order_.mirror(int(i))]));
 		}
 	} else {
 		const std::span<const Vec2> hull = std::span<const Vec2>(rest_).first(hull_count_);
@@ -169,7 +163,7 @@ std::vector<Color> SoftBodySkin::colors() const {
 	std::vector<Color> hull(hull_count_, Color(1, 1, 1));
 	if (has_own) {
 		for (std::size_t i = 0; i < hull_count_; ++i) {
-			hull[i] = style_.vertex_colors[int64_t(user_index(i))];
+			hull[i] = style_.vertex_colors[order_.mirror(int(i))];
 		}
 	}
 	std::vector<Color> colors = fill_.spread<Color>(hull);

@@ -6,6 +6,7 @@
 #include "core/geometry/aabb.h"
 #include "core/skin/fill_mesh.h"
 #include "core/skin/outline_band.h"
+#include "godot/convert.h"
 #include "godot/drawing/skin_style.h"
 
 #include <godot_cpp/variant/array.hpp>
@@ -36,9 +37,9 @@ public:
 		is_stale_ = true;
 		return style_;
 	}
-	/// Sets all points of the body at rest, the hull first, in the order of the core; `is_reversed` if the user's hull
-	/// has the other order. One pixel is `pixel` long there.
-	void set_rest(std::vector<Vec2> rest, std::size_t hull_count, bool is_reversed, Real pixel);
+	/// Sets all points of the body at rest, the hull first, in the order of the core, and how that order is the user's.
+	/// One pixel is `pixel` long there.
+	void set_rest(std::vector<Vec2> rest, PointOrder order, Real pixel);
 
 	std::span<const Vec2> rest() const { return rest_; }
 
@@ -69,14 +70,13 @@ private:
 	void make();
 	void make_fill();
 	void make_outline();
-	std::size_t user_index(std::size_t index) const;
 	std::vector<godot::Vector2> texture_coordinates() const;
 	std::vector<godot::Color> colors() const;
 
 	SkinStyle style_;
 	std::vector<Vec2> rest_;
 	std::size_t hull_count_ = 0;
-	bool is_reversed_ = false;
+	PointOrder order_;
 	Real pixel_ = 1;
 	bool is_stale_ = true;
 

@@ -108,14 +108,10 @@ PackedVector2Array SoftBodyPreview2D::get_point_positions(int p_index) const {
 	if (body == nullptr) {
 		return PackedVector2Array();
 	}
-	PackedVector2Array points = to_godot(body->positions());
-	if (bodies_[size_t(p_index)].is_reversed) {
-		// A reversed hull keeps its first point.
-		for (size_t low = 1, high = body->hull().size() - 1; low < high; low++, high--) {
-			const Vector2 kept = points[int64_t(low)];
-			points.set(int64_t(low), points[int64_t(high)]);
-			points.set(int64_t(high), kept);
-		}
+	const softbody::PointOrder order{ int(body->hull().size()), bodies_[size_t(p_index)].is_reversed };
+	PackedVector2Array points;
+	for (int i = 0; i < int(body->point_count()); i++) {
+		points.push_back(to_godot(body->positions()[size_t(order.mirror(i))]));
 	}
 	return points;
 }

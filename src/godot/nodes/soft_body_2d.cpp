@@ -36,7 +36,7 @@ bool same_scale(const Transform2D &p_a, const Transform2D &p_b) {
 } // namespace
 
 SoftBody2D::SoftBody2D() {
-	polygon_ = make_circle_polygon(DEFAULT_RADIUS, DEFAULT_POINTS);
+	structure_.exchange<&softbody::BodyStructure::Values::polygon>(make_circle_polygon(DEFAULT_RADIUS, DEFAULT_POINTS));
 	update_topology();
 	set_notify_transform(true);
 }
@@ -86,7 +86,7 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	space_->world().remove_soft_body(body_id_);
 	body_id_ = space_->add_body(*this, std::move(fresh.value()));
 	apply_pins();
-	pins_.clear(); // their places in the frames of their targets are those of the new shape
+	pins_.forget_places(); // their places in the frames of their targets are those of the new shape
 	proxy_.forget_shape();
 	apply_exceptions();
 	known_transform_ = transform;
@@ -141,7 +141,7 @@ void SoftBody2D::leave_space() {
 	view_ = nullptr;
 	unseen_frames_ = 0; // a body that comes in is shown to a frame first
 	debug_drawing_.reset();
-	contacts_.clear(); // `touched_` is kept: the body may come back
+	contacts_.clear(); // what it touched is kept: the body may come back
 	SoftBodySimulation2D::get_singleton()->drop_empty_spaces(); // last
 }
 
@@ -254,7 +254,7 @@ void SoftBody2D::prepare_step() {
 	take_over_transform();
 	follow_pin_targets();
 	if (softbody::SoftBodyData *found = body()) {
-		const bool is_wanted = takes_part() && (simulate_off_screen_ || !is_off_screen());
+		const bool is_wanted = takes_part() && (values_.simulate_off_screen || !is_off_screen());
 		const bool sleeps_through_pause = enabled_ && found->is_active() && found->is_asleep() && get_tree()->is_paused();
 		found->set_active(is_wanted || sleeps_through_pause); // to take it out and back would wake it
 		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
@@ -289,8 +289,9 @@ bool SoftBody2D::is_idle() const {
 	if (found == nullptr) {
 		return true;
 	}
-	const bool has_pin_targets = !pinned_points_.is_empty() && !pin_targets_.is_empty();
-	const bool is_asked = contact_monitor_ || has_pin_targets || !simulate_off_screen_ || (!enabled_ && disable_mode_ != DISABLE_MODE_REMOVE);
+	const bool has_pin_targets = !pins_.points().is_empty() && !pins_.targets().is_empty();
+	const bool is_asked = values_.contact_monitor || has_pin_targets || !values_.simulate_off_screen ||
+			(!enabled_ && values_.disable_mode != DISABLE_MODE_REMOVE);
 	const bool has_felt_areas = !found->is_active() || (knows_areas_ && (engine_steps_ > 1 || !proxy_.is_in_space()));
 	return !moving_ && !has_stopped_ && !is_asked && has_felt_areas && proxy_.is_still();
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/creator/soft_body_creator.h"
+#include "core/base/value_range.h"
 #include "core/model/body_frame.h"
 #include "core/model/contact.h"
 #include "core/model/soft_body_data.h"
@@ -12,23 +12,24 @@
 #include "godot/drawing/debug_drawing.h"
 #include "godot/drawing/drawing_frame.h"
 #include "godot/drawing/soft_body_skin.h"
+#include "godot/nodes/body_material.h"
+#include "godot/nodes/body_pins.h"
+#include "godot/nodes/body_properties.h"
+#include "godot/nodes/body_structure.h"
+#include "godot/nodes/collision_exceptions.h"
+#include "godot/nodes/contact_reports.h"
+#include "godot/resources/property_binding.h"
 #include "godot/resources/soft_body_material_2d.h"
 #include "godot/resources/unfit_values.h"
 #include "godot/server/stepped_node.h"
 #include "godot/surroundings/hull_proxy.h"
 
 #include <godot_cpp/classes/node2d.hpp>
-#include <godot_cpp/classes/physics_material.hpp>
-#include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/templates/hash_map.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
-#include <godot_cpp/variant/packed_float32_array.hpp>
-#include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
-#include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
-#include <godot_cpp/variant/typed_array.hpp>
 #include <godot_cpp/variant/vector2i.hpp>
 
 #include <memory>
@@ -43,190 +44,79 @@ class SoftBodySpace2D;
 
 namespace godot {
 
-/// See doc_classes/SoftBody2D.xml for what each property means to a user; this comment says how the
-/// node is built. Its properties describe a body; the body itself (`softbody::SoftBodyData`) lives in
-/// the world of the node's space while the node is in the tree, and in `stored_body_` while it is not,
-/// so that re-parenting keeps its motion. Point indices of the public interface follow `polygon`; the
-/// core may hold the hull reversed (`polygon_reversed_`), and `core_index` translates.
-class SoftBody2D : public Node2D, public softbody::SteppedNode {
+/// See doc_classes/SoftBody2D.xml for what each property means to a user; this comment says how the node is built.
+///
+/// Parts of the node have classes of their own, which own their state: `BodyStructure`, `BodyMaterial`, `BodyPins`,
+/// `ContactReports`, `CollisionExceptions`, `HullProxy`, `SoftBodySkin` and `BodyInterpolation`. `BodyProperties` are
+/// those that are one value each, and `set_value` judges them all.
+///
+/// The body itself (`softbody::SoftBodyData`) lives in the world of the node's space while the node is in the tree, and in
+/// `stored_body_` while it is not, so that re-parenting keeps its motion. Point indices of the public interface follow
+/// `polygon`; the core may hold the hull reversed (`polygon_reversed_`), and `core_index` translates.
+class SoftBody2D : public Node2D, public softbody::SteppedNode, public softbody::BodyProperties {
 	GDCLASS(SoftBody2D, Node2D)
 
 public:
-	/// Same values as softbody::Integrator.
-	enum Integrator {
-		INTEGRATOR_AUTOMATIC,
-		INTEGRATOR_EXPLICIT_EULER,
-		INTEGRATOR_SEMI_IMPLICIT_EULER,
-		INTEGRATOR_MIDPOINT,
-		INTEGRATOR_HEUN,
-		INTEGRATOR_RUNGE_KUTTA_4,
-		INTEGRATOR_VELOCITY_VERLET,
-		INTEGRATOR_XPBD,
-	};
-
-	/// What makes the body elastic. Those after NETWORK are softbody::ElasticModel, in its order.
-	enum ElasticModel {
-		ELASTIC_MODEL_AUTOMATIC,
-		ELASTIC_MODEL_NETWORK,
-		ELASTIC_MODEL_SPRINGS,
-		ELASTIC_MODEL_SPRINGS_AND_SHAPE,
-		ELASTIC_MODEL_SPRINGS_SHAPE_AND_AREA,
-		ELASTIC_MODEL_MODES,
-		ELASTIC_MODEL_TRIANGLES,
-	};
-	static constexpr int ELASTIC_MODEL_COUNT = ELASTIC_MODEL_TRIANGLES + 1;
-
-	/// As RigidBody2D.DampMode.
-	enum DampMode {
-		DAMP_MODE_COMBINE,
-		DAMP_MODE_REPLACE,
-	};
-
-	/// As CollisionObject2D.DisableMode.
-	enum DisableMode {
-		DISABLE_MODE_REMOVE,
-		DISABLE_MODE_MAKE_STATIC,
-		DISABLE_MODE_KEEP_ACTIVE,
-	};
-
-	/// What becomes of a body whose motion is no longer finite.
-	enum FailureMode {
-		FAILURE_MODE_RESET,
-		FAILURE_MODE_FREEZE,
-	};
-	/// Off and on are what the property was before it could choose: false and true.
-	enum SelfCollision {
-		SELF_COLLISION_OFF,
-		SELF_COLLISION_ON,
-		SELF_COLLISION_AUTOMATIC,
-	};
-
 	SoftBody2D();
 	~SoftBody2D();
 
-	void set_polygon(const PackedVector2Array &p_polygon);
-	PackedVector2Array get_polygon() const { return polygon_; }
-	void set_mass(double p_mass);
-	double get_mass() const { return mass_; }
-	double get_total_mass() const { return mass_in_use(); }
-	void set_center_point(bool p_center_point);
-	bool has_center_point() const { return center_point_; }
+	// Setters and getters of many properties.
+	template <auto VALUE>
+	void set_value(softbody::ValueOf<VALUE> p_value);
+	template <auto VALUE>
+	softbody::ValueOf<VALUE> get_value() const { return values_.*VALUE; }
+	template <auto VALUE>
+	void set_structure(softbody::ValueOf<VALUE> p_value);
+	template <auto VALUE>
+	softbody::ValueOf<VALUE> get_structure() const { return structure_.values().*VALUE; }
+	template <auto VALUE>
+	void set_style(softbody::ValueOf<VALUE> p_value);
+	template <auto VALUE>
+	softbody::ValueOf<VALUE> get_style() const { return skin_.style().*VALUE; }
 	template <double softbody::MaterialValues::*VALUE>
-	void set_material_value(double p_value) {
-		set_own_material_value(softbody::material_field(VALUE), p_value);
-	}
+	void set_material_value(double p_value) { set_own_material_value(softbody::material_fields()[softbody::index_of(VALUE)], p_value); }
 	template <double softbody::MaterialValues::*VALUE>
-	double get_material_value() const {
-		return own_material_.*VALUE;
-	}
+	double get_material_value() const { return material_.values().*VALUE; }
+
+	// What it is made of: soft_body_2d_material.cpp.
+	double get_total_mass() const;
 	void set_preset(SoftBodyMaterial2D::Preset p_preset);
-	SoftBodyMaterial2D::Preset get_preset() const;
+	SoftBodyMaterial2D::Preset get_preset() const { return material_.preset(); }
 	void set_physics_material_override(const Ref<PhysicsMaterial> &p_material);
-	Ref<PhysicsMaterial> get_physics_material_override() const { return physics_material_override_; }
+	Ref<PhysicsMaterial> get_physics_material_override() const { return material_.surface_override(); }
 	void set_network_values_set(bool p_set);
 	void clear_network_values() { set_network_values_set(false); }
-	bool has_network_values() const { return own_material_.has_network_values; }
-	void set_elastic_model(ElasticModel p_model);
-	ElasticModel get_elastic_model() const { return elastic_model_; }
+	bool has_network_values() const { return material_.values().has_network_values; }
 	ElasticModel get_elastic_model_in_use() const;
-	void set_least_area(double p_share);
-	double get_least_area() const { return least_area_; }
-	void set_least_stretch(double p_share);
-	double get_least_stretch() const { return least_stretch_; }
-	void set_most_stretch(double p_share);
-	double get_most_stretch() const { return most_stretch_; }
 	void set_soft_body_material(const Ref<SoftBodyMaterial2D> &p_material);
-	Ref<SoftBodyMaterial2D> get_soft_body_material() const { return material_; }
-	void set_gravity_scale(double p_gravity_scale);
-	double get_gravity_scale() const { return gravity_scale_; }
-	void set_integrator(Integrator p_integrator);
-	Integrator get_integrator() const { return integrator_; }
-	void set_substeps(int p_substeps);
-	int get_substeps() const { return substeps_; }
-	void set_collision_layer(uint32_t p_layer);
-	uint32_t get_collision_layer() const { return collision_layer_; }
-	void set_collision_mask(uint32_t p_mask);
-	uint32_t get_collision_mask() const { return collision_mask_; }
+	Ref<SoftBodyMaterial2D> get_soft_body_material() const { return material_.shared(); }
+	Ref<SoftBodyMaterial2D> get_soft_body_material_in_use();
+
+	// What it collides with: soft_body_2d_collision.cpp.
 	void set_collision_layer_value(int p_layer_number, bool p_value);
 	bool get_collision_layer_value(int p_layer_number) const;
 	void set_collision_mask_value(int p_layer_number, bool p_value);
 	bool get_collision_mask_value(int p_layer_number) const;
-	void set_self_collision(SelfCollision p_self_collision);
-	SelfCollision get_self_collision() const { return self_collision_; }
 	/// Whether it is in use.
 	bool has_self_collision() const;
-
-	// What the engine sees: soft_body_2d_proxy.cpp.
-	void set_collision_proxy_enabled(bool p_enabled);
-	bool is_collision_proxy_enabled() const { return collision_proxy_enabled_; }
-	void set_collision_proxy_margin(double p_margin);
-	double get_collision_proxy_margin() const { return collision_proxy_margin_; }
-	RID get_rid() const;
+	RID get_rid() const { return proxy_.rid(); }
 	void add_collision_exception_with(Node *p_body);
 	void remove_collision_exception_with(Node *p_body);
 	TypedArray<Node2D> get_collision_exceptions() const;
 
-	// Damping: soft_body_2d_damping.cpp.
-	void set_linear_damp_mode(DampMode p_mode);
-	DampMode get_linear_damp_mode() const { return linear_damp_mode_; }
-	void set_linear_damp(double p_damp);
-	double get_linear_damp() const { return linear_damp_; }
-	void set_angular_damp_mode(DampMode p_mode);
-	DampMode get_angular_damp_mode() const { return angular_damp_mode_; }
-	void set_angular_damp(double p_damp);
-	double get_angular_damp() const { return angular_damp_; }
-
-	// Drawing.
-	enum OutlineTextureMode {
-		OUTLINE_TEXTURE_TILE,
-		OUTLINE_TEXTURE_STRETCH,
-	};
-	void set_color(const Color &p_color);
-	Color get_color() const { return skin_.style().color; }
-	void set_vertex_colors(const PackedColorArray &p_colors);
-	PackedColorArray get_vertex_colors() const { return skin_.style().vertex_colors; }
-	void set_antialiased(bool p_antialiased);
-	bool is_antialiased() const { return skin_.style().antialiased; }
-	void set_smooth(bool p_smooth);
-	bool is_smooth() const { return skin_.style().smooth; }
-	void set_texture(const Ref<Texture2D> &p_texture);
-	Ref<Texture2D> get_texture() const { return skin_.style().texture; }
-	void set_texture_offset(const Vector2 &p_offset);
-	Vector2 get_texture_offset() const { return skin_.style().texture_offset; }
-	void set_texture_scale(const Vector2 &p_scale);
-	Vector2 get_texture_scale() const { return skin_.style().texture_scale; }
-	void set_texture_rotation(double p_rotation);
-	double get_texture_rotation() const { return skin_.style().texture_rotation; }
-	void set_uv(const PackedVector2Array &p_uv);
-	PackedVector2Array get_uv() const { return skin_.style().uv; }
-	void set_outline_width(double p_width);
-	double get_outline_width() const { return skin_.style().outline_width; }
-	void set_outline_color(const Color &p_color);
-	Color get_outline_color() const { return skin_.style().outline_color; }
-	void set_outline_texture(const Ref<Texture2D> &p_texture);
-	Ref<Texture2D> get_outline_texture() const { return skin_.style().outline_texture; }
+	// Looks: soft_body_2d_drawing.cpp.
 	void set_outline_texture_mode(OutlineTextureMode p_mode);
-	OutlineTextureMode get_outline_texture_mode() const;
+	OutlineTextureMode get_outline_texture_mode() const { return OutlineTextureMode(skin_.style().outline_texture_mode); }
 	PackedVector2Array get_interpolated_polygon(double p_fraction) const;
 	Transform2D get_interpolated_transform(double p_fraction) const;
 
+	// Structure: soft_body_2d_structure.cpp.
+	PackedVector2Array get_polygon() const { return structure_.values().polygon; }
 	/// What keeps these points from being a polygon of a body, as the setter would say it; empty when nothing does.
 	static String get_polygon_problem(const PackedVector2Array &p_polygon);
 	static PackedVector2Array make_circle_polygon(double p_radius, int p_point_count);
 	static PackedVector2Array make_box_polygon(const Vector2 &p_size, double p_spacing);
 	static PackedVector2Array make_capsule_polygon(double p_radius, double p_height, double p_spacing);
-
-	// Structure: soft_body_2d_structure.cpp.
-	void set_inner_points(const PackedVector2Array &p_points);
-	PackedVector2Array get_inner_points() const { return inner_points_; }
-	void set_springs(const PackedInt32Array &p_springs);
-	PackedInt32Array get_springs() const { return springs_; }
-	void set_spring_stiffness_scales(const PackedFloat32Array &p_scales);
-	PackedFloat32Array get_spring_stiffness_scales() const { return spring_stiffness_scales_; }
-	void set_spring_damping_scales(const PackedFloat32Array &p_scales);
-	PackedFloat32Array get_spring_damping_scales() const { return spring_damping_scales_; }
-	void set_spring_length_scales(const PackedFloat32Array &p_scales);
-	PackedFloat32Array get_spring_length_scales() const { return spring_length_scales_; }
 	int get_spring_count() const;
 	Vector2i get_spring_points(int p_index) const;
 	PackedInt32Array get_all_springs() const;
@@ -235,43 +125,28 @@ public:
 	double get_spring_rest_length(int p_index) const;
 	double get_spring_length(int p_index) const;
 	double get_spring_strain(int p_index) const;
-	void set_spring_stiffness_scale(int p_index, double p_scale);
-	void set_spring_damping_scale(int p_index, double p_scale);
-	void set_spring_length_scale(int p_index, double p_scale);
+	/// Sets the factor of one spring.
+	template <auto VALUE>
+	void set_scale_of_spring(int p_index, double p_scale);
 
-	// Contacts: soft_body_2d_contacts.cpp.
+	// Contacts: soft_body_2d_collision.cpp.
 	void set_contact_monitor(bool p_enabled);
-	bool is_contact_monitor_enabled() const { return contact_monitor_; }
-	void set_max_contacts_reported(int p_amount);
-	int get_max_contacts_reported() const { return max_contacts_reported_; }
-	int get_contact_count() const { return int(contacts_.size()); }
-	Vector2 get_contact_position(int p_index) const;
-	Vector2 get_contact_normal(int p_index) const;
-	double get_contact_impulse(int p_index) const;
-	double get_contact_depth(int p_index) const;
+	bool is_contact_monitor_enabled() const { return values_.contact_monitor; }
+	int get_contact_count() const { return int(contacts_.records().size()); }
+	template <auto VALUE>
+	softbody::ValueOf<VALUE> get_contact_value(int p_index) const;
 	int get_contact_point(int p_index) const;
 	Object *get_contact_collider(int p_index) const;
 	TypedArray<Node2D> get_colliding_bodies() const;
 
-	// State: soft_body_2d_state.cpp.
-	PackedByteArray get_state() const;
-	Error set_state(const PackedByteArray &p_state);
-
 	// Sleep: soft_body_2d_sleep.cpp.
 	void set_sleeping(bool p_sleeping);
 	bool is_sleeping() const;
-	void set_can_sleep(bool p_able);
-	bool is_able_to_sleep() const { return can_sleep_; }
-	void set_failure_mode(FailureMode p_mode);
-	FailureMode get_failure_mode() const { return failure_mode_; }
 	/// The core has put the body back, and frozen it if that is its mode: says so, and follows.
-	void set_disable_mode(DisableMode p_mode);
-	DisableMode get_disable_mode() const { return disable_mode_; }
-	void set_simulate_off_screen(bool p_enabled);
-	bool is_simulating_off_screen() const { return simulate_off_screen_; }
 	void set_freeze_enabled(bool p_freeze);
 	bool is_freeze_enabled() const { return freeze_; }
 
+	// Points: soft_body_2d_points.cpp.
 	int get_point_count() const;
 	PackedVector2Array get_point_positions() const;
 	PackedVector2Array get_point_velocities() const;
@@ -288,6 +163,8 @@ public:
 	double get_area() const;
 	double get_rest_area() const;
 	double get_penetration() const override;
+	PackedByteArray get_state() const;
+	Error set_state(const PackedByteArray &p_state);
 
 	// Motion: soft_body_2d_motion.cpp.
 	void set_linear_velocity(const Vector2 &p_velocity);
@@ -320,14 +197,14 @@ public:
 	PackedStringArray get_warnings() const;
 	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
 
-	// Pins, in soft_body_2d_pins.cpp.
+	// Pins: soft_body_2d_points.cpp.
 	void set_pinned_points(const PackedInt32Array &p_points);
-	PackedInt32Array get_pinned_points() const { return pinned_points_; }
+	PackedInt32Array get_pinned_points() const { return pins_.points(); }
 	void set_pin_targets(const TypedArray<NodePath> &p_targets);
-	TypedArray<NodePath> get_pin_targets() const { return pin_targets_; }
+	TypedArray<NodePath> get_pin_targets() const { return pins_.targets(); }
 	void set_point_pinned(int p_index, bool p_pinned, const NodePath &p_target);
-	bool is_point_pinned(int p_index) const;
-	NodePath get_pin_target(int p_index) const;
+	bool is_point_pinned(int p_index) const { return pins_.has(p_index); }
+	NodePath get_pin_target(int p_index) const { return pins_.target_of(p_index); }
 
 	// For nodes that hold on to this one.
 	softbody::SoftBodySpace2D *get_space() const { return space_; }
@@ -362,7 +239,7 @@ public:
 	void finish_step() override;
 	bool follow_with_proxy(bool p_may_detail) override;
 	void take_sleep(softbody::StepSignals &r_signals) override;
-	bool watches_contacts() const override { return contact_monitor_; }
+	bool watches_contacts() const override { return values_.contact_monitor; }
 	void take_contacts(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders,
 			std::vector<uint64_t> p_touched, softbody::StepSignals &r_signals) override;
 	bool is_idle() const override;
@@ -376,50 +253,38 @@ protected:
 	static void _bind_methods();
 	void _notification(int p_what);
 	void _validate_property(PropertyInfo &p_property) const;
-	bool _set(const StringName &p_name, const Variant &p_value) {
-		return set_former(p_name, p_value) || unfit_.set(*this, get_class_static(), p_name, p_value);
-	}
-	bool _get(const StringName &p_name, Variant &r_value) const {
-		return get_former(p_name, r_value) || unfit_.get(p_name, r_value);
-	}
+	bool _set(const StringName &p_name, const Variant &p_value);
+	bool _get(const StringName &p_name, Variant &r_value) const;
 	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:
-	// Names of earlier versions, in soft_body_2d_former.cpp. True if the property had that name.
-	bool set_former(const StringName &p_name, const Variant &p_value);
-	bool get_former(const StringName &p_name, Variant &r_value) const;
+	static void bind_properties();
+	static void bind_body_methods();
+	static void bind_structure_methods();
+	static void bind_enumerations();
+
+	// Friction and bounce were properties of the node in earlier versions: soft_body_2d_material.cpp.
+	static bool is_former_surface(const StringName &p_name);
 	void set_former_surface(const StringName &p_name, const Variant &p_value);
 
-	static void bind_properties();
-	static void bind_polygon();
-	static void bind_mass();
-	static void bind_structure();
-	static void bind_contacts();
-	static void bind_sleep();
-	static void bind_state();
-	static void bind_motion();
-	static void bind_points();
-	static void bind_material();
-	static void bind_surface();
-	static void bind_network();
-	static void bind_springs();
-	static void bind_limits();
-	static void bind_damping();
-	static void bind_collision();
-	static void bind_proxy();
-	static void bind_solver();
-	static void bind_report();
-	static void bind_drawing();
-	static void bind_pins();
-
-	static constexpr int DEFAULT_MAX_CONTACTS = 16;
-
-	/// A model of the elasticity and why: "chosen", "own_springs", "painted_springs", "network_values", "material", or "unfit"
-	/// where the network takes the place of a model that the body cannot have.
-	struct ModelChoice {
-		ElasticModel model = ELASTIC_MODEL_MODES;
-		const char *reason = "material";
+	/// What `set_value` does with a property.
+	struct ValueRule {
+		using Effect = void (SoftBody2D::*)();
+		ValueRule(const char *p_name = "", const softbody::ValueRange &p_range = {}, Effect p_effect = nullptr, bool p_is_judged = false) :
+				name(p_name), range(p_range), effect(p_effect), is_judged(p_is_judged) {}
+		const char *name;
+		softbody::ValueRange range;
+		Effect effect; ///< called when the value was accepted
+		bool is_judged; ///< whether the value is refused where the body as a whole cannot have it
 	};
+	/// One for each member of `Values`, `BodyStructure::Values` and `SkinStyle` that is a property; `bind_value` fills it.
+	template <auto VALUE>
+	static inline ValueRule rule_of;
+
+	/// Binds a property whose setter and getter are templates.
+	template <auto VALUE>
+	static void bind_value(const ValueRule &p_rule, PropertyHint p_hint = PROPERTY_HINT_NONE, const char *p_hint_string = "",
+			const char *p_getter_name = nullptr, const char *p_setter_name = nullptr);
 
 	static const char *const REASON_NETWORK_VALUES;
 
@@ -438,81 +303,53 @@ private:
 		PackedStringArray problems; ///< parts of the structure that do not fit the others and were left out
 	};
 
-	/// Friction and bounce as contacts use them.
-	struct Surface {
-		double friction = 0; ///< [1], >= 0
-		double bounce = 0; ///< [1], 0..1
-		bool rough = false;
-		bool absorbent = false;
-		/// Whether it has these values and is neither rough nor absorbent.
-		bool is_plain(double p_friction, double p_bounce) const;
-	};
-
-	/// What a contact of the last step was, for scripts.
-	struct ContactRecord {
-		Vector2 point;
-		Vector2 normal;
-		double impulse = 0;
-		double depth = 0;
-		uint32_t core_point = 0;
-		uint64_t collider = 0; ///< instance id
-	};
-
 	/// A callable of a bound method of this node that may be kept beyond the call. It is by name: the node outlives its code
 	/// when the editor reloads the extension, and a `callable_mp` points into that code.
 	Callable own_callable(const char *p_method) { return Callable(this, p_method); }
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
 	bool accept_shape(const StringName &p_property);
-	bool change(const StringName &p_property, double &r_member, double p_value, const softbody::Status &p_range);
 	bool accept_values(const StringName &p_property);
 	bool is_current(const Design &p_design) const;
 	void set_own_material_value(const softbody::MaterialField &p_field, double p_value);
 	bool take_over_own_values(const StringName &p_property, const softbody::MaterialValues &p_values);
 	void take_over_material();
+	bool leaves_to_shared_material(const StringName &p_property);
 	void take_over_physics_material();
-	/// Of `physics_material_override` where there is one, else of the material.
-	Surface surface() const;
-	static Ref<PhysicsMaterial> make_physics_material(const Surface &p_surface);
-	const softbody::MaterialValues &material_values() const;
 	ModelChoice choose_model() const;
 	double mass_of_area(double p_area) const;
-	double mass_in_use() const;
 	softbody::Status apply_elasticity(const Design &p_design, softbody::BodySettings &r_settings) const;
 	softbody::Result<softbody::BodySettings> make_settings(const Design &p_design) const;
+	/// Of the present design; nothing where there can be no body.
+	std::optional<softbody::BodySettings> present_settings() const;
 	/// The structure at the scale of `p_transform`, or what is wrong with it. A draft has no elastic modes, which take some
 	/// milliseconds: it serves to judge properties while a scene sets them one after the other.
 	softbody::Result<Design> make_design(const Transform2D &p_transform, bool p_is_draft = false) const;
+	bool uses_self_collision(const Design &p_design) const;
 	softbody::Status check_elasticity(const Design &p_design) const;
 	/// That of the body, or the one it would have; null if there can be none.
 	const Design *design() const;
 	Transform2D design_transform() const;
-	template <class Value>
-	bool change_structure(const StringName &p_property, Value &r_member, const Value &p_value, const softbody::Status &p_status);
-	void set_scale_of_spring(const StringName &p_property, PackedFloat32Array &r_scales, int p_index, double p_scale,
-			bool p_may_be_zero);
+	/// Takes over a structure in which a value has changed. False if it was refused.
+	bool take_over_structure(const StringName &p_property, bool p_has_other_points);
 	const softbody::Spring2D *find_spring(int p_index) const;
 	std::pair<double, double> spring_scales() const;
 	void tell_structure_problems();
 	void tell_network_once() const;
 	static bool decided_by_network_values(const Design &p_design);
 	void append_stability_warnings(const Design &p_design, PackedStringArray &r_warnings) const;
-	const ContactRecord *find_contact(int p_index) const;
-	struct Impact;
-	static Impact impact_of(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders, uint64_t p_collider);
+	const softbody::ContactReports::Record *find_contact(int p_index) const;
 	void watch_collider(Node *p_collider, bool p_watch);
-	void emit_entered(uint64_t p_collider, const Impact &p_impact);
+	void emit_entered(uint64_t p_collider, const softbody::ContactReports::Impact &p_impact);
 	void emit_exited(uint64_t p_collider);
 	void on_collider_exiting(uint64_t p_collider);
 	void forget_contacts();
-	void take_over_pins();
 	softbody::SoftBodyData *body();
 	const softbody::SoftBodyData *body() const;
 	/// The body after it has followed a transform that the user has just set.
 	const softbody::SoftBodyData *followed_body() const;
 	softbody::SoftBodyData *followed_body();
-	std::size_t core_index(int p_index) const;
-	/// The other way round, for a body or design that holds the hull so.
-	int public_index(std::size_t p_core_index, bool p_reversed) const;
+	std::size_t core_index(int p_index) const { return std::size_t(order().mirror(p_index)); }
+	softbody::PointOrder order() const { return structure_.order(polygon_reversed_); }
 	bool check_index(int p_index) const;
 
 	void enter_space();
@@ -521,6 +358,11 @@ private:
 	/// Gives a body that has just been made the velocities that were set before.
 	void start_first_motion();
 	void apply_constant_forces();
+	/// Adds an impulse or a force at an offset from the node's origin, or at the center of mass where that is null.
+	template <auto PUSH>
+	void push(const char *p_what, const Vector2 &p_push, const Vector2 *p_position);
+	PackedVector2Array in_user_order(std::span<const softbody::Vec2> p_values) const;
+	softbody::Status set_point(int p_index, const Vector2 *p_position, const Vector2 *p_velocity);
 	bool check_points(const char *p_what, const PackedVector2Array &p_values);
 	/// The node goes to where its points have been put.
 	void follow_body();
@@ -530,31 +372,26 @@ private:
 	void update_proxy_presence();
 	/// The next tick does not leave the node out, though its body may rest.
 	void note_change();
+	void apply_collision_layer();
 	void note_enabled();
 	/// Whether its process mode lets it be stepped, and if not, its disable mode.
 	bool takes_part() const;
-	bool is_held_static() const { return !enabled_ && disable_mode_ == DISABLE_MODE_MAKE_STATIC; }
+	bool is_held_static() const { return !enabled_ && values_.disable_mode == DISABLE_MODE_MAKE_STATIC; }
 	void apply_freeze();
 	void apply_exceptions();
 	softbody::Real proxy_inset() const;
 	Transform2D transform_at(const softbody::BodyFrame &p_frame) const;
 	void update_topology();
 
-	// Pins, in soft_body_2d_pins.cpp.
-	struct Pin {
-		uint64_t target = 0; ///< instance id, once it was found
-		Vector2 place; ///< in the target's frame
-	};
 	void apply_pins();
 	void follow_pin_targets();
-	void append_pin_warnings(PackedStringArray &r_warnings) const;
 
 	// Drawing, in soft_body_2d_drawing.cpp.
 	void append_drawing_warnings(PackedStringArray &r_warnings) const;
-	void replace_texture(Ref<Texture2D> softbody::SkinStyle::*p_member, const Ref<Texture2D> &p_texture);
+	void listen_to_textures(bool p_listens);
 	void follow_texture();
 	void remake_skin();
-	// Frames, in soft_body_2d_frame.cpp.
+	// Frames, in soft_body_2d_drawing.cpp.
 	void note_move_by_user(const Transform2D &p_from, const Transform2D &p_to);
 	bool check_fraction(double &r_fraction) const;
 	void draw();
@@ -565,57 +402,22 @@ private:
 	void leave_screen() { on_screen_ = false; }
 	bool is_off_screen() const;
 
-	PackedVector2Array polygon_;
-	PackedVector2Array inner_points_;
-	PackedInt32Array springs_;
-	PackedFloat32Array spring_stiffness_scales_;
-	PackedFloat32Array spring_damping_scales_;
-	PackedFloat32Array spring_length_scales_;
-	double mass_ = 1;
-	bool center_point_ = true;
-	softbody::MaterialValues own_material_;
-	Ref<SoftBodyMaterial2D> material_;
-	Ref<PhysicsMaterial> physics_material_override_;
+	Values values_;
+	softbody::BodyStructure structure_;
+	softbody::BodyMaterial material_;
+	softbody::BodyPins pins_;
+	softbody::ContactReports contacts_;
+	softbody::CollisionExceptions exceptions_;
 	Ref<PhysicsMaterial> former_surface_; ///< made for values that an old scene set under their former names
-	std::optional<Surface> surface_override_; ///< of `physics_material_override` when its values last were finite
-	ElasticModel elastic_model_ = ELASTIC_MODEL_AUTOMATIC;
-	double least_area_ = 0.5;
-	double least_stretch_ = 0.2;
-	double most_stretch_ = 3;
 	bool density_decides_ = false; ///< whether the density of the material makes the mass
-	double gravity_scale_ = 1;
 	Vector2 first_linear_velocity_; ///< of a body that is still to be made
 	double first_angular_velocity_ = 0;
 	Vector2 constant_force_;
 	double constant_torque_ = 0;
-	bool can_sleep_ = true;
-	FailureMode failure_mode_ = FAILURE_MODE_RESET;
-	DisableMode disable_mode_ = DISABLE_MODE_REMOVE;
 	bool enabled_ = true; ///< whether its process mode, or the one that it inherits, is another than disabled
-	bool simulate_off_screen_ = true;
 	bool freeze_ = false;
-	Integrator integrator_ = INTEGRATOR_AUTOMATIC;
-	int substeps_ = 0;
-	uint32_t collision_layer_ = 1;
-	uint32_t collision_mask_ = 1;
-	SelfCollision self_collision_ = SELF_COLLISION_AUTOMATIC;
-	bool contact_monitor_ = false;
-	int max_contacts_reported_ = DEFAULT_MAX_CONTACTS;
-	bool collision_proxy_enabled_ = true;
-	double collision_proxy_margin_ = -1;
-	std::vector<uint64_t> collision_exceptions_; ///< instance ids
-	std::vector<uint64_t> joined_; ///< instance ids of other bodies that joints keep from colliding with it, one a joint
-	std::vector<uint64_t> excepted_by_; ///< instance ids of soft bodies that have this one among theirs
-	DampMode linear_damp_mode_ = DAMP_MODE_COMBINE;
-	double linear_damp_ = 0;
-	DampMode angular_damp_mode_ = DAMP_MODE_COMBINE;
-	double angular_damp_ = 0;
 	softbody::UnfitValues unfit_;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
-
-	PackedInt32Array pinned_points_;
-	TypedArray<NodePath> pin_targets_; ///< one a pinned point; missing ones are the world
-	std::vector<Pin> pins_; ///< one a pinned point
 	uint64_t rest_version_ = 0;
 
 	softbody::SoftBodySpace2D *space_ = nullptr;
@@ -627,8 +429,6 @@ private:
 	mutable std::optional<Design> design_; ///< forgotten when the structure changes
 	PackedStringArray told_problems_;
 	bool sleeping_ = false; ///< as last told, or as wanted of a body that is still to be made
-	std::vector<ContactRecord> contacts_; ///< of the last step
-	std::vector<uint64_t> touched_; ///< instance ids, sorted
 	mutable softbody::HullProxy proxy_; ///< makes its RID when that is asked for
 	int engine_steps_ = 0; ///< that the engine can have made since the proxy entered its space
 	bool knows_areas_ = false; ///< whether the body has been told what areas do to it

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The node's looks: their properties, and the rest shape that they are made for.
+// The node's looks: the rest shape that they are made for, where it is drawn between physics ticks, and whether it needs to be.
 #include "godot/nodes/soft_body_2d.h"
 
 #include "godot/convert.h"
+#include "godot/server/soft_body_simulation_2d.h"
 
-#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/core/error_macros.hpp>
 
-#include <algorithm>
-#include <optional>
-#include <string>
 #include <vector>
 
+using softbody::Aabb;
 using softbody::SkinStyle;
 using softbody::Vec2;
 
@@ -18,46 +19,19 @@ namespace godot {
 
 namespace {
 
-// Hull, inner points and middle in the order the core holds them.
-std::vector<Vec2> rest_points(const PackedVector2Array &p_polygon, const PackedVector2Array &p_inner_points, bool p_reversed, bool p_center_point) {
-	std::vector<Vec2> points = softbody::to_core(p_polygon);
-	if (p_reversed) {
-		std::reverse(points.begin() + 1, points.end());
-	}
-	Vec2 sum;
-	for (const Vec2 point : points) {
-		sum += point;
-	}
-	const Vec2 middle = sum * (1 / softbody::Real(points.size()));
-	for (const Vector2 &point : p_inner_points) {
-		points.push_back(softbody::to_core(point));
-	}
-	if (p_center_point) {
-		points.push_back(middle);
-	}
-	return points;
-}
-
-bool is_finite(const Vector2 &p_place) {
-	return p_place.is_finite();
-}
-
-bool is_finite(const Color &p_color) {
-	return Math::is_finite(p_color.r) && Math::is_finite(p_color.g) && Math::is_finite(p_color.b) && Math::is_finite(p_color.a);
-}
-
-template <class Array>
-softbody::Status check_finite(const char *p_name, const Array &p_values) {
-	for (int64_t i = 0; i < p_values.size(); i++) {
-		if (!is_finite(p_values[i])) {
-			return softbody::Error{ std::string(p_name) + "[" + std::to_string(i) + "]", "non-finite", "must be finite", "check the computation that produced this value" };
-		}
-	}
-	return std::nullopt;
-}
-
 String size_warning(const char *p_property, int64_t p_size, int64_t p_polygon_size) {
 	return "'" + String(p_property) + "' has " + String::num_int64(p_size) + " entries and the polygon " + String::num_int64(p_polygon_size) + " points, so it is not used. Give it one entry for each point of the polygon, or none.";
+}
+
+// The area in which a skin may move before the rendering server is told again reaches farther by this part of its size.
+constexpr real_t AREA_RESERVE = 0.25;
+// So much larger than needed, as a ratio of areas, it is made smaller again.
+constexpr real_t AREA_EXCESS = 6;
+// So many frames in a row without a word of the rendering server make a body off-screen: it tells of a frame after it.
+constexpr int UNSEEN_FRAMES = 3;
+
+Rect2 rect_of(const Aabb &p_box) {
+	return Rect2(softbody::to_godot(p_box.min), softbody::to_godot(p_box.max - p_box.min));
 }
 
 } // namespace
@@ -67,7 +41,7 @@ void SoftBody2D::update_topology() {
 	// Of the node's scale one pixel is this part; the parent's and the camera's are left out, as Godot's own lines do.
 	const Vector2 scale = built_scale_.get_scale().abs();
 	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);
-	skin_.set_rest(rest_points(polygon_, inner_points_, polygon_reversed_, center_point_), std::size_t(polygon_.size()), polygon_reversed_, softbody::Real(pixel));
+	skin_.set_rest(structure_.rest_points(polygon_reversed_), order(), softbody::Real(pixel));
 	remake_skin();
 }
 
@@ -80,36 +54,12 @@ void SoftBody2D::remake_skin() {
 
 void SoftBody2D::append_drawing_warnings(PackedStringArray &r_warnings) const {
 	const SkinStyle &style = skin_.style();
-	if (!style.vertex_colors.is_empty() && style.vertex_colors.size() != polygon_.size()) {
-		r_warnings.push_back(size_warning("vertex_colors", style.vertex_colors.size(), polygon_.size()));
+	if (!style.vertex_colors.is_empty() && style.vertex_colors.size() != structure_.polygon_count()) {
+		r_warnings.push_back(size_warning("vertex_colors", style.vertex_colors.size(), structure_.polygon_count()));
 	}
-	if (!style.uv.is_empty() && style.uv.size() != polygon_.size()) {
-		r_warnings.push_back(size_warning("uv", style.uv.size(), polygon_.size()));
+	if (!style.uv.is_empty() && style.uv.size() != structure_.polygon_count()) {
+		r_warnings.push_back(size_warning("uv", style.uv.size(), structure_.polygon_count()));
 	}
-}
-
-void SoftBody2D::set_color(const Color &p_color) {
-	skin_.change_style().color = p_color;
-	remake_skin();
-}
-
-void SoftBody2D::set_vertex_colors(const PackedColorArray &p_colors) {
-	if (!accept("vertex_colors", check_finite("vertex_colors", p_colors))) {
-		return;
-	}
-	skin_.change_style().vertex_colors = p_colors;
-	remake_skin();
-	update_configuration_warnings();
-}
-
-void SoftBody2D::set_antialiased(bool p_antialiased) {
-	skin_.change_style().antialiased = p_antialiased;
-	remake_skin();
-}
-
-void SoftBody2D::set_smooth(bool p_smooth) {
-	skin_.change_style().smooth = p_smooth;
-	remake_skin();
 }
 
 // A texture that changes may have another size, or show another part of an atlas.
@@ -118,65 +68,17 @@ void SoftBody2D::follow_texture() {
 	remake_skin();
 }
 
-void SoftBody2D::replace_texture(Ref<Texture2D> SkinStyle::*p_member, const Ref<Texture2D> &p_texture) {
+void SoftBody2D::listen_to_textures(bool p_listens) {
 	const Callable changed = own_callable("_follow_texture");
-	SkinStyle &style = skin_.change_style();
-	for (const Ref<Texture2D> &texture : { style.texture, style.outline_texture }) {
-		if (texture.is_valid() && texture->is_connected("changed", changed)) {
-			texture->disconnect("changed", changed);
+	for (const Ref<Texture2D> &texture : { skin_.style().texture, skin_.style().outline_texture }) {
+		if (texture.is_valid() && texture->is_connected("changed", changed) != p_listens) {
+			if (p_listens) {
+				texture->connect("changed", changed);
+			} else {
+				texture->disconnect("changed", changed);
+			}
 		}
 	}
-	style.*p_member = p_texture;
-	for (const Ref<Texture2D> &texture : { style.texture, style.outline_texture }) {
-		if (texture.is_valid() && !texture->is_connected("changed", changed)) {
-			texture->connect("changed", changed);
-		}
-	}
-	remake_skin();
-}
-
-void SoftBody2D::set_texture(const Ref<Texture2D> &p_texture) {
-	replace_texture(&SkinStyle::texture, p_texture);
-}
-
-void SoftBody2D::set_texture_offset(const Vector2 &p_offset) {
-	skin_.change_style().texture_offset = p_offset;
-	remake_skin();
-}
-
-void SoftBody2D::set_texture_scale(const Vector2 &p_scale) {
-	skin_.change_style().texture_scale = p_scale;
-	remake_skin();
-}
-
-void SoftBody2D::set_texture_rotation(double p_rotation) {
-	skin_.change_style().texture_rotation = p_rotation;
-	remake_skin();
-}
-
-void SoftBody2D::set_uv(const PackedVector2Array &p_uv) {
-	if (!accept("uv", check_finite("uv", p_uv))) {
-		return;
-	}
-	skin_.change_style().uv = p_uv;
-	remake_skin();
-	update_configuration_warnings();
-}
-
-void SoftBody2D::set_outline_width(double p_width) {
-	if (accept("outline_width", softbody::check_at_least("outline_width", p_width, 0, "px"))) {
-		skin_.change_style().outline_width = p_width;
-		remake_skin();
-	}
-}
-
-void SoftBody2D::set_outline_color(const Color &p_color) {
-	skin_.change_style().outline_color = p_color;
-	remake_skin();
-}
-
-void SoftBody2D::set_outline_texture(const Ref<Texture2D> &p_texture) {
-	replace_texture(&SkinStyle::outline_texture, p_texture);
 }
 
 void SoftBody2D::set_outline_texture_mode(OutlineTextureMode p_mode) {
@@ -186,45 +88,153 @@ void SoftBody2D::set_outline_texture_mode(OutlineTextureMode p_mode) {
 	}
 }
 
-SoftBody2D::OutlineTextureMode SoftBody2D::get_outline_texture_mode() const {
-	return OutlineTextureMode(skin_.style().outline_texture_mode);
+// Frames.
+
+// Where the engine blends the canvas item's transform, drawing leaves the frame to it. Where it does not, the canvas
+// item is put where the body is drawn, and with it all that is drawn below the node in the tree; the node itself stays
+// at the tick.
+
+// A node set anew from outside is drawn there at once if we blend, and on its way there if the engine does, as all
+// nodes are.
+void SoftBody2D::note_move_by_user(const Transform2D &p_from, const Transform2D &p_to) {
+	interpolation_.carry(p_from, p_to, is_physics_interpolated_and_enabled());
 }
 
-void SoftBody2D::bind_drawing() {
-	ClassDB::bind_method(D_METHOD("set_color", "color"), &SoftBody2D::set_color);
-	ClassDB::bind_method(D_METHOD("get_color"), &SoftBody2D::get_color);
-	ClassDB::bind_method(D_METHOD("set_vertex_colors", "vertex_colors"), &SoftBody2D::set_vertex_colors);
-	ClassDB::bind_method(D_METHOD("get_vertex_colors"), &SoftBody2D::get_vertex_colors);
-	ClassDB::bind_method(D_METHOD("set_antialiased", "antialiased"), &SoftBody2D::set_antialiased);
-	ClassDB::bind_method(D_METHOD("is_antialiased"), &SoftBody2D::is_antialiased);
-	ClassDB::bind_method(D_METHOD("set_smooth", "smooth"), &SoftBody2D::set_smooth);
-	ClassDB::bind_method(D_METHOD("is_smooth"), &SoftBody2D::is_smooth);
-	ClassDB::bind_method(D_METHOD("set_texture", "texture"), &SoftBody2D::set_texture);
-	ClassDB::bind_method(D_METHOD("get_texture"), &SoftBody2D::get_texture);
-	ClassDB::bind_method(D_METHOD("set_texture_offset", "texture_offset"), &SoftBody2D::set_texture_offset);
-	ClassDB::bind_method(D_METHOD("get_texture_offset"), &SoftBody2D::get_texture_offset);
-	ClassDB::bind_method(D_METHOD("set_texture_scale", "texture_scale"), &SoftBody2D::set_texture_scale);
-	ClassDB::bind_method(D_METHOD("get_texture_scale"), &SoftBody2D::get_texture_scale);
-	ClassDB::bind_method(D_METHOD("set_texture_rotation", "texture_rotation"), &SoftBody2D::set_texture_rotation);
-	ClassDB::bind_method(D_METHOD("get_texture_rotation"), &SoftBody2D::get_texture_rotation);
-	ClassDB::bind_method(D_METHOD("set_uv", "uv"), &SoftBody2D::set_uv);
-	ClassDB::bind_method(D_METHOD("get_uv"), &SoftBody2D::get_uv);
-	ClassDB::bind_method(D_METHOD("set_outline_width", "outline_width"), &SoftBody2D::set_outline_width);
-	ClassDB::bind_method(D_METHOD("get_outline_width"), &SoftBody2D::get_outline_width);
-	ClassDB::bind_method(D_METHOD("set_outline_color", "outline_color"), &SoftBody2D::set_outline_color);
-	ClassDB::bind_method(D_METHOD("get_outline_color"), &SoftBody2D::get_outline_color);
-	ClassDB::bind_method(D_METHOD("set_outline_texture", "outline_texture"), &SoftBody2D::set_outline_texture);
-	ClassDB::bind_method(D_METHOD("get_outline_texture"), &SoftBody2D::get_outline_texture);
-	ClassDB::bind_method(D_METHOD("set_outline_texture_mode", "outline_texture_mode"), &SoftBody2D::set_outline_texture_mode);
-	ClassDB::bind_method(D_METHOD("get_outline_texture_mode"), &SoftBody2D::get_outline_texture_mode);
-	ClassDB::bind_method(D_METHOD("get_interpolated_polygon", "fraction"), &SoftBody2D::get_interpolated_polygon, DEFVAL(-1.0));
-	ClassDB::bind_method(D_METHOD("get_interpolated_transform", "fraction"), &SoftBody2D::get_interpolated_transform, DEFVAL(-1.0));
-	ClassDB::bind_method(D_METHOD("_follow_texture"), &SoftBody2D::follow_texture);
-	ClassDB::bind_method(D_METHOD("_enter_screen"), &SoftBody2D::enter_screen);
-	ClassDB::bind_method(D_METHOD("_leave_screen"), &SoftBody2D::leave_screen);
+// A camera that hangs on the body moves in ticks, unless the engine blends. So must the body then, or it would tremble
+// on the screen.
+bool SoftBody2D::is_drawn_at_tick() const {
+	return view_ != nullptr && view_->is_carried_by(this) && !is_physics_interpolated_and_enabled();
+}
 
-	BIND_ENUM_CONSTANT(OUTLINE_TEXTURE_TILE);
-	BIND_ENUM_CONSTANT(OUTLINE_TEXTURE_STRETCH);
+std::span<const Vec2> SoftBody2D::local_points(double p_fraction) const {
+	static std::vector<Vec2> points;
+	if (space_ == nullptr || body() == nullptr) {
+		return skin_.rest();
+	}
+	const softbody::SoftBodyData &data = *body();
+	points.resize(data.point_count());
+	interpolation_.local_points(known_transform_, p_fraction, data.previous_positions(), data.positions(), points);
+	return points;
+}
+
+bool SoftBody2D::check_fraction(double &r_fraction) const {
+	if (r_fraction == -1) {
+		r_fraction = is_drawn_at_tick() ? 1 : softbody::present_fraction();
+	}
+	ERR_FAIL_COND_V_MSG(!(r_fraction >= 0 && r_fraction <= 1), false, describe() + ": fraction = " + String::num(r_fraction) + " must be between 0 and 1, or -1 for that of the present frame.");
+	return true;
+}
+
+PackedVector2Array SoftBody2D::get_interpolated_polygon(double p_fraction) const {
+	PackedVector2Array polygon;
+	if (!check_fraction(p_fraction) || followed_body() == nullptr || space_ == nullptr) {
+		return polygon;
+	}
+	const Transform2D frame = interpolation_.frame(known_transform_, p_fraction);
+	const std::span<const Vec2> points = local_points(p_fraction);
+	polygon.resize(structure_.polygon_count());
+	Vector2 *write = polygon.ptrw();
+	for (int i = 0; i < structure_.polygon_count(); i++) {
+		write[i] = frame.xform(softbody::to_godot(points[core_index(i)]));
+	}
+	return polygon;
+}
+
+Transform2D SoftBody2D::get_interpolated_transform(double p_fraction) const {
+	if (!check_fraction(p_fraction) || followed_body() == nullptr || space_ == nullptr) {
+		return get_global_transform();
+	}
+	return interpolation_.frame(known_transform_, p_fraction);
+}
+
+void SoftBody2D::draw() {
+	skin_.draw(get_canvas_item());
+	const double fraction = is_drawn_at_tick() ? 1 : softbody::present_fraction();
+	skin_.update(local_points(fraction));
+	update_seen_area();
+}
+
+// While no camera sees the body, its skin stays as it was drawn last, and only its area is followed: it may grow into view.
+bool SoftBody2D::draw_frame(const softbody::DrawingFrame &p_frame) {
+	unseen_frames_ = on_screen_ ? 0 : MIN(unseen_frames_ + 1, UNSEEN_FRAMES);
+	if (settled_) {
+		return false;
+	}
+	const double fraction = is_drawn_at_tick() ? 1 : p_frame.fraction();
+	place_canvas_item(fraction);
+	if (on_screen_ || view_->is_unsteady()) {
+		skin_.update(local_points(fraction));
+		update_seen_area();
+		if (debug_drawing_) {
+			draw_debug(fraction);
+		}
+		settled_ = !interpolation_.is_moving();
+		return true;
+	}
+	if (!area_checked_) {
+		area_checked_ = true;
+		const std::span<const Vec2> points = local_points(1);
+		if (!skin_area_.encloses(rect_of(softbody::bounding_box(points)))) {
+			skin_.update(points);
+			update_seen_area();
+			return true;
+		}
+	}
+	return false;
+}
+
+void SoftBody2D::draw_debug(double p_fraction) {
+	const softbody::SoftBodyData *found = body();
+	if (found == nullptr) {
+		return;
+	}
+	// Contacts are sorted by body, but few look at this.
+	std::vector<softbody::Contact> contacts;
+	for (const softbody::Contact &contact : space_->simulator().contacts()) {
+		if (contact.body == body_id_ && interpolation_.is_moving()) {
+			contacts.push_back(contact);
+		}
+	}
+	const double delta = 1.0 / Engine::get_singleton()->get_physics_ticks_per_second();
+	debug_drawing_->draw(*found, local_points(p_fraction), interpolation_.frame(known_transform_, p_fraction), contacts, space_->simulator().plan(*found, softbody::Real(delta)));
+}
+
+void SoftBody2D::place_canvas_item(double p_fraction) {
+	const bool is_ours = interpolation_.is_moving() && (on_screen_ || view_->is_unsteady()) && !is_physics_interpolated_and_enabled();
+	if (is_ours) {
+		const Transform2D frame = interpolation_.frame(known_transform_, p_fraction);
+		RenderingServer::get_singleton()->canvas_item_set_transform(get_canvas_item(), get_transform() * known_transform_.affine_inverse() * frame);
+	} else if (item_displaced_) {
+		RenderingServer::get_singleton()->canvas_item_set_transform(get_canvas_item(), get_transform());
+	}
+	item_displaced_ = is_ours;
+}
+
+void SoftBody2D::enter_screen() {
+	on_screen_ = true;
+	unseen_frames_ = 0;
+}
+
+// A body that no frame has had a chance to show, as without a screen, is not off-screen.
+bool SoftBody2D::is_off_screen() const {
+	return unseen_frames_ >= UNSEEN_FRAMES;
+}
+
+// Tells the rendering server in which part of the plane the body is drawn: it draws the canvas item, and says that it
+// is seen, when a viewport shows any of it.
+void SoftBody2D::update_seen_area() {
+	const Rect2 box = rect_of(skin_.bounds());
+	if (skin_area_.encloses(box) && skin_area_.get_area() <= AREA_EXCESS * box.get_area()) {
+		return;
+	}
+	skin_area_ = box.grow(AREA_RESERVE * MAX(box.size.x, box.size.y));
+	if (!entered_screen_.is_valid()) {
+		entered_screen_ = own_callable("_enter_screen");
+		left_screen_ = own_callable("_leave_screen");
+	}
+	const Vector2 scale = known_transform_.get_scale().abs();
+	const real_t margin = real_t(softbody::DrawingFrame::MARGIN) / MAX(real_t(1e-3), MIN(scale.x, scale.y));
+	RenderingServer::get_singleton()->canvas_item_set_visibility_notifier(get_canvas_item(), true, skin_area_.grow(margin), entered_screen_, left_screen_);
 }
 
 } // namespace godot

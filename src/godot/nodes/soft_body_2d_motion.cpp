@@ -7,7 +7,6 @@
 #include "core/model/rigid_motion.h"
 #include "godot/convert.h"
 
-#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/math.hpp>
 
@@ -78,37 +77,34 @@ void SoftBody2D::start_first_motion() {
 
 // Impulses and forces. A position is an offset from the node's origin, in global axes, as RigidBody2D has it.
 
-void SoftBody2D::apply_impulse(const Vector2 &p_impulse, const Vector2 &p_position) {
+template <auto PUSH>
+void SoftBody2D::push(const char *p_what, const Vector2 &p_push, const Vector2 *p_position) {
 	if (check_index(0)) {
 		softbody::SoftBodyData &target = *followed_body();
-		accept("impulse", softbody::apply_rigid_impulse(target, to_core(p_impulse), to_core(get_global_position() + p_position)));
+		const softbody::Vec2 place = p_position != nullptr ? to_core(get_global_position() + *p_position) : softbody::measure_frame(target).center;
+		accept(p_what, PUSH(target, to_core(p_push), place));
 	}
 }
 
+void SoftBody2D::apply_impulse(const Vector2 &p_impulse, const Vector2 &p_position) {
+	push<softbody::apply_rigid_impulse>("impulse", p_impulse, &p_position);
+}
+
 void SoftBody2D::apply_central_impulse(const Vector2 &p_impulse) {
-	if (check_index(0)) {
-		softbody::SoftBodyData &target = *followed_body();
-		accept("impulse", softbody::apply_rigid_impulse(target, to_core(p_impulse), softbody::measure_frame(target).center));
-	}
+	push<softbody::apply_rigid_impulse>("impulse", p_impulse, nullptr);
+}
+
+void SoftBody2D::apply_force(const Vector2 &p_force, const Vector2 &p_position) {
+	push<softbody::add_rigid_force>("force", p_force, &p_position);
+}
+
+void SoftBody2D::apply_central_force(const Vector2 &p_force) {
+	push<softbody::add_rigid_force>("force", p_force, nullptr);
 }
 
 void SoftBody2D::apply_torque_impulse(double p_torque) {
 	if (check_index(0)) {
 		accept("torque", softbody::apply_angular_impulse(*followed_body(), softbody::Real(p_torque)));
-	}
-}
-
-void SoftBody2D::apply_force(const Vector2 &p_force, const Vector2 &p_position) {
-	if (check_index(0)) {
-		softbody::SoftBodyData &target = *followed_body();
-		accept("force", softbody::add_rigid_force(target, to_core(p_force), to_core(get_global_position() + p_position)));
-	}
-}
-
-void SoftBody2D::apply_central_force(const Vector2 &p_force) {
-	if (check_index(0)) {
-		softbody::SoftBodyData &target = *followed_body();
-		accept("force", softbody::add_rigid_force(target, to_core(p_force), softbody::measure_frame(target).center));
 	}
 }
 
@@ -198,32 +194,6 @@ void SoftBody2D::teleport(const Transform2D &p_transform) {
 
 void SoftBody2D::reset() {
 	rebuild_body(false);
-}
-
-void SoftBody2D::bind_motion() {
-	ClassDB::bind_method(D_METHOD("set_linear_velocity", "linear_velocity"), &SoftBody2D::set_linear_velocity);
-	ClassDB::bind_method(D_METHOD("get_linear_velocity"), &SoftBody2D::get_linear_velocity);
-	ClassDB::bind_method(D_METHOD("set_angular_velocity", "angular_velocity"), &SoftBody2D::set_angular_velocity);
-	ClassDB::bind_method(D_METHOD("get_angular_velocity"), &SoftBody2D::get_angular_velocity);
-	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse", "position"), &SoftBody2D::apply_impulse, DEFVAL(Vector2()));
-	ClassDB::bind_method(D_METHOD("apply_central_impulse", "impulse"), &SoftBody2D::apply_central_impulse);
-	ClassDB::bind_method(D_METHOD("apply_torque_impulse", "torque"), &SoftBody2D::apply_torque_impulse);
-	ClassDB::bind_method(D_METHOD("apply_force", "force", "position"), &SoftBody2D::apply_force, DEFVAL(Vector2()));
-	ClassDB::bind_method(D_METHOD("apply_central_force", "force"), &SoftBody2D::apply_central_force);
-	ClassDB::bind_method(D_METHOD("apply_torque", "torque"), &SoftBody2D::apply_torque);
-	ClassDB::bind_method(D_METHOD("set_constant_force", "force"), &SoftBody2D::set_constant_force);
-	ClassDB::bind_method(D_METHOD("get_constant_force"), &SoftBody2D::get_constant_force);
-	ClassDB::bind_method(D_METHOD("set_constant_torque", "torque"), &SoftBody2D::set_constant_torque);
-	ClassDB::bind_method(D_METHOD("get_constant_torque"), &SoftBody2D::get_constant_torque);
-	ClassDB::bind_method(D_METHOD("add_constant_central_force", "force"), &SoftBody2D::add_constant_central_force);
-	ClassDB::bind_method(D_METHOD("add_constant_force", "force", "position"), &SoftBody2D::add_constant_force, DEFVAL(Vector2()));
-	ClassDB::bind_method(D_METHOD("add_constant_torque", "torque"), &SoftBody2D::add_constant_torque);
-	ClassDB::bind_method(D_METHOD("get_center_of_mass_position"), &SoftBody2D::get_center_of_mass_position);
-	ClassDB::bind_method(D_METHOD("get_center_of_mass"), &SoftBody2D::get_center_of_mass);
-	ClassDB::bind_method(D_METHOD("get_inertia"), &SoftBody2D::get_inertia);
-	ClassDB::bind_method(D_METHOD("get_kinetic_energy"), &SoftBody2D::get_kinetic_energy);
-	ClassDB::bind_method(D_METHOD("teleport", "transform"), &SoftBody2D::teleport);
-	ClassDB::bind_method(D_METHOD("reset"), &SoftBody2D::reset);
 }
 
 } // namespace godot

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What scripts can ask of the body and do to it: points, forces, measures.
+// What scripts can ask of the points of the body and do to them: places, forces, pins, the state as bytes.
 #include "godot/nodes/soft_body_2d.h"
 
 #include "core/geometry/polygon.h"
+#include "core/model/body_state.h"
 #include "godot/convert.h"
 #include "godot/server/soft_body_space_2d.h"
 
-#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
 
 #include <cmath>
+#include <cstring>
 #include <string>
 
 using softbody::to_core;
@@ -18,16 +20,6 @@ using softbody::to_godot;
 namespace godot {
 
 // Points.
-
-std::size_t SoftBody2D::core_index(int p_index) const {
-	return std::size_t(public_index(std::size_t(p_index), polygon_reversed_)); // a reversal undoes itself
-}
-
-int SoftBody2D::public_index(std::size_t p_core_index, bool p_reversed) const {
-	const int index = int(p_core_index);
-	const int polygon_count = int(polygon_.size());
-	return p_reversed && index < polygon_count ? (polygon_count - index) % polygon_count : index;
-}
 
 bool SoftBody2D::check_index(int p_index) const {
 	ERR_FAIL_COND_V_MSG(body() == nullptr, false, describe() + ": has no body yet; add the node to the scene tree first.");
@@ -41,27 +33,28 @@ int SoftBody2D::get_point_count() const {
 			return int(found->shape->point_count());
 		}
 	}
-	return int(polygon_.size() + inner_points_.size()) + (center_point_ ? 1 : 0);
+	return structure_.point_count();
+}
+
+// Of the points in the user's order.
+PackedVector2Array SoftBody2D::in_user_order(std::span<const softbody::Vec2> p_values) const {
+	PackedVector2Array values;
+	values.resize(get_point_count());
+	Vector2 *write = values.ptrw();
+	for (int i = 0; i < int(values.size()); i++) {
+		write[i] = to_godot(p_values[core_index(i)]);
+	}
+	return values;
 }
 
 PackedVector2Array SoftBody2D::get_point_positions() const {
-	PackedVector2Array points;
-	if (const softbody::SoftBodyData *found = followed_body()) {
-		for (int i = 0; i < get_point_count(); i++) {
-			points.push_back(to_godot(found->positions()[core_index(i)]));
-		}
-	}
-	return points;
+	const softbody::SoftBodyData *found = followed_body();
+	return found != nullptr ? in_user_order(found->positions()) : PackedVector2Array();
 }
 
 PackedVector2Array SoftBody2D::get_point_velocities() const {
-	PackedVector2Array velocities;
-	if (const softbody::SoftBodyData *found = followed_body()) {
-		for (int i = 0; i < get_point_count(); i++) {
-			velocities.push_back(to_godot(found->velocities()[core_index(i)]));
-		}
-	}
-	return velocities;
+	const softbody::SoftBodyData *found = followed_body();
+	return found != nullptr ? in_user_order(found->velocities()) : PackedVector2Array();
 }
 
 int SoftBody2D::get_nearest_point(const Vector2 &p_global_position) const {
@@ -100,7 +93,7 @@ PackedVector2Array SoftBody2D::get_point_forces() const {
 		forces.resize(get_point_count());
 		forces.fill(Vector2());
 		for (const softbody::ExternalForce &each : found->external_forces()) {
-			const int index = public_index(each.point, polygon_reversed_);
+			const int index = order().mirror(int(each.point));
 			forces.set(index, forces[index] + to_godot(each.force));
 		}
 	}
@@ -115,20 +108,21 @@ bool SoftBody2D::check_points(const char *p_what, const PackedVector2Array &p_va
 	if (p_values.size() != get_point_count()) {
 		return accept(p_what, softbody::Error{ name, std::to_string(p_values.size()) + " entries", "must have " + std::to_string(get_point_count()) + " entries, one a point", "give as many as get_point_count()" });
 	}
-	for (int64_t i = 0; i < p_values.size(); i++) {
-		if (!p_values[i].is_finite()) {
-			return accept(p_what, softbody::Error{ name + "[" + std::to_string(i) + "]", "non-finite", "must be finite", "check the computation that produced this value" });
-		}
-	}
-	return accept(p_what, {});
+	return accept(p_what, softbody::check_all_finite(name, p_values));
+}
+
+// Places and velocities of points. A point keeps the one of the two that is not given.
+
+softbody::Status SoftBody2D::set_point(int p_index, const Vector2 *p_position, const Vector2 *p_velocity) {
+	softbody::SoftBodyData &target = *followed_body();
+	const std::size_t index = core_index(p_index);
+	return target.set_point(uint32_t(index), p_position != nullptr ? to_core(*p_position) : target.positions()[index], p_velocity != nullptr ? to_core(*p_velocity) : target.velocities()[index]);
 }
 
 void SoftBody2D::set_point_positions(const PackedVector2Array &p_positions) {
 	if (check_points("positions", p_positions)) {
-		softbody::SoftBodyData &target = *followed_body();
 		for (int i = 0; i < get_point_count(); i++) {
-			const std::size_t index = core_index(i);
-			target.set_point(uint32_t(index), to_core(p_positions[i]), target.velocities()[index]);
+			set_point(i, &p_positions[i], nullptr);
 		}
 		follow_body();
 	}
@@ -136,29 +130,21 @@ void SoftBody2D::set_point_positions(const PackedVector2Array &p_positions) {
 
 void SoftBody2D::set_point_velocities(const PackedVector2Array &p_velocities) {
 	if (check_points("velocities", p_velocities)) {
-		softbody::SoftBodyData &target = *followed_body();
 		for (int i = 0; i < get_point_count(); i++) {
-			const std::size_t index = core_index(i);
-			target.set_point(uint32_t(index), target.positions()[index], to_core(p_velocities[i]));
+			set_point(i, nullptr, &p_velocities[i]);
 		}
 	}
 }
 
 void SoftBody2D::set_point_position(int p_index, const Vector2 &p_position) {
-	if (check_index(p_index)) {
-		softbody::SoftBodyData &target = *followed_body();
-		const std::size_t index = core_index(p_index);
-		if (accept("position", target.set_point(uint32_t(index), to_core(p_position), target.velocities()[index]))) {
-			follow_body();
-		}
+	if (check_index(p_index) && accept("position", set_point(p_index, &p_position, nullptr))) {
+		follow_body();
 	}
 }
 
 void SoftBody2D::set_point_velocity(int p_index, const Vector2 &p_velocity) {
 	if (check_index(p_index)) {
-		softbody::SoftBodyData &target = *followed_body();
-		const std::size_t index = core_index(p_index);
-		accept("velocity", target.set_point(uint32_t(index), target.positions()[index], to_core(p_velocity)));
+		accept("velocity", set_point(p_index, nullptr, &p_velocity));
 	}
 }
 
@@ -179,7 +165,7 @@ double SoftBody2D::get_area() const {
 
 double SoftBody2D::get_rest_area() const {
 	const softbody::SoftBodyData *found = followed_body();
-	return found ? double(found->shape().rest_area()) : std::abs(double(softbody::signed_area(to_core(polygon_))));
+	return found ? double(found->shape().rest_area()) : std::abs(double(softbody::signed_area(to_core(get_polygon()))));
 }
 
 double SoftBody2D::get_penetration() const {
@@ -187,23 +173,78 @@ double SoftBody2D::get_penetration() const {
 	return found && space_ ? double(softbody::measure_penetration(space_->world(), *found)) : 0.0;
 }
 
-void SoftBody2D::bind_points() {
-	ClassDB::bind_method(D_METHOD("get_point_count"), &SoftBody2D::get_point_count);
-	ClassDB::bind_method(D_METHOD("get_point_positions"), &SoftBody2D::get_point_positions);
-	ClassDB::bind_method(D_METHOD("get_point_velocities"), &SoftBody2D::get_point_velocities);
-	ClassDB::bind_method(D_METHOD("get_point_forces"), &SoftBody2D::get_point_forces);
-	ClassDB::bind_method(D_METHOD("set_point_positions", "positions"), &SoftBody2D::set_point_positions);
-	ClassDB::bind_method(D_METHOD("set_point_velocities", "velocities"), &SoftBody2D::set_point_velocities);
-	ClassDB::bind_method(D_METHOD("set_point_position", "index", "position"), &SoftBody2D::set_point_position);
-	ClassDB::bind_method(D_METHOD("set_point_velocity", "index", "velocity"), &SoftBody2D::set_point_velocity);
-	ClassDB::bind_method(D_METHOD("apply_point_forces", "forces"), &SoftBody2D::apply_point_forces);
-	ClassDB::bind_method(D_METHOD("get_nearest_point", "global_position"), &SoftBody2D::get_nearest_point);
-	ClassDB::bind_method(D_METHOD("has_point", "global_position"), &SoftBody2D::has_point);
-	ClassDB::bind_method(D_METHOD("apply_point_force", "index", "force"), &SoftBody2D::apply_point_force);
-	ClassDB::bind_method(D_METHOD("apply_point_impulse", "index", "impulse"), &SoftBody2D::apply_point_impulse);
-	ClassDB::bind_method(D_METHOD("get_area"), &SoftBody2D::get_area);
-	ClassDB::bind_method(D_METHOD("get_rest_area"), &SoftBody2D::get_rest_area);
-	ClassDB::bind_method(D_METHOD("get_penetration"), &SoftBody2D::get_penetration);
+// Points that are held in place, or at another node: `BodyPins` for scripts.
+
+void SoftBody2D::set_pinned_points(const PackedInt32Array &p_points) {
+	if (accept("pinned_points", softbody::BodyPins::check(p_points))) {
+		pins_.set_points(p_points);
+		apply_pins();
+		update_configuration_warnings();
+	}
+}
+
+void SoftBody2D::set_pin_targets(const TypedArray<NodePath> &p_targets) {
+	pins_.set_targets(p_targets);
+	note_change();
+	update_configuration_warnings();
+}
+
+void SoftBody2D::set_point_pinned(int p_index, bool p_pinned, const NodePath &p_target) {
+	ERR_FAIL_COND_MSG(p_index < 0 || p_index >= get_point_count(), describe() + ": point index " + itos(p_index) + " must be between 0 and " + itos(get_point_count() - 1) + ".");
+	if (!p_pinned) {
+		pins_.unpin(p_index);
+	} else if (!pins_.pin(p_index, p_target)) {
+		return;
+	}
+	apply_pins();
+	update_configuration_warnings();
+}
+
+void SoftBody2D::apply_pins() {
+	softbody::SoftBodyData *found = body();
+	note_change();
+	if (const softbody::Status refused = found != nullptr ? pins_.apply(*found, order()) : softbody::Status()) {
+		accept("pinned_points", refused);
+	}
+}
+
+void SoftBody2D::follow_pin_targets() {
+	softbody::SoftBodyData *found = body();
+	if (found == nullptr || pins_.points().is_empty()) {
+		return;
+	}
+	if (const softbody::Status refused = pins_.follow(*this, *found, order())) {
+		accept("pin_targets", refused);
+	}
+}
+
+// The state of the body as bytes, for rollback, replays and saved games.
+
+PackedByteArray SoftBody2D::get_state() const {
+	PackedByteArray bytes;
+	const softbody::SoftBodyData *found = followed_body();
+	ERR_FAIL_NULL_V_MSG(found, bytes, describe() + ": has no body yet; add the node to the scene tree first.");
+	const std::vector<uint8_t> state = softbody::to_bytes(found->save_state());
+	bytes.resize(int64_t(state.size()));
+	std::memcpy(bytes.ptrw(), state.data(), state.size());
+	return bytes;
+}
+
+Error SoftBody2D::set_state(const PackedByteArray &p_state) {
+	softbody::SoftBodyData *found = followed_body();
+	ERR_FAIL_NULL_V_MSG(found, ERR_UNCONFIGURED, describe() + ": has no body yet; add the node to the scene tree first.");
+	const auto state = softbody::body_state_from_bytes({ p_state.ptr(), std::size_t(p_state.size()) });
+	softbody::Status status = state ? found->restore_state(state.value()) : softbody::Status(state.error());
+	ERR_FAIL_COND_V_MSG(status, ERR_INVALID_DATA, describe() + ": state refused: " + softbody::to_godot(*status) + ". The body goes on as it was.");
+	follow_body();
+	found->set_rotation_memory(state.value().rotation_memory); // which the node's following measured anew
+	if (!is_held_static()) {
+		freeze_ = found->is_frozen();
+	}
+	apply_freeze();
+	sleeping_ = found->is_asleep();
+	pins_.take_over(*found, order());
+	return OK;
 }
 
 } // namespace godot

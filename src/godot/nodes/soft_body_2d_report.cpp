@@ -4,14 +4,12 @@
 
 #include "core/dynamics/load_trial.h"
 #include "core/dynamics/stability_report.h"
-#include "core/geometry/polygon.h"
 #include "core/model/model_choice.h"
 #include "godot/convert.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/classes/time.hpp>
-#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/print_string.hpp>
 
@@ -32,22 +30,6 @@ constexpr int MOST_TRIAL_STEPS = 5000;
 // Steps that a clock leaves out: the first ones fill caches and arrange the world.
 constexpr size_t UNTIMED_STEPS = 3;
 
-const char *reason_text(softbody::PlanReason p_reason) {
-	switch (p_reason) {
-		case softbody::PlanReason::STABILITY:
-			return "stability";
-		case softbody::PlanReason::CONTACTS:
-			return "contacts";
-		case softbody::PlanReason::TOO_STIFF:
-			return "too_stiff";
-		case softbody::PlanReason::FIXED:
-			return "fixed";
-		case softbody::PlanReason::UNSTABLE:
-			break;
-	}
-	return "unstable";
-}
-
 softbody::Real tick_length() {
 	return softbody::Real(1.0 / Engine::get_singleton()->get_physics_ticks_per_second());
 }
@@ -59,7 +41,7 @@ void write_plan(const softbody::SubstepPlan &p_plan, Dictionary &r_result) {
 	r_result["substeps"] = p_plan.substeps;
 	r_result["stability_margin"] = p_plan.stability_margin;
 	r_result["safe"] = p_plan.safe;
-	r_result["reason"] = reason_text(p_plan.reason);
+	r_result["reason"] = softbody::name_of(p_plan.reason);
 	r_result["cost"] = p_plan.cost;
 }
 
@@ -113,25 +95,20 @@ softbody::Result<softbody::SoftBodyData> SoftBody2D::make_copy() const {
 	}
 	auto body = softbody::SoftBodyData::create(copied.shape, settings.value(), softbody::to_core_pose(transform));
 	if (body) {
-		for (const int32_t point : pinned_points_) {
-			if (point < get_point_count()) {
-				body.value().set_pinned(uint32_t(public_index(size_t(point), copied.is_reversed)), true);
-			}
-		}
+		pins_.apply(body.value(), structure_.order(copied.is_reversed));
 	}
 	return body;
 }
 
 Dictionary SoftBody2D::get_substep_plan() const {
 	Dictionary result;
-	const Design *found = design();
-	const auto settings = found != nullptr ? make_settings(*found) : softbody::Result<softbody::BodySettings>(softbody::Error{});
-	if (settings) {
-		write_plan(softbody::plan_substeps(*found->shape, settings.value(), tick_length(), collision_mask_ != 0), result);
+	if (const auto settings = present_settings()) {
+		const Design *found = design();
+		write_plan(softbody::plan_substeps(*found->shape, *settings, tick_length(), values_.collision_mask != 0), result);
 		result["elastic_model"] = int(found->used.model);
 		result["elastic_reason"] = found->used.reason;
 		const bool is_network = found->used.model == ELASTIC_MODEL_NETWORK;
-		result["elastic_error"] = is_network ? 0.0 : softbody::expected_error(softbody::ElasticModel(found->used.model - ELASTIC_MODEL_SPRINGS), std::size_t(polygon_.size()));
+		result["elastic_error"] = is_network ? 0.0 : softbody::expected_error(softbody::ElasticModel(found->used.model - ELASTIC_MODEL_SPRINGS), std::size_t(structure_.polygon_count()));
 	}
 	return result;
 }
@@ -144,8 +121,8 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 		return result;
 	}
 	const softbody::StabilityReport report =
-			softbody::report_stability(*found->shape, make_settings(*found).value(), project_gravity(), tick_length(), collision_mask_ != 0);
-	const softbody::MaterialValues &material = material_values();
+			softbody::report_stability(*found->shape, *present_settings(), project_gravity(), tick_length(), values_.collision_mask != 0);
+	const softbody::MaterialValues &material = material_.values();
 	const bool is_network = found->used.model == ELASTIC_MODEL_NETWORK;
 	result["automatic_substeps"] = report.automatic.substeps;
 	result["automatic_integrator"] = int(report.automatic.integrator);
@@ -187,7 +164,7 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 }
 
 void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringArray &r_warnings) const {
-	const softbody::MaterialValues &material = material_values();
+	const softbody::MaterialValues &material = material_.values();
 	const bool is_network = p_design.used.model == ELASTIC_MODEL_NETWORK;
 	// A network of its own is no fault. It is one that a material was given and has no effect.
 	const softbody::MaterialValues defaults;
@@ -198,7 +175,7 @@ void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringA
 	if (!settings) {
 		return;
 	}
-	const softbody::StabilityReport report = softbody::report_stability(*p_design.shape, settings.value(), project_gravity(), tick_length(), collision_mask_ != 0);
+	const softbody::StabilityReport report = softbody::report_stability(*p_design.shape, settings.value(), project_gravity(), tick_length(), values_.collision_mask != 0);
 	if (report.is_too_soft()) {
 		// What is painted on single springs stays: the node's own value has to make up for it.
 		const double own = is_network ? material.stiffness : material.youngs_modulus;
@@ -244,24 +221,13 @@ PackedStringArray SoftBody2D::get_warnings() const {
 			warnings.push_back("Left out of the body, as it does not fit the rest of its structure: " + problem + ".");
 		}
 	}
-	const std::vector<softbody::Vec2> hull = to_core(polygon_);
-	for (int64_t i = 0; i < inner_points_.size(); i++) {
-		if (!softbody::point_in_polygon(to_core(inner_points_[i]), hull)) {
-			warnings.push_back("inner_points[" + String::num_int64(i) + "] lies outside the polygon: it is part of the body, but touches nothing. Move it inside.");
-		}
-	}
+	structure_.append_warnings(warnings);
 	if (found != nullptr) {
 		append_stability_warnings(*found, warnings);
 	}
-	append_pin_warnings(warnings);
+	pins_.append_warnings(*this, get_point_count(), warnings);
 	append_drawing_warnings(warnings);
 	return warnings;
-}
-
-void SoftBody2D::bind_report() {
-	ClassDB::bind_method(D_METHOD("get_substep_plan"), &SoftBody2D::get_substep_plan);
-	ClassDB::bind_method(D_METHOD("get_stability_report", "time_limit_msec"), &SoftBody2D::get_stability_report, DEFVAL(30.0));
-	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBody2D::get_warnings);
 }
 
 } // namespace godot

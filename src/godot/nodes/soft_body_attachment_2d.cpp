@@ -5,6 +5,7 @@
 #include "godot/convert.h"
 #include "godot/drawing/drawing_frame.h"
 #include "godot/nodes/soft_body_2d.h"
+#include "godot/resources/property_binding.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -23,10 +24,6 @@ PackedStringArray SoftBodyAttachment2D::get_warnings() const {
 	}
 	unfit_.append_warnings(warnings);
 	return warnings;
-}
-
-void SoftBodyAttachment2D::set_follow_rotation(bool p_follow) {
-	follow_rotation_ = p_follow;
 }
 
 void SoftBodyAttachment2D::attach_at(const Vector2 &p_position, double p_rotation) {
@@ -93,13 +90,11 @@ void SoftBodyAttachment2D::follow(double p_fraction) {
 
 void SoftBodyAttachment2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBodyAttachment2D::get_warnings);
-	ClassDB::bind_method(D_METHOD("set_follow_rotation", "follow"), &SoftBodyAttachment2D::set_follow_rotation);
-	ClassDB::bind_method(D_METHOD("is_following_rotation"), &SoftBodyAttachment2D::is_following_rotation);
 	ClassDB::bind_method(D_METHOD("attach_at", "position", "rotation"), &SoftBodyAttachment2D::attach_at, DEFVAL(0.0));
 	ClassDB::bind_method(D_METHOD("get_rest_position"), &SoftBodyAttachment2D::get_rest_position);
 	ClassDB::bind_method(D_METHOD("get_rest_rotation"), &SoftBodyAttachment2D::get_rest_rotation);
 
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "follow_rotation"), "set_follow_rotation", "is_following_rotation");
+	softbody::bind_property("follow_rotation", &SoftBodyAttachment2D::set_follow_rotation, &SoftBodyAttachment2D::is_following_rotation, PROPERTY_HINT_NONE, "", "is_following_rotation");
 }
 
 } // namespace godot

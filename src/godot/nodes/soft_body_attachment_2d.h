@@ -21,7 +21,7 @@ class SoftBodyAttachment2D : public Node2D {
 	GDCLASS(SoftBodyAttachment2D, Node2D)
 
 public:
-	void set_follow_rotation(bool p_follow);
+	void set_follow_rotation(bool p_follow) { follow_rotation_ = p_follow; }
 	bool is_following_rotation() const { return follow_rotation_; }
 	/// The place on the undeformed body, in the body's coordinates.
 	void attach_at(const Vector2 &p_position, double p_rotation);

@@ -2,7 +2,6 @@
 // The node that ties a SoftBody2D to another one, to any other node, or to the world.
 #include "godot/nodes/soft_body_joint_2d.h"
 
-#include "core/geometry/segment.h"
 #include "godot/convert.h"
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/server/soft_body_simulation_2d.h"
@@ -26,43 +25,10 @@ namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
-// The place of the body nearest to `p_place`: on an edge of its hull, or one of its inner points.
-JointAnchor nearest_anchor(const softbody::SoftBodyData &p_body, softbody::Vec2 p_place) {
-	const auto hull = p_body.hull();
-	softbody::Real nearest = std::numeric_limits<softbody::Real>::infinity();
-	JointAnchor anchor;
-	for (uint32_t i = 0; i < hull.size(); i++) {
-		const softbody::Vec2 a = hull[i];
-		const softbody::Vec2 b = hull[(i + 1) % hull.size()];
-		const softbody::Real fraction = softbody::closest_parameter_on_segment(p_place, a, b);
-		const softbody::Real distance = length_squared(p_place - a - (b - a) * fraction);
-		if (distance < nearest) {
-			nearest = distance;
-			anchor = JointAnchor::on_edge({}, i, fraction);
-		}
-	}
-	for (uint32_t i = uint32_t(hull.size()); i < p_body.point_count(); i++) {
-		const softbody::Real distance = length_squared(p_place - p_body.positions()[i]);
-		if (distance < nearest) {
-			nearest = distance;
-			anchor = JointAnchor::on_point({}, i);
-		}
-	}
-	return anchor;
-}
-
 // Null for what no joint can move.
 const RigidBody2D *as_free_rigid_body(Object *p_node) {
 	const RigidBody2D *rigid = Object::cast_to<RigidBody2D>(p_node);
 	return rigid != nullptr && rigid->is_inside_tree() && !rigid->is_freeze_enabled() ? rigid : nullptr;
-}
-
-bool same_anchor(const JointAnchor &p_a, const JointAnchor &p_b) {
-	return p_a.kind == p_b.kind && p_a.body == p_b.body && p_a.point == p_b.point && p_a.fraction == p_b.fraction && p_a.position == p_b.position && p_a.tag == p_b.tag;
-}
-
-bool same_joint(const softbody::Joint &p_a, const softbody::Joint &p_b) {
-	return same_anchor(p_a.first, p_b.first) && same_anchor(p_a.second, p_b.second) && p_a.rest_length == p_b.rest_length && p_a.stiffness == p_b.stiffness && p_a.damping == p_b.damping && p_a.break_force == p_b.break_force && p_a.collide_joined == p_b.collide_joined;
 }
 
 } // namespace
@@ -73,25 +39,38 @@ SoftBodyJoint2D::~SoftBodyJoint2D() {
 
 // Properties.
 
-bool SoftBodyJoint2D::change(const char *p_name, double &r_member, double p_value, const softbody::Status &p_status) {
-	ERR_FAIL_COND_V_MSG(p_status.has_value(), false, "SoftBodyJoint2D '" + String(get_name()) + "': " + String(p_name) + " refused: " + to_godot(*p_status) + ". The old value stays.");
-	r_member = p_value;
+namespace {
+
+struct NumberRule {
+	const char *name = "";
+	softbody::ValueRange range;
+};
+
+// One for each number, filled when its property is bound.
+template <double SoftBodyJoint2D::*VALUE>
+NumberRule rule_of;
+
+} // namespace
+
+template <double SoftBodyJoint2D::*VALUE>
+void SoftBodyJoint2D::set_number(double p_value) {
+	const NumberRule &rule = rule_of<VALUE>;
+	const softbody::Status status = rule.range.check(rule.name, p_value);
+	ERR_FAIL_COND_MSG(status.has_value(), "SoftBodyJoint2D '" + String(get_name()) + "': " + rule.name + " refused: " + to_godot(*status) + ". The old value stays.");
+	this->*VALUE = p_value;
 	complained_ = false;
-	return true;
 }
 
-void SoftBodyJoint2D::set_node_a(const NodePath &p_path) {
-	node_a_ = p_path;
+template <double SoftBodyJoint2D::*VALUE>
+void SoftBodyJoint2D::bind_number(const char *p_name, const softbody::ValueRange &p_range, const char *p_hint_string) {
+	rule_of<VALUE> = { p_name, p_range };
+	softbody::bind_property(p_name, &SoftBodyJoint2D::set_number<VALUE>, &SoftBodyJoint2D::get_number<VALUE>, PROPERTY_HINT_RANGE, p_hint_string);
+}
+
+template <int END>
+void SoftBodyJoint2D::set_node(const NodePath &p_path) {
+	paths_[END] = p_path;
 	forget_ends();
-}
-
-void SoftBodyJoint2D::set_node_b(const NodePath &p_path) {
-	node_b_ = p_path;
-	forget_ends();
-}
-
-void SoftBodyJoint2D::set_length(double p_length) {
-	change("length", length_, p_length, softbody::check_at_least("length", p_length, -1, "px"));
 }
 
 void SoftBodyJoint2D::set_rigid(bool p_rigid) {
@@ -99,26 +78,10 @@ void SoftBodyJoint2D::set_rigid(bool p_rigid) {
 	notify_property_list_changed();
 }
 
-void SoftBodyJoint2D::set_stiffness(double p_stiffness) {
-	change("stiffness", stiffness_, p_stiffness, softbody::check_at_least("stiffness", p_stiffness, 0, "N/m"));
-}
-
-void SoftBodyJoint2D::set_damping(double p_damping) {
-	change("damping", damping_, p_damping, softbody::check_at_least("damping", p_damping, 0, "N·s/m"));
-}
-
-void SoftBodyJoint2D::set_break_force(double p_force) {
-	change("break_force", break_force_, p_force, softbody::check_at_least("break_force", p_force, 0, "kg px/s²"));
-}
-
-void SoftBodyJoint2D::set_disable_collision(bool p_disable) {
-	disable_collision_ = p_disable;
-}
-
 PackedStringArray SoftBodyJoint2D::get_warnings() const {
 	PackedStringArray warnings;
-	const Node *a = node_a_.is_empty() ? nullptr : get_node_or_null(node_a_);
-	const Node *b = node_b_.is_empty() ? nullptr : get_node_or_null(node_b_);
+	const Node *a = paths_[0].is_empty() ? nullptr : get_node_or_null(paths_[0]);
+	const Node *b = paths_[1].is_empty() ? nullptr : get_node_or_null(paths_[1]);
 	if (Object::cast_to<SoftBody2D>(a) == nullptr && Object::cast_to<SoftBody2D>(b) == nullptr) {
 		warnings.push_back("Neither end is a SoftBody2D. Choose one as node_a or node_b; an end that is left empty is the world.");
 	} else if (a == b) {
@@ -159,7 +122,7 @@ std::optional<SoftBodyJoint2D::End> SoftBodyJoint2D::find_end(const NodePath &p_
 		if (data == nullptr || soft->get_space() != space_) {
 			return std::nullopt;
 		}
-		end.anchor = nearest_anchor(*data, to_core(place));
+		end.anchor = softbody::nearest_anchor(*data, {}, to_core(place));
 		return end;
 	}
 	end.position = to_godot(softbody::to_core_pose(node->get_global_transform()).apply_inverse(to_core(place)));
@@ -211,19 +174,9 @@ Vector2 SoftBodyJoint2D::place_of(const std::optional<End> &p_end) const {
 		if (data == nullptr || p_end->anchor.point >= data->point_count()) {
 			return get_global_position();
 		}
-		const softbody::Vec2 a = data->positions()[p_end->anchor.point];
-		const softbody::Vec2 b = p_end->anchor.fraction > 0 ? data->hull()[(p_end->anchor.point + 1) % data->hull().size()] : a;
-		return to_godot(a + (b - a) * p_end->anchor.fraction);
+		return to_godot(softbody::position_of(p_end->anchor, *data));
 	}
 	return to_godot(softbody::to_core_pose(node->get_global_transform()).apply(to_core(p_end->position)));
-}
-
-Vector2 SoftBodyJoint2D::get_anchor_a() const {
-	return place_of(ends_[0]);
-}
-
-Vector2 SoftBodyJoint2D::get_anchor_b() const {
-	return place_of(ends_[1]);
 }
 
 // Life.
@@ -283,14 +236,14 @@ void SoftBodyJoint2D::prepare_step() {
 		return;
 	}
 	if (!ends_[0] || !ends_[1]) {
-		std::optional<End> a = find_end(node_a_);
-		std::optional<End> b = find_end(node_b_);
+		std::optional<End> a = find_end(paths_[0]);
+		std::optional<End> b = find_end(paths_[1]);
 		if (!a || !b) {
 			return;
 		}
 		ends_[0] = a;
 		ends_[1] = b;
-		bound_length_ = double(get_anchor_a().distance_to(get_anchor_b()));
+		bound_length_ = double(get_anchor<0>().distance_to(get_anchor<1>()));
 	}
 	const std::optional<JointAnchor> first = present_anchor(*ends_[0]);
 	const std::optional<JointAnchor> second = present_anchor(*ends_[1]);
@@ -304,7 +257,7 @@ void SoftBodyJoint2D::prepare_step() {
 		return;
 	}
 	const softbody::Joint joint = make_joint(*first, *second);
-	if (exists && same_joint(joint, known_)) {
+	if (exists && joint == known_) {
 		return;
 	}
 	softbody::Status refused;
@@ -359,35 +312,21 @@ void SoftBodyJoint2D::mend() {
 
 void SoftBodyJoint2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBodyJoint2D::get_warnings);
-	ClassDB::bind_method(D_METHOD("set_node_a", "path"), &SoftBodyJoint2D::set_node_a);
-	ClassDB::bind_method(D_METHOD("get_node_a"), &SoftBodyJoint2D::get_node_a);
-	ClassDB::bind_method(D_METHOD("set_node_b", "path"), &SoftBodyJoint2D::set_node_b);
-	ClassDB::bind_method(D_METHOD("get_node_b"), &SoftBodyJoint2D::get_node_b);
-	ClassDB::bind_method(D_METHOD("set_length", "length"), &SoftBodyJoint2D::set_length);
-	ClassDB::bind_method(D_METHOD("get_length"), &SoftBodyJoint2D::get_length);
-	ClassDB::bind_method(D_METHOD("set_rigid", "rigid"), &SoftBodyJoint2D::set_rigid);
-	ClassDB::bind_method(D_METHOD("is_rigid"), &SoftBodyJoint2D::is_rigid);
-	ClassDB::bind_method(D_METHOD("set_stiffness", "stiffness"), &SoftBodyJoint2D::set_stiffness);
-	ClassDB::bind_method(D_METHOD("get_stiffness"), &SoftBodyJoint2D::get_stiffness);
-	ClassDB::bind_method(D_METHOD("set_damping", "damping"), &SoftBodyJoint2D::set_damping);
-	ClassDB::bind_method(D_METHOD("get_damping"), &SoftBodyJoint2D::get_damping);
-	ClassDB::bind_method(D_METHOD("set_break_force", "force"), &SoftBodyJoint2D::set_break_force);
-	ClassDB::bind_method(D_METHOD("get_break_force"), &SoftBodyJoint2D::get_break_force);
-	ClassDB::bind_method(D_METHOD("set_disable_collision", "disable"), &SoftBodyJoint2D::set_disable_collision);
-	ClassDB::bind_method(D_METHOD("is_collision_disabled"), &SoftBodyJoint2D::is_collision_disabled);
 	ClassDB::bind_method(D_METHOD("is_broken"), &SoftBodyJoint2D::is_broken);
 	ClassDB::bind_method(D_METHOD("mend"), &SoftBodyJoint2D::mend);
-	ClassDB::bind_method(D_METHOD("get_anchor_a"), &SoftBodyJoint2D::get_anchor_a);
-	ClassDB::bind_method(D_METHOD("get_anchor_b"), &SoftBodyJoint2D::get_anchor_b);
+	ClassDB::bind_method(D_METHOD("get_anchor_a"), &SoftBodyJoint2D::get_anchor<0>);
+	ClassDB::bind_method(D_METHOD("get_anchor_b"), &SoftBodyJoint2D::get_anchor<1>);
 
-	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "node_a", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node2D"), "set_node_a", "get_node_a");
-	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "node_b", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node2D"), "set_node_b", "get_node_b");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "length", PROPERTY_HINT_RANGE, "-1,1000,0.1,or_greater,suffix:px"), "set_length", "get_length");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "rigid"), "set_rigid", "is_rigid");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "stiffness", PROPERTY_HINT_RANGE, "0,10000,0.1,or_greater,exp,suffix:N/m"), "set_stiffness", "get_stiffness");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "damping", PROPERTY_HINT_RANGE, String::utf8("0,20,0.001,or_greater,suffix:N·s/m")), "set_damping", "get_damping");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "break_force", PROPERTY_HINT_RANGE, String::utf8("0,100000,1,or_greater,exp,suffix:kg px/s²")), "set_break_force", "get_break_force");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "disable_collision"), "set_disable_collision", "is_collision_disabled");
+	using softbody::bind_property;
+	using Range = softbody::ValueRange;
+	bind_property("node_a", &SoftBodyJoint2D::set_node<0>, &SoftBodyJoint2D::get_node<0>, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node2D");
+	bind_property("node_b", &SoftBodyJoint2D::set_node<1>, &SoftBodyJoint2D::get_node<1>, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node2D");
+	bind_number<&SoftBodyJoint2D::length_>("length", Range::at_least(-1, "px"), "-1,1000,0.1,or_greater,suffix:px");
+	bind_property("rigid", &SoftBodyJoint2D::set_rigid, &SoftBodyJoint2D::is_rigid, PROPERTY_HINT_NONE, "", "is_rigid");
+	bind_number<&SoftBodyJoint2D::stiffness_>("stiffness", Range::at_least(0, "N/m"), "0,10000,0.1,or_greater,exp,suffix:N/m");
+	bind_number<&SoftBodyJoint2D::damping_>("damping", Range::at_least(0, "N·s/m"), "0,20,0.001,or_greater,suffix:N·s/m");
+	bind_number<&SoftBodyJoint2D::break_force_>("break_force", Range::at_least(0, "kg px/s²"), "0,100000,1,or_greater,exp,suffix:kg px/s²");
+	bind_property("disable_collision", &SoftBodyJoint2D::set_disable_collision, &SoftBodyJoint2D::is_collision_disabled, PROPERTY_HINT_NONE, "", "is_collision_disabled");
 
 	ADD_SIGNAL(MethodInfo("broken"));
 }

@@ -2,7 +2,9 @@
 // The node that ties a SoftBody2D to another one, to any other node, or to the world.
 #pragma once
 
+#include "core/base/value_range.h"
 #include "core/model/joint.h"
+#include "godot/resources/property_binding.h"
 #include "godot/resources/unfit_values.h"
 #include "godot/server/stepped_node.h"
 
@@ -31,28 +33,25 @@ class SoftBodyJoint2D : public Node2D, public softbody::SteppedJoint {
 public:
 	~SoftBodyJoint2D();
 
-	void set_node_a(const NodePath &p_path);
-	NodePath get_node_a() const { return node_a_; }
-	void set_node_b(const NodePath &p_path);
-	NodePath get_node_b() const { return node_b_; }
-	void set_length(double p_length);
-	double get_length() const { return length_; }
+	/// The path of one end: 0 is a, 1 is b.
+	template <int END>
+	void set_node(const NodePath &p_path);
+	template <int END>
+	NodePath get_node() const { return paths_[END]; }
+	template <double SoftBodyJoint2D::*VALUE>
+	void set_number(double p_value);
+	template <double SoftBodyJoint2D::*VALUE>
+	double get_number() const { return this->*VALUE; }
 	void set_rigid(bool p_rigid);
 	bool is_rigid() const { return rigid_; }
-	void set_stiffness(double p_stiffness);
-	double get_stiffness() const { return stiffness_; }
-	void set_damping(double p_damping);
-	double get_damping() const { return damping_; }
-	void set_break_force(double p_force);
-	double get_break_force() const { return break_force_; }
-	void set_disable_collision(bool p_disable);
+	void set_disable_collision(bool p_disable) { disable_collision_ = p_disable; }
 	bool is_collision_disabled() const { return disable_collision_; }
 
 	bool is_broken() const { return broken_; }
 	void mend();
 	/// Where the ends are now, in the world.
-	Vector2 get_anchor_a() const;
-	Vector2 get_anchor_b() const;
+	template <int END>
+	Vector2 get_anchor() const { return place_of(ends_[END]); }
 
 	PackedStringArray get_warnings() const;
 	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
@@ -85,7 +84,9 @@ private:
 	/// The end's anchor as it is now, or nothing while its node is not in this space.
 	std::optional<softbody::JointAnchor> present_anchor(const End &p_end) const;
 	Vector2 place_of(const std::optional<End> &p_end) const;
-	bool change(const char *p_name, double &r_member, double p_value, const softbody::Status &p_status);
+	/// Binds a number that is refused out of this range.
+	template <double SoftBodyJoint2D::*VALUE>
+	static void bind_number(const char *p_name, const softbody::ValueRange &p_range, const char *p_hint_string);
 	void enter_space();
 	void leave_space();
 	void forget_ends();
@@ -93,8 +94,7 @@ private:
 	softbody::Joint make_joint(const softbody::JointAnchor &p_first, const softbody::JointAnchor &p_second) const;
 
 	softbody::UnfitValues unfit_;
-	NodePath node_a_;
-	NodePath node_b_;
+	NodePath paths_[2];
 	double length_ = -1;
 	bool rigid_ = true;
 	double stiffness_ = 100;

@@ -3,6 +3,7 @@
 #include "godot/resources/soft_body_material_2d.h"
 
 #include "godot/convert.h"
+#include "godot/resources/material_binding.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -16,7 +17,7 @@ String SoftBodyMaterial2D::describe() const {
 }
 
 void SoftBodyMaterial2D::set_value(const softbody::MaterialField &p_field, double p_value) {
-	if (const softbody::Status status = softbody::check_material_value(p_field, p_value)) {
+	if (const softbody::Status status = p_field.check(p_value)) {
 		ERR_FAIL_MSG(describe() + ": " + p_field.name + " refused: " + softbody::to_godot(status->message()) + ". The old value stays.");
 	}
 	softbody::MaterialValues changed = values_;
@@ -40,9 +41,9 @@ Ref<SoftBodyMaterial2D> SoftBodyMaterial2D::make_preset(Preset p_preset) {
 }
 
 void SoftBodyMaterial2D::set_preset(Preset p_preset) {
-	ERR_FAIL_INDEX_MSG(int(p_preset), softbody::MATERIAL_PRESET_COUNT, describe() + ": preset refused: " + itos(p_preset) + " must be at least 0 and below " + itos(softbody::MATERIAL_PRESET_COUNT) + "; use a constant PRESET_*.");
+	ERR_FAIL_INDEX_MSG(int(p_preset), softbody::MaterialPresets::PRESET_COUNT, describe() + ": preset refused: " + itos(p_preset) + " must be at least 0 and below " + itos(softbody::MaterialPresets::PRESET_COUNT) + "; use a constant PRESET_*.");
 	softbody::MaterialValues changed = values_;
-	softbody::apply_preset(softbody::MaterialPreset(p_preset), changed);
+	softbody::apply_preset(p_preset, changed);
 	take_over(changed);
 }
 
@@ -52,45 +53,31 @@ void SoftBodyMaterial2D::set_network_values_set(bool p_set) {
 	take_over(changed);
 }
 
-// A value that an old resource sets under a former name still counts.
 bool SoftBodyMaterial2D::_set(const StringName &p_name, const Variant &p_value) {
-	static const StringName SHAPE_DAMPING = "shape_damping";
-	if (p_name != SHAPE_DAMPING) {
-		return unfit_.set(*this, get_class_static(), p_name, p_value);
-	}
-	if (!unfit_.set(*this, get_class_static(), "shape_damping_ratio", p_value)) {
-		set_material_value<&softbody::MaterialValues::shape_damping_ratio>(p_value);
-		unfit_.note_former(*this, p_name, "'shape_damping' is called 'shape_damping_ratio' now. Its value was taken over: save the resource to store it as 'shape_damping_ratio', and change scripts that name 'shape_damping'.");
-	}
-	return true;
+	return unfit_.set_former(*this, get_class_static(), p_name, p_value) || unfit_.set(*this, get_class_static(), p_name, p_value);
 }
 
 bool SoftBodyMaterial2D::_get(const StringName &p_name, Variant &r_value) const {
-	static const StringName SHAPE_DAMPING = "shape_damping";
-	if (p_name == SHAPE_DAMPING) {
-		r_value = values_.shape_damping_ratio;
-		return true;
-	}
-	return unfit_.get(p_name, r_value);
+	return softbody::UnfitValues::get_former(*this, p_name, r_value) || unfit_.get(p_name, r_value);
 }
 
 void SoftBodyMaterial2D::_bind_methods() {
+	using Values = softbody::MaterialValues;
 	ADD_GROUP("Material", "");
 	softbody::bind_preset<SoftBodyMaterial2D>();
-	softbody::bind_elastic_values<SoftBodyMaterial2D>();
-	softbody::bind_surface_values<SoftBodyMaterial2D>();
-	softbody::material_binding::bind<SoftBodyMaterial2D, &softbody::MaterialValues::inflation>();
-	softbody::material_binding::bind<SoftBodyMaterial2D, &softbody::MaterialValues::density>();
+	softbody::bind_material_value<SoftBodyMaterial2D, &Values::youngs_modulus>();
+	softbody::bind_material_value<SoftBodyMaterial2D, &Values::poisson_ratio>();
+	softbody::bind_material_value<SoftBodyMaterial2D, &Values::damping_ratio>();
+	softbody::bind_material_value<SoftBodyMaterial2D, &Values::friction>();
+	softbody::bind_material_value<SoftBodyMaterial2D, &Values::bounce>();
+	softbody::bind_material_value<SoftBodyMaterial2D, &Values::rolling_resistance>();
+	softbody::bind_material_value<SoftBodyMaterial2D, &Values::inflation>();
+	softbody::bind_material_value<SoftBodyMaterial2D, &Values::density>();
 	ADD_GROUP("Network", "");
 	softbody::bind_network_values<SoftBodyMaterial2D>();
 	ClassDB::bind_static_method("SoftBodyMaterial2D", D_METHOD("make_preset", "preset"), &SoftBodyMaterial2D::make_preset);
 
-	BIND_ENUM_CONSTANT(PRESET_CUSTOM);
-	BIND_ENUM_CONSTANT(PRESET_JELLY);
-	BIND_ENUM_CONSTANT(PRESET_RUBBER);
-	BIND_ENUM_CONSTANT(PRESET_WATER_BALLOON);
-	BIND_ENUM_CONSTANT(PRESET_MARSHMALLOW);
-	BIND_ENUM_CONSTANT(PRESET_FOAM);
+	softbody::bind_enumeration<SoftBodyMaterial2D>("Preset", { "PRESET_CUSTOM", "PRESET_JELLY", "PRESET_RUBBER", "PRESET_WATER_BALLOON", "PRESET_MARSHMALLOW", "PRESET_FOAM" });
 }
 
 } // namespace godot

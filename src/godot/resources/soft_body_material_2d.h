@@ -2,34 +2,28 @@
 // The resource: a material that soft bodies share.
 #pragma once
 
-#include "godot/resources/material_values.h"
+#include "core/model/material_values.h"
 #include "godot/resources/unfit_values.h"
 
 #include <godot_cpp/classes/resource.hpp>
 
+#include <utility>
+
 namespace godot {
 
-/// See doc_classes/SoftBodyMaterial2D.xml. It only keeps checked values and tells by the signal `changed` that one of them
-/// is another; nodes listen and take them over.
-class SoftBodyMaterial2D : public Resource {
+/// See doc_classes/SoftBodyMaterial2D.xml. It keeps checked values and tells by the signal `changed` that one of them is
+/// another. Nodes that share it listen, and a node without a shared material has one of its own (`BodyMaterial`).
+class SoftBodyMaterial2D : public Resource, public softbody::MaterialPresets {
 	GDCLASS(SoftBodyMaterial2D, Resource)
 
 public:
-	/// Same values as softbody::MaterialPreset.
-	enum Preset {
-		PRESET_CUSTOM,
-		PRESET_JELLY,
-		PRESET_RUBBER,
-		PRESET_WATER_BALLOON,
-		PRESET_MARSHMALLOW,
-		PRESET_FOAM,
-	};
-
 	const softbody::MaterialValues &values() const { return values_; }
+	/// Replaces the values by checked ones, without a signal. For the node whose own material this is.
+	softbody::MaterialValues exchange_values(const softbody::MaterialValues &p_values) { return std::exchange(values_, p_values); }
 
 	template <double softbody::MaterialValues::*VALUE>
 	void set_material_value(double p_value) {
-		set_value(softbody::material_field(VALUE), p_value);
+		set_value(softbody::material_fields()[softbody::index_of(VALUE)], p_value);
 	}
 	template <double softbody::MaterialValues::*VALUE>
 	double get_material_value() const {
@@ -37,7 +31,7 @@ public:
 	}
 	static Ref<SoftBodyMaterial2D> make_preset(Preset p_preset);
 	void set_preset(Preset p_preset);
-	Preset get_preset() const { return Preset(softbody::preset_of(values_)); }
+	Preset get_preset() const { return softbody::preset_of(values_); }
 	void set_network_values_set(bool p_set);
 	void clear_network_values() { set_network_values_set(false); }
 	bool has_network_values() const { return values_.has_network_values; }

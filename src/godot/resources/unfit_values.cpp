@@ -48,6 +48,16 @@ bool has_script(const Object &p_owner) {
 	return p_owner.get_script().get_type() != Variant::NIL;
 }
 
+// The present name of a property, by its former one; empty for a name that none had.
+StringName present_name(const Object &p_owner, const StringName &p_former) {
+	static const StringName HULL = "hull", POLYGON = "polygon";
+	static const StringName SHAPE_DAMPING = "shape_damping", SHAPE_DAMPING_RATIO = "shape_damping_ratio";
+	if (p_former == SHAPE_DAMPING) {
+		return SHAPE_DAMPING_RATIO;
+	}
+	return p_former == HULL && Object::cast_to<Node>(&p_owner) != nullptr ? POLYGON : StringName();
+}
+
 String name_of(const Object &p_owner) {
 	String name;
 	if (const Node *node = Object::cast_to<Node>(&p_owner)) {
@@ -89,6 +99,27 @@ bool UnfitValues::set(Object &p_owner, const StringName &p_class, const StringNa
 	(void)p_owner, (void)p_class, (void)p_name, (void)p_value;
 	return false;
 #endif
+}
+
+bool UnfitValues::set_former(Object &p_owner, const StringName &p_class, const StringName &p_name, const Variant &p_value) {
+	const StringName present = present_name(p_owner, p_name);
+	if (present.is_empty()) {
+		return false;
+	}
+	if (!set(p_owner, p_class, present, p_value)) {
+		p_owner.set(present, p_value);
+		note_former(p_owner, p_name, vformat("'%s' is called '%s' now. Its value was taken over: save the scene or resource to store it as '%s', and change scripts and animations that name '%s'.", p_name, present, present, p_name));
+	}
+	return true;
+}
+
+bool UnfitValues::get_former(const Object &p_owner, const StringName &p_name, Variant &r_value) {
+	const StringName present = present_name(p_owner, p_name);
+	if (present.is_empty()) {
+		return false;
+	}
+	r_value = p_owner.get(present);
+	return true;
 }
 
 void UnfitValues::note_former(const Object &p_owner, const StringName &p_name, const String &p_text) {

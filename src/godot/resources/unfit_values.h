@@ -21,7 +21,7 @@ namespace softbody {
 ///   version survives an older one. A game saves no scenes and ignores them. They are ignored, too, for an object with a
 ///   script, where an unknown name was a variable of the script once.
 /// - **Wrong types.** A message of debug builds names the property; the old value stays.
-/// - **Former names.** The class takes such a value over itself; this class prints a warning.
+/// - **Former names.** A renamed property takes the value over, and a warning says so.
 ///
 /// Each class of ours hands its `_set`, `_get` and `_get_property_list` on to one of these. Release builds ask nothing.
 class UnfitValues {
@@ -30,6 +30,12 @@ public:
 	/// dealt with. From any thread, for different owners.
 	bool set(godot::Object &p_owner, const godot::StringName &p_class, const godot::StringName &p_name,
 			const godot::Variant &p_value);
+	/// Takes over a value that came under the name that a property of `p_class` had in an earlier version. False if it never
+	/// had that name.
+	bool set_former(godot::Object &p_owner, const godot::StringName &p_class, const godot::StringName &p_name,
+			const godot::Variant &p_value);
+	/// The value of a property by its earlier name.
+	static bool get_former(const godot::Object &p_owner, const godot::StringName &p_name, godot::Variant &r_value);
 	/// Has a warning printed, once for each name: a value came under a name that the property had in an earlier version.
 	void note_former(const godot::Object &p_owner, const godot::StringName &p_name, const godot::String &p_text);
 	/// A value that was kept.

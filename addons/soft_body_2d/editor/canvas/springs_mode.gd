@@ -240,8 +240,7 @@ func _find_spring(place: Vector2) -> Array:
 func draw(overlay: Control) -> void:
 	_palette.clear()
 	for body in canvas.bodies:
-		_palette.include(body.stiffness if body.soft_body_material == null else body.soft_body_material.stiffness,
-				body.spring_stiffness_scales)
+		_palette.include(body.stiffness, body.spring_stiffness_scales)
 	for body in canvas.bodies:
 		if canvas.is_editable(body):
 			_draw_body(overlay, body)
@@ -260,7 +259,7 @@ func _draw_body(overlay: Control, body: SoftBody2D) -> void:
 	var points := canvas.to_screen(body) * BodyValues.points(BodyValues.take(body))
 	var springs := body.get_all_springs()
 	var count := springs.size() / 2
-	var stiffness := body.stiffness if body.soft_body_material == null else body.soft_body_material.stiffness
+	var stiffness := body.stiffness
 	var factors := body.spring_stiffness_scales
 	var painted := factors.size() == count
 	var lines := PackedVector2Array()

@@ -174,6 +174,5 @@ func _has_pressure(body: SoftBody2D) -> bool:
 
 
 func _pressure_place(body: SoftBody2D) -> Vector2:
-	var values := body if body.soft_body_material == null else body.soft_body_material
-	var length := ARROW * float(values.pressure) / maxf(2 * values.stiffness, 1e-6)
+	var length := ARROW * body.pressure / maxf(2 * body.stiffness, 1e-6)
 	return _top(body) - Vector2(0, (DISTANCE + length) * _canvas.scale())

@@ -62,10 +62,9 @@ func _look() -> void:
 				body.spring_damping_scales, body.spring_length_scales, body.pinned_points, body.get_total_mass(),
 				body.gravity_scale, body.integrator, body.substeps, body.collision_mask, body.global_transform.x,
 				body.global_transform.y, body.elastic_model, body.least_area, body.least_stretch, body.most_stretch])
-		var source: Object = body if body.soft_body_material == null else body.soft_body_material
 		for property: StringName in [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"stiffness", &"damping",
 				&"shape_matching", &"shape_damping_ratio", &"pressure", &"inflation"]:
-			values.append(source.get(property))
+			values.append(body.get(property))
 	values.append(Engine.physics_ticks_per_second)
 	var known := hash(values)
 	if known != _known and is_visible_in_tree():
@@ -107,9 +106,8 @@ func _badness(of: Dictionary) -> int:
 
 
 static func own_values(body: SoftBody2D) -> Dictionary:
-	var source: Object = body if body.soft_body_material == null else body.soft_body_material
-	return {"youngs_modulus": source.get(&"youngs_modulus"), "stiffness": source.get(&"stiffness"), "damping": source.get(&"damping"),
-			"substeps": body.substeps, "integrator": body.integrator}
+	return {"youngs_modulus": body.youngs_modulus, "stiffness": body.stiffness, "damping": body.damping, "substeps": body.substeps,
+			"integrator": body.integrator}
 
 
 func _add_row(row: Advice.Row) -> void:

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Points and springs of a node as its user gave them.
+#include "godot/nodes/body_structure.h"
+
+#include "core/base/constants.h"
+#include "core/creator/hulls.h"
+#include "core/geometry/polygon.h"
+#include "godot/server/shape_cache.h"
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace softbody {
+
+namespace {
+
+// Points placed inside a body of triangles, for two of its hull points: within a percent of R down to half the height, and a
+// quarter of the time that eight take.
+constexpr int TRIANGLE_POINTS_A_PAIR = 3;
+
+std::vector<Real> to_reals(const PackedFloat32Array &p_values) {
+	return std::vector<Real>(p_values.ptr(), p_values.ptr() + p_values.size());
+}
+
+} // namespace
+
+Status BodyStructure::check(const std::string &p_name, const PackedVector2Array &p_points) {
+	if (p_name == "polygon") {
+		return check_hull(to_core(p_points));
+	}
+	if (p_points.size() > MAX_HULL_POINTS) {
+		return Error{ p_name, std::to_string(p_points.size()) + " points", "must be at most " + std::to_string(MAX_HULL_POINTS), "remove points" };
+	}
+	return check_all_finite(p_name, p_points);
+}
+
+Status BodyStructure::check(const std::string &p_name, const PackedFloat32Array &p_scales) {
+	const bool may_be_zero = p_name != "spring_length_scales";
+	for (int64_t i = 0; i < p_scales.size(); i++) {
+		const std::string entry = p_name + "[" + std::to_string(i) + "]";
+		if (Status status = may_be_zero ? check_at_least(entry, p_scales[i], 0, "") : check_above(entry, p_scales[i], 0, "")) {
+			return status;
+		}
+	}
+	return {};
+}
+
+std::vector<Vec2> BodyStructure::rest_points(bool p_reversed) const {
+	std::vector<Vec2> points = to_core(values_.polygon);
+	if (p_reversed) {
+		std::reverse(points.begin() + 1, points.end());
+	}
+	Vec2 sum;
+	for (const Vec2 point : points) {
+		sum += point;
+	}
+	const Vec2 middle = sum * (1 / Real(points.size()));
+	for (const Vector2 &point : values_.inner_points) {
+		points.push_back(to_core(point));
+	}
+	if (values_.center_point) {
+		points.push_back(middle);
+	}
+	return points;
+}
+
+bool BodyStructure::is_painted() const {
+	return !values_.stiffness_scales.is_empty() || !values_.damping_scales.is_empty() || !values_.length_scales.is_empty();
+}
+
+StructureOptions BodyStructure::options(const Transform2D &p_scale) const {
+	StructureOptions options;
+	options.stiffness = 1;
+	options.damping = 1;
+	options.triangle_points = std::min(TRIANGLE_POINTS_A_PAIR * polygon_count() / 2, MAX_HULL_POINTS);
+	options.center_point = values_.center_point;
+	options.inner_points = to_core(p_scale.xform(values_.inner_points));
+	for (int64_t i = 0; i + 1 < values_.springs.size(); i += 2) {
+		options.springs.push_back({ uint32_t(values_.springs[i]), uint32_t(values_.springs[i + 1]) });
+	}
+	options.spring_stiffness_scales = to_reals(values_.stiffness_scales);
+	options.spring_damping_scales = to_reals(values_.damping_scales);
+	options.spring_length_scales = to_reals(values_.length_scales);
+	return options;
+}
+
+Result<std::shared_ptr<const SoftBodyShape>> BodyStructure::make_shape(std::span<const Vec2> p_hull, StructureOptions &r_options,
+		PackedStringArray &r_problems) {
+	auto shape = find_or_create_shape(p_hull, r_options);
+	while (!shape && leave_out(r_options, shape.error().name)) {
+		r_problems.push_back(to_godot(shape.error()));
+		shape = find_or_create_shape(p_hull, r_options);
+	}
+	return shape;
+}
+
+void BodyStructure::append_warnings(PackedStringArray &r_warnings) const {
+	const std::vector<Vec2> hull = to_core(values_.polygon);
+	for (int64_t i = 0; i < values_.inner_points.size(); i++) {
+		if (!point_in_polygon(to_core(values_.inner_points[i]), hull)) {
+			r_warnings.push_back("inner_points[" + String::num_int64(i) + "] lies outside the polygon: it is part of the body, but touches nothing. Move it inside.");
+		}
+	}
+}
+
+} // namespace softbody

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Points and springs of a node as its user gave them.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/creator/soft_body_creator.h"
+#include "godot/convert.h"
+
+#include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/packed_vector2_array.hpp>
+#include <godot_cpp/variant/transform2d.hpp>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace softbody {
+
+/// Polygon, inner points, which points springs join, and how strong these are.
+///
+/// A scene file sets these values one after the other, so whether they fit each other can be judged only by them all. `check`
+/// refuses a value that can never be right. A value that does not fit the others is kept, and `make_shape` leaves it out.
+class BodyStructure {
+public:
+	struct Values {
+		godot::PackedVector2Array polygon;
+		godot::PackedVector2Array inner_points;
+		godot::PackedInt32Array springs; ///< pairs of points; empty: the automatic springs
+		godot::PackedFloat32Array stiffness_scales; ///< one a spring, like the next two; empty: all 1
+		godot::PackedFloat32Array damping_scales;
+		godot::PackedFloat32Array length_scales;
+		bool center_point = true;
+	};
+
+	const Values &values() const { return values_; }
+	/// Sets one of the values, of any kind, and returns its old one.
+	template <auto VALUE, class Value>
+	Value exchange(const Value &p_value) {
+		return std::exchange(values_.*VALUE, p_value);
+	}
+
+	// What can never be right, by the name and type of the property.
+	static Status check(const std::string &p_name, const godot::PackedVector2Array &p_points);
+	static Status check(const std::string &p_name, const godot::PackedInt32Array &p_springs) {
+		return check_spring_pairs(p_name, { p_springs.ptr(), std::size_t(p_springs.size()) });
+	}
+	static Status check(const std::string &p_name, const godot::PackedFloat32Array &p_scales);
+	static Status check(const std::string &, bool) { return {}; }
+
+	int polygon_count() const { return int(values_.polygon.size()); }
+	/// Points of a body that gets none besides these.
+	int point_count() const { return int(values_.polygon.size() + values_.inner_points.size()) + (values_.center_point ? 1 : 0); }
+	PointOrder order(bool p_reversed) const { return { polygon_count(), p_reversed }; }
+	/// All points in the core's order: hull, inner points, middle.
+	std::vector<Vec2> rest_points(bool p_reversed) const;
+	bool has_springs() const { return !values_.springs.is_empty(); }
+	/// Whether single springs have factors.
+	bool is_painted() const;
+
+	/// What the creator takes, at that scale of the node.
+	StructureOptions options(const godot::Transform2D &p_scale) const;
+	/// The shape of these options. Parts that do not fit the rest are removed from the options, and told in `r_problems`.
+	static Result<std::shared_ptr<const SoftBodyShape>> make_shape(std::span<const Vec2> p_hull, StructureOptions &r_options,
+			godot::PackedStringArray &r_problems);
+	/// One for each inner point outside of the polygon.
+	void append_warnings(godot::PackedStringArray &r_warnings) const;
+
+private:
+	Values values_;
+};
+
+} // namespace softbody
