@@ -5,8 +5,6 @@
 #include "core/creator/elastic_modes.h"
 #include "core/geometry/aabb.h"
 #include "core/geometry/polygon.h"
-#include "core/geometry/segment.h"
-#include "core/geometry/triangle.h"
 #include "core/skin/triangulation.h"
 
 #include <algorithm>
@@ -65,15 +63,8 @@ public:
 
 	bool is_clear(Vec2 p, double distance) const {
 		const double least = distance * distance;
-		for (std::size_t i = 0; i < hull_.size(); ++i) {
-			const Vec2 a = hull_[i];
-			const Vec2 side = hull_[(i + 1) % hull_.size()] - a;
-			const Real t = closest_parameter_on_segment(p, a, a + side);
-			if (double(length_squared(a + side * t - p)) < least) {
-				return false;
-			}
-		}
-		return std::ranges::none_of(own_points_, [&](Vec2 own) { return double(length_squared(own - p)) < least; });
+		return !(double(nearest_place(hull_, p).distance_squared) < least) &&
+				std::ranges::none_of(own_points_, [&](Vec2 own) { return double(length_squared(own - p)) < least; });
 	}
 
 private:
