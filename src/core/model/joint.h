@@ -4,22 +4,15 @@
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
-#include "core/model/body_id.h"
+#include "core/model/id_list.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
-#include <vector>
 
 namespace softbody {
 
-/// Refers to a joint as long as it lives, like `BodyId`.
-struct JointId {
-	std::uint32_t index = UINT32_MAX;
-	std::uint32_t generation = 0;
-	friend bool operator==(JointId a, JointId b) = default;
-};
+/// The id of a joint.
+using JointId = Id<struct Joint>;
 
 /// One end of a joint.
 struct JointAnchor {
@@ -69,28 +62,5 @@ struct Joint {
 /// Refuses, by name, values outside their range, non-finite anchors, two anchors of which none is on a soft body or
 /// both are on one body, and an anchor on a rigid body without a tag. Does not check that the bodies exist.
 Status check_joint(const Joint &joint);
-
-/// The joints of a world, stored densely under stable ids; removing one moves the last into its place.
-class JointList {
-public:
-	JointId add(const Joint &joint);
-	/// False when the id refers to nothing.
-	bool remove(JointId id);
-	/// Null when the id refers to nothing. Valid until a joint is added or removed.
-	Joint *find(JointId id);
-	std::span<const Joint> joints() const { return joints_; }
-	/// Id of the joint stored at `index` of `joints()`.
-	JointId id_at(std::size_t index) const { return ids_[index]; }
-
-private:
-	struct Slot {
-		std::uint32_t dense = UINT32_MAX; ///< place in `joints_`, UINT32_MAX when free
-		std::uint32_t generation = 0;
-	};
-	std::vector<Joint> joints_;
-	std::vector<JointId> ids_;
-	std::vector<Slot> slots_;
-	std::vector<std::uint32_t> free_slots_;
-};
 
 } // namespace softbody
