@@ -137,16 +137,11 @@ void relax(std::vector<Vec2> &points, std::size_t hull_count, std::size_t first,
 }
 
 ElasticTriangle elastic_triangle(std::span<const Vec2> points, const Triangle &corners) {
-	const Vec2 origin = points[corners[0]];
-	const std::array<double, 2> a = { double(points[corners[1]].x) - origin.x, double(points[corners[1]].y) - origin.y };
-	const std::array<double, 2> b = { double(points[corners[2]].x) - origin.x, double(points[corners[2]].y) - origin.y };
-	const double determinant = a[0] * b[1] - a[1] * b[0];
-	ElasticTriangle triangle;
-	triangle.corners = corners;
-	triangle.gradients = { Vec2{ Real(b[1] / determinant), Real(-b[0] / determinant) },
-		Vec2{ Real(-a[1] / determinant), Real(a[0] / determinant) } };
-	triangle.area = Real(determinant / 2);
-	return triangle;
+	const Vec2d a = difference(points[corners[1]], points[corners[0]]);
+	const Vec2d b = difference(points[corners[2]], points[corners[0]]);
+	const double determinant = cross(a, b);
+	return { corners, { Vec2{ Real(b.y / determinant), Real(-b.x / determinant) }, Vec2{ Real(-a.y / determinant), Real(a.x / determinant) } },
+		Real(determinant / 2) };
 }
 
 bool is_flat(std::span<const Vec2> points, const Triangle &t) {
