@@ -2,7 +2,6 @@
 // Bodies and deformations that several benches share.
 #include "bodies.h"
 
-#include "core/model/spring2d.h"
 #include "thesis/damping_ratio.h"
 #include "scenes/circle.h"
 

@@ -7,7 +7,6 @@
 #include "core/geometry/aabb.h"
 #include "core/model/body_settings.h"
 #include "core/model/body_state.h"
-#include "core/model/point2d.h"
 #include "core/model/pose.h"
 #include "core/model/soft_body_shape.h"
 
@@ -17,6 +16,16 @@
 #include <vector>
 
 namespace softbody {
+
+/// Point mass (thesis 4.4.2, "Point2D"). A value: bodies store their points as parallel arrays, because the step reads
+/// positions without masses and masses without forces.
+struct Point2D {
+	Vec2 position; ///< [length]
+	Vec2 velocity; ///< [length/s]
+	Vec2 force; ///< external force queued for the next step [mass·length/s²]
+	Real mass = 1; ///< [mass], > 0
+	Real inverse_mass = 1; ///< 1 / mass, or 0 while the point is pinned
+};
 
 /// Identifies bodies that fell asleep together. A body that was put back into an island since the last step does not
 /// belong to the bodies that were in it before.
