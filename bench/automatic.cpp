@@ -5,7 +5,6 @@
 #include "bodies.h"
 
 #include "core/base/constants.h"
-#include "core/creator/soft_body_creator.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
@@ -251,7 +250,7 @@ struct Rest {
 
 Rest drop(Integrator integrator, int hull_points, double stiffness, double damping_ratio, bool funnel) {
 	const double mass = 1.0 / (hull_points + 1);
-	const auto shape = take(softbody::SoftBodyCreator::create_circle(
+	const auto shape = take(softbody::testing::circle_shape(
 			50, hull_points, { 1, Real(stiffness), Real(damping_ratio * std::sqrt(stiffness * mass)), true }));
 	softbody::BodySettings settings;
 	set_shape_matching(settings, *shape, 0.4 * stiffness);

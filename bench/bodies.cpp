@@ -2,9 +2,8 @@
 // Bodies and deformations that several benches share.
 #include "bodies.h"
 
-#include "core/creator/soft_body_creator.h"
-#include "core/model/spring2d.h"
 #include "thesis/damping_ratio.h"
+#include "scenes/circle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +95,7 @@ Shape circle_shape(int hull_points, bool center_point, double stiffness, double 
 	options.center_point = center_point;
 	options.damping = softbody::damping_for_ratio(
 			Real(damping_ratio), options.stiffness, options.mass, std::size_t(hull_points + (center_point ? 1 : 0)));
-	return take(softbody::SoftBodyCreator::create_circle(Real(0.5), hull_points, options));
+	return take(softbody::testing::circle_shape(Real(0.5), hull_points, options));
 }
 
 void set_shape_matching(BodySettings &settings, const SoftBodyShape &shape, double stiffness) {

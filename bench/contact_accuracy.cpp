@@ -10,6 +10,7 @@
 #include "core/dynamics/integrators/integrator_step.h"
 #include "thesis/separation_force.h"
 #include "thesis/damping_ratio.h"
+#include "scenes/circle.h"
 
 #include <algorithm>
 #include <array>
@@ -162,7 +163,7 @@ SoftBodyData ball(double mass, double restitution, double friction, Vec2 center,
 	options.mass = Real(mass);
 	options.stiffness = Real(STIFFNESS);
 	options.damping = softbody::damping_for_ratio(softbody::DEFAULT_DAMPING_RATIO, options.stiffness, options.mass, 9);
-	const Shape shape = take(softbody::SoftBodyCreator::create_circle(Real(0.5), 8, options));
+	const Shape shape = take(softbody::testing::circle_shape(Real(0.5), 8, options));
 	BodySettings settings;
 	settings.restitution = Real(restitution);
 	settings.friction = Real(friction);
@@ -329,7 +330,7 @@ json response_bounce(ContactResponse response, double offset, int substeps) {
 	softbody::StructureOptions options;
 	options.stiffness = Real(STIFFNESS);
 	options.damping = 0;
-	const Shape shape = take(softbody::SoftBodyCreator::create_circle(Real(0.5), 8, options));
+	const Shape shape = take(softbody::testing::circle_shape(Real(0.5), 8, options));
 	BodySettings settings;
 	settings.shape_stiffness = Real(0.4 * STIFFNESS);
 	settings.integrator = Integrator::SEMI_IMPLICIT_EULER;

@@ -5,6 +5,7 @@
 #include "core/creator/hulls.h"
 #include "core/creator/soft_body_creator.h"
 #include "core/geometry/polygon.h"
+#include "scenes/jelly.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ const ModelChoice &default_model() {
 ElasticBody elastic_body(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material) {
 	ElasticBody body = choice.is_old_network ? old_network(hull, mass, double(material.damping_ratio) > LITTLE_DAMPING)
 											 : of_material(choice, hull, mass, material);
-	set_default_limits(body.settings);
+	softbody::testing::set_default_limits(body.settings);
 	body.settings.friction = 0;
 	body.settings.can_sleep = false;
 	return body;

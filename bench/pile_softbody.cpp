@@ -36,7 +36,6 @@ public:
 			simulator_(world_), time_step_(Real(scene.time_step)) {
 		world_.set_gravity({ 0, -Real(scene.gravity) });
 		world_.set_sleeping(false); // so that every counted body is simulated
-		world_.set_interpolated(false); // nothing is drawn, in no engine
 		world_.add_border(border({ 0, 0 }, { 0, 1 }));
 		world_.add_border(border({ 0, 0 }, { 1, 0 }));
 		world_.add_border(border({ Real(scene.width), 0 }, { -1, 0 }));

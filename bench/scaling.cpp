@@ -6,7 +6,7 @@
 
 #include "core/collision/broad_phase.h"
 #include "core/collision/environment_contact_solver.h"
-#include "core/creator/soft_body_creator.h"
+#include "scenes/circle.h"
 
 #include <algorithm>
 #include <array>
@@ -161,7 +161,7 @@ json measure_beside_stiff(bool quick) {
 	const std::unique_ptr<SoftPile> beside = settled_pile(BODIES, {});
 	const PileScene &scene = beside->scene();
 	const double stiffness = STIFFER * carrying_stiffness(scene);
-	const auto shape = softbody::SoftBodyCreator::create_circle(Real(scene.radius), std::size_t(scene.hull_points),
+	const auto shape = softbody::testing::circle_shape(Real(scene.radius), std::size_t(scene.hull_points),
 			{ 1, Real(stiffness), Real(0.1), true }).value();
 	softbody::BodySettings floating;
 	floating.gravity_scale = 0;

@@ -5,11 +5,11 @@
 #include "bodies.h"
 #include "task_clock.h"
 
-#include "core/creator/soft_body_creator.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/substep_plan.h"
 #include "thesis/separation_force.h"
 #include "thesis/damping_ratio.h"
+#include "scenes/circle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ Shape body_shape(const PileScene &scene, const SoftPileSettings &settings, doubl
 	options.mass = Real(mass);
 	options.stiffness = Real(settings.stiffness);
 	options.damping = Real(settings.damping);
-	return take(softbody::SoftBodyCreator::create_circle(Real(scene.radius), scene.hull_points, options));
+	return take(softbody::testing::circle_shape(Real(scene.radius), scene.hull_points, options));
 }
 
 } // namespace
@@ -108,7 +108,6 @@ SoftPile::SoftPile(PileScene scene, const SoftPileSettings &settings, softbody::
 	if (const softbody::Status refused = world_.set_contact_substeps(settings.contact_substeps)) {
 		throw std::runtime_error(refused->message());
 	}
-	world_.set_interpolated(settings.interpolated);
 	world_.set_sleeping(settings.may_sleep);
 	world_.add_border(border(0, 0, { 0, 1 }));
 	if (scene_.has_walls) {

@@ -28,7 +28,6 @@ struct SoftPileSettings {
 	double top = 0; ///< if not 0, the last body has that times the mass
 	bool bodies_collide = true;
 	bool may_sleep = false; ///< off, so that every counted body is simulated
-	bool interpolated = true; ///< whether a step keeps its start, for drawing
 	double rolling_resistance = 0.03; ///< the node's default
 	bool has_separation_force = false; ///< the thesis's force instead of contacts between bodies, in time steps as short as a substep
 };

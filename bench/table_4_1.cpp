@@ -64,7 +64,6 @@ SoftPileSettings settings_without(const std::string &name) {
 	settings.stiffness = 60;
 	settings.damping = 1.5;
 	settings.bodies_collide = false;
-	settings.interpolated = false;
 	if (name != "default") {
 		settings.rolling_resistance = 0; // the thesis knows none
 	}
@@ -221,8 +220,7 @@ json table_4_1(const Options &options) {
 			}
 		}
 	}
-	return { { "frame_ms", 1e3 * FRAME }, { "interpolated_with_collisions", true },
-		{ "interpolated_without_collisions", false }, { "rows", rows } };
+	return { { "frame_ms", 1e3 * FRAME }, { "rows", rows } };
 }
 
 } // namespace bench

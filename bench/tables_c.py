@@ -82,7 +82,7 @@ def print_table_4_1(summary):
               f" {percent(row['mean_area']) if with_collisions else '–':>6}")
     print("  one thread by its processor time, two by the clock; 'by least': from the fastest step instead of the median;")
     print("  'scheduled': tasks timed one by one, then dealt to two threads that have the machine for themselves")
-    print("  without collisions one substep a frame and no positions kept for interpolation; the default decides itself")
+    print("  without collisions one substep a frame; the default decides itself")
     for method in dict.fromkeys(row["method"] for row in summary["rows"]):
         for row in (r for r in summary["rows"] if r["method"] == method and r["threads"] == 1):
             s = row["settings"]

@@ -3,10 +3,10 @@
 #include "bench.h"
 
 #include "core/base/constants.h"
-#include "core/creator/soft_body_creator.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
 #include "thesis/damping_ratio.h"
+#include "scenes/circle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ SoftBodyData make_body(const Model &model, Real stiffness) {
 			std::size_t(model.hull_points) + 1);
 	settings.pressure_stiffness = model.pressure * stiffness;
 	SoftBodyData body =
-			SoftBodyData::create(SoftBodyCreator::create_circle(RADIUS, model.hull_points, options).value(), settings).value();
+			SoftBodyData::create(softbody::testing::circle_shape(RADIUS, model.hull_points, options).value(), settings).value();
 	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
 		const Vec2 rest = body.shape().rest_positions()[i];
 		const Vec2 x{ Real(1.15) * rest.x + Real(0.1) * rest.y, Real(0.9) * rest.y };

@@ -7,7 +7,6 @@
 // Rounding can mislead the search into missing a separation, but not into inventing one.
 #include "thesis/gjk.h"
 
-#include "core/geometry/vec2d.h"
 
 #include <array>
 #include <cmath>

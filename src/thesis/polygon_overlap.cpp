@@ -3,7 +3,6 @@
 #include "thesis/polygon_overlap.h"
 
 #include "core/geometry/polygon.h"
-#include "core/geometry/vec2d.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,6 @@
 #include "thesis/segment_distance.h"
 
 #include "core/geometry/segment.h"
-#include "core/geometry/vec2d.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <span>
 #include <string>
 
 using namespace softbody;
@@ -81,4 +83,33 @@ TEST_CASE("a result holds either its value or its error") {
 	CHECK_FALSE(bad.has_value());
 	CHECK_FALSE(bool(bad));
 	CHECK(bad.error().name == "name");
+}
+
+TEST_CASE("of several checks the first refusal counts") {
+	CHECK_FALSE(first_error({}));
+	CHECK_FALSE(first_error({ check_finite("a", 1, ""), check_finite("b", 2, "") }));
+	const Status status = first_error({ check_finite("a", 1, ""), check_finite("b", NAN, ""), check_finite("c", NAN, "") });
+	REQUIRE(status.has_value());
+	CHECK(status->name == "b");
+}
+
+TEST_CASE("vectors are refused with both coordinates, of several the first by its index") {
+	const Vec2 bad{ 3, Real(NAN) };
+	CHECK_FALSE(check_finite("place", Vec2{ 3, 4 }));
+	const Status one = check_finite("place", bad);
+	REQUIRE(one.has_value());
+	CHECK(one->value == "(3, nan)");
+	const std::array<Vec2, 3> places = { Vec2{}, bad, bad };
+	const Status several = check_all_finite("places", places);
+	REQUIRE(several.has_value());
+	CHECK(several->name == "places[1]");
+	CHECK_FALSE(check_all_finite("places", std::span(places).first(1)));
+}
+
+TEST_CASE("indices end before the count, and unit vectors may be off by a thousandth") {
+	CHECK_FALSE(check_index("point", 2, 3, "count again"));
+	CHECK(check_index("point", 3, 3, "count again")->remedy == "count again");
+	CHECK_FALSE(check_unit_length("normal", { 0, Real(1.0005) }));
+	CHECK(check_unit_length("normal", { 0, Real(1.002) }));
+	CHECK(check_unit_length("normal", { Real(NAN), 1 }));
 }

@@ -150,7 +150,7 @@ TEST_CASE("a body that has come to rest has forgotten how it landed: a gentle ju
 	BodySettings settings = jelly_settings();
 	settings.restitution = Real(0.8);
 	settings.shape_damping = 6; // damped so strongly that it never lifts off by itself
-	const auto shape = SoftBodyCreator::create_circle(JELLY_RADIUS, JELLY_HULL_POINTS, { JELLY_MASS, JELLY_STIFFNESS, 6, true }).value();
+	const auto shape = circle_shape(JELLY_RADIUS, JELLY_HULL_POINTS, { JELLY_MASS, JELLY_STIFFNESS, 6, true }).value();
 	world.add_soft_body(SoftBodyData::create(shape, settings, Pose{ { 0, -250 }, {} }).value());
 	SoftBodyData &body = world.soft_bodies()[0];
 	Simulator simulator(world);

@@ -2,7 +2,7 @@
 // The exact test of a point against a hull agrees with a plain one that takes an edge at a time.
 #include "core/collision/hull_contact.h"
 #include "core/geometry/polygon.h"
-#include "core/geometry/triangle.h"
+#include "core/geometry/segment.h"
 #include "support/compare.h"
 #include "support/random.h"
 

@@ -245,7 +245,7 @@ TEST_CASE("a body that rests on a platform and hangs over its end stays held, an
 			CAPTURE(rate);
 			CAPTURE(int(kind));
 			Scene scene(kind, rate, { 7, -R - 1 }, {});
-			const auto heavy = SoftBodyCreator::create_circle(R, 16, { 4, 800, 2, true }).value();
+			const auto heavy = circle_shape(R, 16, { 4, 800, 2, true }).value();
 			for (int i = 0; i < 3; ++i) {
 				scene.world.add_soft_body(SoftBodyData::create(heavy, jelly_settings(), { { 7, -R - 1 - 110 * Real(i + 1) }, {} }).value());
 			}

@@ -24,7 +24,7 @@ constexpr Real SPEED = 2; // of each
 
 SoftBodyData ball(double mass, double restitution, Vec2 center, Vec2 velocity, double stiffness = 1000) {
 	const double k = stiffness * mass;
-	const auto shape = SoftBodyCreator::create_circle(Real(0.5), 8, { Real(mass), Real(k), Real(0.05 * std::sqrt(k * mass / 9)), true }).value();
+	const auto shape = circle_shape(Real(0.5), 8, { Real(mass), Real(k), Real(0.05 * std::sqrt(k * mass / 9)), true }).value();
 	BodySettings settings;
 	settings.shape_stiffness = Real(0.4 * k);
 	settings.shape_damping = Real(0.5 * std::sqrt(0.4 * k * mass / 9));

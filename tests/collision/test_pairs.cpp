@@ -108,7 +108,7 @@ TEST_CASE("two bodies that meet part again, with the momentum and spin that they
 
 TEST_CASE("whichever points of a hull of many meet the flat side of a large body, they are held") {
 	constexpr int POINTS = 70; // more than are looked at together
-	const auto wheel = SoftBodyCreator::create_circle(Real(0.5), POINTS, { 1, 3000, 1, true }).value();
+	const auto wheel = circle_shape(Real(0.5), POINTS, { 1, 3000, 1, true }).value();
 	// Four points and no more: nothing of it but the edge is near the wheel.
 	const auto block = SoftBodyCreator::create_polygon(box_hull({ 20, 2 }, 20).value(), { 100, 100000, 10, true }).value();
 	for (int first = 0; first < POINTS; first += 7) {
@@ -308,7 +308,7 @@ TEST_CASE("random crowds of bodies in each other's way stay finite and apart") {
 		for (int i = 0; i < count; ++i) {
 			const double stiffness = 300 * std::pow(100.0, double(random.real(0, 1)));
 			const double mass = std::pow(30.0, double(random.real(-0.5, 0.5)));
-			const auto shape = SoftBodyCreator::create_circle(random.real(0.2, 1), random.integer(3, 20),
+			const auto shape = circle_shape(random.real(0.2, 1), random.integer(3, 20),
 					{ Real(mass), Real(stiffness), Real(0.1 * std::sqrt(stiffness * mass)), random.chance(0.7) })
 									   .value();
 			SoftBodyData body = thesis_body(shape, pile_settings(stiffness), { random.vector(1.5) + Vec2{ 0, 3 }, {} });

@@ -97,7 +97,7 @@ WorldData particle_world(Vec2 place, Vec2 velocity, Real mass, Real friction, Re
 SoftBodyData stiff_jelly(Vec2 center, Real mass = 1) {
 	const Real stiffness = 1000 * mass;
 	const Real damping = damping_for_ratio(Real(0.3), stiffness, mass, JELLY_HULL_POINTS + 1);
-	const auto shape = SoftBodyCreator::create_circle(JELLY_RADIUS, JELLY_HULL_POINTS, { mass, stiffness, damping, true });
+	const auto shape = circle_shape(JELLY_RADIUS, JELLY_HULL_POINTS, { mass, stiffness, damping, true });
 	BodySettings settings = jelly_settings(stiffness);
 	return SoftBodyData::create(shape.value(), settings, Pose{ center, {} }).value();
 }

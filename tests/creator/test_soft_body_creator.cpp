@@ -109,8 +109,8 @@ TEST_CASE("bad outlines and material values are refused by name") {
 	const std::vector<Vec2> bow{ { 0, 0 }, { 2, 2 }, { 2, 0 }, { 0, 2 } };
 	CHECK(SoftBodyCreator::create_polygon(bow, {}).error().name == "hull");
 	CHECK(SoftBodyCreator::create_polygon({}, {}).error().name == "hull");
-	CHECK(SoftBodyCreator::create_circle(-1, 8, {}).error().name == "radius");
-	CHECK(SoftBodyCreator::create_circle(1, 2, {}).error().name == "point_count");
+	CHECK(circle_shape(-1, 8, {}).error().name == "radius");
+	CHECK(circle_shape(1, 2, {}).error().name == "point_count");
 }
 
 TEST_CASE("a hull point at the mean of all is refused by its index, unless there is no center point") {

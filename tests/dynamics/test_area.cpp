@@ -2,11 +2,11 @@
 // The area as a compliant constraint: what it resists, what it keeps, and for which stiffness.
 #include "core/dynamics/area_lanes.h"
 
-#include "core/creator/soft_body_creator.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/simulator.h"
 #include "core/geometry/polygon.h"
 #include "core/model/material.h"
+#include "scenes/circle.h"
 #include "support/random.h"
 #include "thesis/momentum.h"
 
@@ -32,7 +32,7 @@ SoftBodyData ring(Real bulk_modulus, Real damping_time = 0) {
 	settings.area_stiffness = bulk_modulus;
 	settings.elastic_damping_time = damping_time;
 	settings.can_sleep = false;
-	return SoftBodyData::create(SoftBodyCreator::create_circle(50, 16, options).value(), settings).value();
+	return SoftBodyData::create(circle_shape(50, 16, options).value(), settings).value();
 }
 
 void blow_up(SoftBodyData &body, Real factor) {
@@ -45,7 +45,7 @@ void blow_up(SoftBodyData &body, Real factor) {
 WorldData spinning_world(Real spin, Real inflation) {
 	StructureOptions options;
 	options.elastic = true;
-	const auto shape = SoftBodyCreator::create_circle(50, 16, options).value();
+	const auto shape = circle_shape(50, 16, options).value();
 	BodySettings settings;
 	settings.inflation = inflation;
 	settings.can_sleep = false;

@@ -25,7 +25,7 @@ constexpr Real APART = 3000; ///< between islands [px]
 constexpr Real TOUCHING = Real(1.98) * JELLY_RADIUS; ///< between the centers of two that are pressed together [px]
 
 auto jelly_shape(Real stiffness) {
-	return SoftBodyCreator::create_circle(JELLY_RADIUS, JELLY_HULL_POINTS, { JELLY_MASS, stiffness, JELLY_DAMPING, true }).value();
+	return circle_shape(JELLY_RADIUS, JELLY_HULL_POINTS, { JELLY_MASS, stiffness, JELLY_DAMPING, true }).value();
 }
 
 /// Of one shape for each stiffness, so that four of them make a batch.

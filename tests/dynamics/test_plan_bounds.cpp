@@ -348,7 +348,7 @@ TEST_CASE("a plan looks ahead: a hull that its velocities stretch within the ste
 TEST_CASE("a balloon three times too large neither blows up nor gains energy under the automatic choice") {
 	BodySettings settings;
 	settings.pressure_stiffness = 3000;
-	const auto shape = SoftBodyCreator::create_circle(THESIS_RADIUS, 6, { 1, 20, Real(0.1), false }).value();
+	const auto shape = circle_shape(THESIS_RADIUS, 6, { 1, 20, Real(0.1), false }).value();
 	WorldData world;
 	SoftBodyData body = thesis_body(shape, settings);
 	for (std::uint32_t i = 0; i < body.point_count(); ++i) {

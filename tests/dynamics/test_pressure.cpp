@@ -125,7 +125,7 @@ TEST_CASE("a ring without inner springs keeps its area by pressure alone") {
 	options.stiffness = 100;
 	options.damping = 1;
 	options.center_point = false;
-	const auto shape = SoftBodyCreator::create_circle(Real(0.5), 16, options);
+	const auto shape = circle_shape(Real(0.5), 16, options);
 	WorldData world;
 	world.set_gravity({ 0, Real(9.81) });
 	world.add_border({ { { 0, Real(0.5) }, { 0, -1 } }, {} });

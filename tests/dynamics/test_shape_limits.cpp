@@ -72,7 +72,7 @@ SoftBodyData default_body(Vec2 center) {
 	StructureOptions options;
 	options.stiffness = 1;
 	options.elastic = true;
-	const auto shape = SoftBodyCreator::create_circle(JELLY_RADIUS, JELLY_HULL_POINTS, options).value();
+	const auto shape = circle_shape(JELLY_RADIUS, JELLY_HULL_POINTS, options).value();
 	BodySettings settings;
 	set_default_limits(settings);
 	REQUIRE(!apply_material({}, ElasticModel::MODES, *shape, settings));

@@ -26,7 +26,7 @@ SoftBodyData jelly_of_strength(Real strength, int points, Real radius = JELLY_RA
 	const Real disk_radius = std::sqrt(area / std::numbers::pi_v<Real>);
 	const Real stiffness = strength * 8 * mass * PIXEL_GRAVITY / (Real(points) * disk_radius);
 	const Real damping = damping_for_ratio(DEFAULT_DAMPING_RATIO, stiffness, mass, std::size_t(points) + 1);
-	const auto shape = SoftBodyCreator::create_circle(polygon_radius, points, { mass, stiffness, damping, true });
+	const auto shape = circle_shape(polygon_radius, points, { mass, stiffness, damping, true });
 	BodySettings settings;
 	settings.shape_stiffness = DEFAULT_SHAPE_MATCHING * stiffness;
 	settings.shape_damping = 2 * Real(0.25) * std::sqrt(settings.shape_stiffness * mass / Real(points + 1));
@@ -170,7 +170,7 @@ TEST_CASE("what rings is damped below the floor times sqrt(k m)") {
 	const Real stiffness = 100;
 	const Real floor = DAMPING_FLOOR * std::sqrt(stiffness * JELLY_MASS / 17);
 	for (const Real share : { Real(0.9), Real(1.1) }) {
-		const auto shape = SoftBodyCreator::create_circle(JELLY_RADIUS, 16, { JELLY_MASS, stiffness, share * floor, true });
+		const auto shape = circle_shape(JELLY_RADIUS, 16, { JELLY_MASS, stiffness, share * floor, true });
 		const StabilityReport report = report_stability(*shape.value(), {}, GRAVITY, FRAME, true);
 		CHECK(relative_error(report.least_damping, floor) <= 16 * EPSILON);
 		CHECK(report.rings() == (share < 1));

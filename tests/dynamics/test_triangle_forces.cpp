@@ -11,6 +11,7 @@
 #include "core/dynamics/stability_report.h"
 #include "core/geometry/polygon.h"
 #include "core/model/material.h"
+#include "scenes/jelly.h"
 #include "support/compare.h"
 #include "support/random.h"
 #include "thesis/momentum.h"

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Geometry on the integer grid, against exact answers by other formulas.
-#include "core/geometry/convex_hull.h"
-#include "thesis/gjk.h"
 #include "core/geometry/polygon.h"
+#include "thesis/gjk.h"
 #include "thesis/polygon_overlap.h"
 #include "core/geometry/segment.h"
-#include "core/geometry/triangle.h"
 #include "core/skin/triangulation.h"
 #include "fuzz/bytes.h"
 #include "fuzz/targets.h"

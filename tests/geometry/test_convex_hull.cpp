@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Claims about convex hulls, against a search through all triangles on a small integer grid.
-#include "core/geometry/convex_hull.h"
 #include "core/geometry/polygon.h"
-#include "core/geometry/triangle.h"
 #include "geometry/integer_geometry.h"
 #include "support/compare.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Claims about triangles, against exact twins on a small integer grid.
-#include "core/geometry/triangle.h"
+#include "core/geometry/polygon.h"
 #include "geometry/integer_geometry.h"
 #include "support/compare.h"
 

@@ -7,6 +7,7 @@
 #include "core/dynamics/energy.h"
 #include "core/geometry/polygon.h"
 #include "core/model/soft_body_data.h"
+#include "scenes/circle.h"
 
 #include <doctest/doctest.h>
 
@@ -124,11 +125,11 @@ TEST_CASE("bad materials are refused by name, and nothing changes") {
 
 TEST_CASE("models that a shape cannot follow are refused") {
 	StructureOptions options;
-	const auto network = SoftBodyCreator::create_circle(50, 8, options).value();
+	const auto network = testing::circle_shape(50, 8, options).value();
 	BodySettings settings;
 	CHECK(apply_material({}, ElasticModel::MODES, *network, settings)->name == "elastic_model");
 	options.stiffness = 0;
-	const auto limp = SoftBodyCreator::create_circle(50, 8, options).value();
+	const auto limp = testing::circle_shape(50, 8, options).value();
 	CHECK(apply_material({}, ElasticModel::SPRINGS, *limp, settings)->name == "elastic_model");
 	CHECK(settings == BodySettings{});
 }

@@ -92,9 +92,9 @@ TEST_CASE("a refused change leaves every bit of the state as it was") {
 		{ "pose", [](auto &b) { return b.teleport({}, Pose{ { NOT_A_NUMBER, 0 }, {} }); } },
 		{ "pose", [](auto &b) { return b.teleport(Pose{ {}, { INFINITE, 0 } }, {}); } },
 		{ "shape", [](auto &b) { return b.set_shape(nullptr); } },
-		{ "shape", [](auto &b) { return b.set_shape(SoftBodyCreator::create_circle(1, 9, {}).value()); } },
+		{ "shape", [](auto &b) { return b.set_shape(circle_shape(1, 9, {}).value()); } },
 		// The same number of points, but all of them on the hull.
-		{ "shape", [](auto &b) { return b.set_shape(SoftBodyCreator::create_circle(1, 9, { 1, 1, 1, false }).value()); } },
+		{ "shape", [](auto &b) { return b.set_shape(circle_shape(1, 9, { 1, 1, 1, false }).value()); } },
 		{ "restitution", [](auto &b) {
 			 BodySettings settings;
 			 settings.friction = 3;

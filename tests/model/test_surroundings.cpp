@@ -85,9 +85,9 @@ TEST_CASE("bad surface values are refused on borders and colliders alike") {
 		{ "surface.friction", [](Surface &s) { s.friction = NOT_A_NUMBER; } },
 		{ "surface.restitution", [](Surface &s) { s.restitution = Real(1.1); } },
 		{ "surface.restitution", [](Surface &s) { s.restitution = Real(-0.1); } },
-		{ "surface.velocity", [](Surface &s) { s.linear_velocity.y = NOT_A_NUMBER; } },
-		{ "surface.velocity", [](Surface &s) { s.velocity_origin.x = INFINITE; } },
-		{ "surface.velocity", [](Surface &s) { s.angular_velocity = NOT_A_NUMBER; } },
+		{ "surface.linear_velocity", [](Surface &s) { s.linear_velocity.y = NOT_A_NUMBER; } },
+		{ "surface.velocity_origin", [](Surface &s) { s.velocity_origin.x = INFINITE; } },
+		{ "surface.angular_velocity", [](Surface &s) { s.angular_velocity = NOT_A_NUMBER; } },
 	};
 	for (const auto &[name, spoil] : cases) {
 		CAPTURE(name);

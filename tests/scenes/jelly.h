@@ -2,8 +2,8 @@
 // The jelly circle that a new node shows, and a world in pixels with y down to drop it into.
 #pragma once
 
-#include "core/creator/soft_body_creator.h"
 #include "core/model/world_data.h"
+#include "scenes/circle.h"
 
 #include <cmath>
 
@@ -28,8 +28,15 @@ inline BodySettings jelly_settings(Real stiffness = JELLY_STIFFNESS) {
 	return settings;
 }
 
+/// The node's limits of shape: half of a body's area, a fifth of its thickness, three times its length.
+inline void set_default_limits(BodySettings &settings) {
+	settings.least_area = Real(0.5);
+	settings.least_stretch = Real(0.2);
+	settings.most_stretch = 3;
+}
+
 inline SoftBodyData jelly_circle(Vec2 center, const BodySettings &settings = jelly_settings()) {
-	const auto shape = SoftBodyCreator::create_circle(JELLY_RADIUS, JELLY_HULL_POINTS,
+	const auto shape = circle_shape(JELLY_RADIUS, JELLY_HULL_POINTS,
 			{ JELLY_MASS, JELLY_STIFFNESS, JELLY_DAMPING, true });
 	return SoftBodyData::create(shape.value(), settings, Pose{ center, {} }).value();
 }

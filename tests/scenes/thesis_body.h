@@ -2,8 +2,8 @@
 // The test body of the thesis: eight hull points and a center, in meters.
 #pragma once
 
-#include "core/creator/soft_body_creator.h"
 #include "core/model/soft_body_data.h"
+#include "scenes/circle.h"
 #include "thesis/damping_ratio.h"
 
 #include <memory>
@@ -16,7 +16,7 @@ inline constexpr Real THESIS_MASS = 1; ///< [kg], a ninth on every point
 
 /// Eight hull springs and eight centre springs, all of stiffness k [N/m] and damping c [N·s/m].
 inline std::shared_ptr<const SoftBodyShape> thesis_shape(Real stiffness = 100, Real damping = 0) {
-	return SoftBodyCreator::create_circle(THESIS_RADIUS, THESIS_HULL_POINTS, { THESIS_MASS, stiffness, damping, true }).value();
+	return circle_shape(THESIS_RADIUS, THESIS_HULL_POINTS, { THESIS_MASS, stiffness, damping, true }).value();
 }
 
 /// The same springs with a damping ratio, which is c / sqrt(k m) with m the mass of one point.

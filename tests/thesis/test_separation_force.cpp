@@ -234,7 +234,7 @@ TEST_CASE("the separation force means the same in meters as in pixels") {
 		world.set_sleeping(false);
 		world.set_length_unit(unit);
 		for (const Real side : { Real(-1), Real(1) }) {
-			const auto shape = SoftBodyCreator::create_circle(THESIS_RADIUS * unit, THESIS_HULL_POINTS, { 1, 2000, 0, true }).value();
+			const auto shape = circle_shape(THESIS_RADIUS * unit, THESIS_HULL_POINTS, { 1, 2000, 0, true }).value();
 			SoftBodyData body = SoftBodyData::create(shape, {}, { { side * unit, 0 }, {} }).value();
 			for (std::uint32_t i = 0; i < body.point_count(); ++i) {
 				body.set_point(i, body.positions()[i], { -2 * side * unit, 0 });

@@ -115,11 +115,6 @@ inline constexpr Real ONE_WAY_FACING = Real(0.1);
 /// from its place. Smaller: a stretched body is taken for lost.
 inline constexpr Real CREDIBLE_REACH = 1000;
 
-/// Limits of shape that suit nearly every body [1]: half of its area, a fifth of its thickness, three times its length.
-inline constexpr Real DEFAULT_LEAST_AREA = Real(0.5);
-inline constexpr Real DEFAULT_LEAST_STRETCH = Real(0.2);
-inline constexpr Real DEFAULT_MOST_STRETCH = 3;
-
 /// Correction of a stretch or area out of bounds in a substep, as a share of the rest size or area [1]. Larger: crushed
 /// bodies jump up. Smaller: they are out of bounds for longer.
 inline constexpr Real LIMIT_PUSH = Real(0.05);

@@ -2,6 +2,7 @@
 // Builds the sentences with which the core refuses bad input.
 #include "core/base/error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -13,10 +14,11 @@ std::string with_unit(const std::string &text, const std::string &unit) {
 	return unit.empty() ? text : text + " " + unit;
 }
 
+constexpr const char *CHECK_COMPUTATION = "check the computation that produced this value";
+
 Error refused(const std::string &name, double value, const std::string &bound) {
-	const char *remedy = std::isfinite(value) ? "give a value inside the bound"
-											  : "check the computation that produced this value";
-	return { name, number_text(value), "must be " + bound, remedy };
+	return { name, number_text(value), "must be " + bound,
+		std::isfinite(value) ? "give a value inside the bound" : CHECK_COMPUTATION };
 }
 
 } // namespace
@@ -64,6 +66,37 @@ Status check_between(const std::string &name, double value, double minimum, doub
 	}
 	return refused(name, value,
 			"between " + number_text(minimum) + " and " + with_unit(number_text(maximum), unit));
+}
+
+Status check_finite(const std::string &name, Vec2 value) {
+	if (is_finite(value)) {
+		return {};
+	}
+	return Error{ name, "(" + number_text(value.x) + ", " + number_text(value.y) + ")", "must be finite", CHECK_COMPUTATION };
+}
+
+Status check_all_finite(const std::string &name, std::span<const Vec2> values) {
+	const auto bad = std::ranges::find_if_not(values, is_finite);
+	return bad == values.end() ? Status() : check_finite(name + "[" + std::to_string(bad - values.begin()) + "]", *bad);
+}
+
+Status check_unit_length(const std::string &name, Vec2 value, const std::string &remedy) {
+	if (std::abs(length(value) - 1) <= Real(1e-3)) { // false for NaN
+		return {};
+	}
+	return Error{ name, "length " + number_text(length(value)), "must have unit length", remedy };
+}
+
+Status check_index(const std::string &name, std::size_t index, std::size_t count, const std::string &remedy) {
+	if (index < count) {
+		return {};
+	}
+	return Error{ name, std::to_string(index), "must be below " + std::to_string(count), remedy };
+}
+
+Status first_error(std::initializer_list<Status> checks) {
+	const auto refusal = std::ranges::find_if(checks, [](const Status &check) { return check.has_value(); });
+	return refusal == checks.end() ? Status() : *refusal;
 }
 
 } // namespace softbody

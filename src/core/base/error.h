@@ -2,7 +2,12 @@
 // How the core refuses bad input: a value that says what was wrong and what to do, never an exception.
 #pragma once
 
+#include "core/base/vec2.h"
+
+#include <cstddef>
+#include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -47,6 +52,15 @@ Status check_finite(const std::string &name, double value, const std::string &un
 Status check_at_least(const std::string &name, double value, double minimum, const std::string &unit);
 Status check_above(const std::string &name, double value, double bound, const std::string &unit);
 Status check_between(const std::string &name, double value, double minimum, double maximum, const std::string &unit);
+/// Both coordinates; of several vectors the first that is not finite is refused as "name[i]".
+Status check_finite(const std::string &name, Vec2 value);
+Status check_all_finite(const std::string &name, std::span<const Vec2> values);
+/// Refuses vectors that are not of unit length (to 1e-3).
+Status check_unit_length(const std::string &name, Vec2 value, const std::string &remedy = "normalize the vector");
+Status check_index(const std::string &name, std::size_t index, std::size_t count, const std::string &remedy);
+
+/// The first refusal of several checks, which are all made.
+Status first_error(std::initializer_list<Status> checks);
 
 /// Number as a person would write it (shortest form, "nan", "inf").
 std::string number_text(double value);

@@ -9,6 +9,13 @@
 
 namespace softbody {
 
+/// Spreads a key over the slots of a hash table.
+constexpr std::uint64_t mixed(std::uint64_t key) {
+	key ^= key >> 31;
+	key *= 0x9e3779b97f4a7c15u; // 2^64 over the golden ratio (Knuth's multiplicative hash)
+	return key ^ (key >> 29);
+}
+
 /// FNV-1a over the bits of values.
 class Hash {
 public:

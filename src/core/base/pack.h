@@ -200,9 +200,7 @@ inline bool any(bool mask) {
 inline bool both(bool a, bool b) {
 	return a && b;
 }
-inline Real sqrt(Real a) {
-	return std::sqrt(a);
-}
+using std::sqrt;
 
 /// The smaller value; `b` where one is NaN.
 template <class T>

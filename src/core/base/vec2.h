@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace softbody {
 
@@ -49,6 +50,9 @@ struct BasicVec2 {
 	friend constexpr BasicVec2 perpendicular(BasicVec2 a) { return { -a.y, a.x }; }
 	friend constexpr T length_squared(BasicVec2 a) { return dot(a, a); }
 	friend T length(BasicVec2 a) { return sqrt(length_squared(a)); }
+	template <class Other>
+		requires(!std::is_same_v<Other, T>)
+	explicit constexpr operator BasicVec2<Other>() const { return { Other(x), Other(y) }; }
 	template <class Mask>
 	friend BasicVec2 select(Mask mask, BasicVec2 yes, BasicVec2 no) {
 		return { select(mask, yes.x, no.x), select(mask, yes.y, no.y) };
@@ -57,6 +61,14 @@ struct BasicVec2 {
 
 /// A position [length], velocity [length/s] or force [mass·length/s²]. Arrays of Vec2 are contiguous pairs.
 using Vec2 = BasicVec2<Real>;
+
+/// Two doubles, whatever `Real` is, for results that depend on a small difference of large coordinates.
+using Vec2d = BasicVec2<double>;
+
+/// p relative to `origin`, subtracted before any rounding: exact for float coordinates of like size.
+constexpr Vec2d difference(Vec2 p, Vec2 origin) {
+	return Vec2d(p) - Vec2d(origin);
+}
 
 inline bool is_finite(Vec2 a) {
 	return std::isfinite(a.x) && std::isfinite(a.y);

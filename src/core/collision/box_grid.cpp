@@ -2,11 +2,14 @@
 // A hashed grid of several cell sizes, for box queries.
 #include "core/collision/box_grid.h"
 
+#include "core/base/hash.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace softbody {
 
@@ -18,10 +21,6 @@ constexpr std::uint32_t LEVELS = 24;
 // Cells are a little larger than the boxes in them, so that rounding cannot put a box that just touches out of reach.
 constexpr Real ROOM = Real(1.01);
 
-Real extent_of(const Aabb &box) {
-	return std::max(box.max.x - box.min.x, box.max.y - box.min.y) * ROOM;
-}
-
 } // namespace
 
 BoxGrid::Entry BoxGrid::entry_of(const Aabb &box, std::uint32_t name) const {
@@ -29,28 +28,24 @@ BoxGrid::Entry BoxGrid::entry_of(const Aabb &box, std::uint32_t name) const {
 	entry.box = box;
 	entry.name = name;
 	Real size = cell_size_;
-	for (const Real extent = extent_of(box); size < extent && entry.level + 1 < LEVELS; size *= 2) {
+	for (const Real extent = box.extent() * ROOM; size < extent && entry.level + 1 < LEVELS; size *= 2) {
 		++entry.level;
 	}
-	const Vec2 center = (box.min + box.max) * Real(0.5);
+	const Vec2 center = box.center();
 	entry.x = cell_coordinate(center.x, size);
 	entry.y = cell_coordinate(center.y, size);
 	return entry;
 }
 
 std::uint32_t BoxGrid::bucket_of(const Level &level, std::int32_t x, std::int32_t y) {
-	std::uint64_t key = (std::uint64_t(std::uint32_t(x)) << 32) | std::uint32_t(y);
-	key ^= key >> 31;
-	key *= 0x9e3779b97f4a7c15u; // 2^64 over the golden ratio (Knuth's multiplicative hash)
-	key ^= key >> 29;
-	return level.first_bucket + (std::uint32_t(key) & (level.buckets - 1));
+	return level.first_bucket + (std::uint32_t(mixed(cell_key(x, y))) & (level.buckets - 1));
 }
 
 void BoxGrid::choose_cell_size(std::span<const Aabb> boxes) {
 	extents_.clear();
 	for (const Aabb &box : boxes) {
-		if (std::isfinite(extent_of(box))) {
-			extents_.push_back(extent_of(box));
+		if (const Real extent = box.extent() * ROOM; std::isfinite(extent)) {
+			extents_.push_back(extent);
 		}
 	}
 	// Chosen so that most boxes lie in cells of level 0: a query visits few levels, and few of those cells hold several
@@ -93,11 +88,7 @@ void BoxGrid::assign(std::span<const Aabb> boxes, std::span<const std::uint32_t>
 	for (const Entry &entry : unsorted_) {
 		++bucket_starts_[bucket_of(levels_[index_of_level[entry.level]], entry.x, entry.y)];
 	}
-	std::uint32_t sum = 0;
-	for (std::uint32_t &start : bucket_starts_) {
-		sum += start;
-		start = sum;
-	}
+	std::inclusive_scan(bucket_starts_.begin(), bucket_starts_.end(), bucket_starts_.begin());
 	entries_.resize(unsorted_.size());
 	for (const Entry &entry : unsorted_) {
 		entries_[--bucket_starts_[bucket_of(levels_[index_of_level[entry.level]], entry.x, entry.y)]] = entry;

@@ -19,6 +19,10 @@ inline std::int32_t cell_coordinate(Real position, Real size) {
 	return std::int32_t(std::max(-FARTHEST_CELL, std::min(FARTHEST_CELL, std::floor(position / size))));
 }
 
+constexpr std::uint64_t cell_key(std::int32_t x, std::int32_t y) {
+	return (std::uint64_t(std::uint32_t(x)) << 32) | std::uint32_t(y);
+}
+
 /// Boxes in a hashed grid of several cell sizes. Each box lies in the cell of its center, on the level whose cells are
 /// as large as the box. A query visits, on every level, the cells from which a box may reach. A tile map and the long
 /// floor under it thus cost only the boxes nearby.

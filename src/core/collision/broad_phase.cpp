@@ -2,6 +2,8 @@
 // A hashed grid of several cell sizes.
 #include "core/collision/broad_phase.h"
 
+#include "core/base/hash.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -21,7 +23,6 @@ constexpr Real BOX_MARGIN = Real(0.08);
 constexpr Real MOST_MOVED = Real(0.3);
 
 constexpr std::size_t BODIES_A_TASK = 256;
-constexpr std::size_t TASKS = 32;
 
 // Extent of the largest bodies of a level, and side of the squares by which pairs are grouped, in the level's unit. Two
 // bodies of a level that touch are less than 2 units apart, so the first bodies of two pairs that share a body are less
@@ -32,10 +33,6 @@ constexpr std::uint32_t SQUARE_COLORS = 4;
 
 // Level of pairs with a body whose extent is not finite or too large. All of them form one group, after all others.
 constexpr std::uint32_t UNGROUPED = 1 << 16;
-
-Real extent_of(const Aabb &box) {
-	return std::max(box.max.x - box.min.x, box.max.y - box.min.y);
-}
 
 // The least n with extent < GROUPED_EXTENT 2^n, counted from LOWEST_LEVEL.
 constexpr int LOWEST_LEVEL = std::numeric_limits<Real>::min_exponent - 2;
@@ -53,12 +50,6 @@ Real unit_of(std::uint32_t level) {
 	return std::ldexp(Real(1), int(level) + LOWEST_LEVEL + 1);
 }
 
-std::uint64_t mix(std::uint64_t key) {
-	key ^= key >> 31;
-	key *= 0x9e3779b97f4a7c15u; // 2^64 over the golden ratio (Knuth's multiplicative hash)
-	return key ^ (key >> 29);
-}
-
 } // namespace
 
 void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t version, const ParallelFor &parallel_for,
@@ -70,27 +61,23 @@ void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t ve
 	moved_.clear();
 	for (std::uint32_t i = 0; i < bodies.size(); ++i) {
 		if (!same_bodies || !boxes_[i].contains(bodies[i].box)) {
-			boxes_[i] = bodies[i].box.grown(BOX_MARGIN * extent_of(bodies[i].box));
+			boxes_[i] = bodies[i].box.grown(BOX_MARGIN * bodies[i].box.extent());
 			has_moved_[i] = 1;
 			moved_.push_back(i);
 		}
 	}
-	if (same_bodies && moved_.empty()) {
-		keep_overlapping(bodies, exceptions);
-		group_pairs(bodies);
-		return;
-	}
-	++rebuild_count_;
-	if (!same_bodies || moved_.size() > std::size_t(MOST_MOVED * Real(bodies.size()))) {
-		sought_bodies_ += bodies.size();
+	if (!same_bodies || !moved_.empty()) {
+		++rebuild_count_;
+		const bool seeks_all = !same_bodies || moved_.size() > std::size_t(MOST_MOVED * Real(bodies.size()));
+		sought_bodies_ += seeks_all ? bodies.size() : moved_.size();
 		names_.resize(bodies.size());
 		std::iota(names_.begin(), names_.end(), 0u);
-		grid_.assign(boxes_, names_);
-		find_all_pairs(bodies, parallel_for);
-	} else {
-		sought_bodies_ += moved_.size();
-		grid_.assign(boxes_, names_, true);
-		replace_pairs_of_moved(bodies);
+		grid_.assign(boxes_, names_, !seeks_all);
+		if (seeks_all) {
+			find_all_pairs(bodies, parallel_for);
+		} else {
+			replace_pairs_of_moved(bodies);
+		}
 	}
 	keep_overlapping(bodies, exceptions);
 	group_pairs(bodies);
@@ -115,46 +102,38 @@ void BroadPhase::find_pairs_of(std::uint32_t i, std::span<const BroadPhaseBody> 
 
 void BroadPhase::find_all_pairs(std::span<const BroadPhaseBody> bodies, const ParallelFor &parallel_for) {
 	const std::size_t count = boxes_.size();
-	const std::size_t tasks = std::clamp<std::size_t>(count / BODIES_A_TASK, 1, TASKS);
-	found_by_task_.resize(TASKS);
-	run_tasks(parallel_for, tasks, [&](std::size_t task) {
-		std::vector<BodyPair> &found = found_by_task_[task];
+	found_by_task_.resize(MOST_SLICES);
+	for (std::vector<BodyPair> &found : found_by_task_) {
 		found.clear();
-		for (std::size_t i = count * task / tasks; i < count * (task + 1) / tasks; ++i) {
-			find_pairs_of(std::uint32_t(i), bodies, false, found);
+	}
+	run_slices(parallel_for, count, BODIES_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			find_pairs_of(std::uint32_t(i), bodies, false, found_by_task_[task]);
 		}
 	});
 	// Counting sort by the first body, then a sort by the second among the few pairs of one first body.
 	starts_.assign(count + 1, 0);
 	std::size_t pairs = 0;
-	for (std::size_t task = 0; task < tasks; ++task) {
-		pairs += found_by_task_[task].size();
-		for (const BodyPair pair : found_by_task_[task]) {
-			++starts_[pair.a + 1];
+	for (const std::vector<BodyPair> &found : found_by_task_) {
+		pairs += found.size();
+		for (const BodyPair pair : found) {
+			++starts_[pair.a];
 		}
 	}
-	for (std::size_t i = 1; i < starts_.size(); ++i) {
-		starts_[i] += starts_[i - 1];
-	}
+	std::inclusive_scan(starts_.begin(), starts_.end(), starts_.begin());
 	found_.resize(pairs);
-	for (std::size_t task = tasks; task-- > 0;) {
-		const std::vector<BodyPair> &found = found_by_task_[task];
-		for (std::size_t k = found.size(); k-- > 0;) {
-			found_[--starts_[found[k].a + 1]] = found[k];
+	for (const std::vector<BodyPair> &found : found_by_task_) {
+		for (const BodyPair pair : found) {
+			found_[--starts_[pair.a]] = pair;
 		}
 	}
-	for (std::size_t begin = 0; begin < found_.size();) {
-		std::size_t end = begin + 1;
-		while (end < found_.size() && found_[end].a == found_[begin].a) {
-			++end;
-		}
-		std::sort(found_.begin() + std::ptrdiff_t(begin), found_.begin() + std::ptrdiff_t(end));
-		begin = end;
+	for (std::size_t body = 0; body < count; ++body) { // its pairs now lie from its start to the next body's
+		std::sort(found_.begin() + starts_[body], found_.begin() + starts_[body + 1]);
 	}
 }
 
 void BroadPhase::replace_pairs_of_moved(std::span<const BroadPhaseBody> bodies) {
-	found_by_task_.resize(TASKS);
+	found_by_task_.resize(MOST_SLICES);
 	std::vector<BodyPair> &fresh = found_by_task_[0];
 	fresh.clear();
 	for (const std::uint32_t i : moved_) {
@@ -196,7 +175,7 @@ void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 	squares_.clear();
 	square_at_.assign(std::bit_ceil(2 * overlapping_.size() + 4), NONE); // at most half full
 	const auto square_of = [&](std::uint64_t key, std::uint32_t color) {
-		std::size_t slot = std::size_t(mix(key + color)) & (square_at_.size() - 1);
+		std::size_t slot = std::size_t(mixed(key + color)) & (square_at_.size() - 1);
 		while (square_at_[slot] != NONE && (squares_[square_at_[slot]].key != key || squares_[square_at_[slot]].color != color)) {
 			slot = (slot + 1) & (square_at_.size() - 1);
 		}
@@ -212,16 +191,15 @@ void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
 	std::uint32_t last_square = NONE;
 	for (std::size_t i = 0; i < overlapping_.size(); ++i) {
 		const BodyPair pair = overlapping_[i];
-		const std::uint32_t level = level_of(std::max(extent_of(bodies[pair.a].box), extent_of(bodies[pair.b].box)));
+		const std::uint32_t level = level_of(std::max(bodies[pair.a].box.extent(), bodies[pair.b].box.extent()));
 		if (level == UNGROUPED) {
 			last_square = square_of(0, level * SQUARE_COLORS);
 		} else if (pair.a != last_body || level != last_level) {
 			const Real size = GROUP_SQUARE * unit_of(level);
-			const Vec2 center = (bodies[pair.a].box.min + bodies[pair.a].box.max) * Real(0.5);
+			const Vec2 center = bodies[pair.a].box.center();
 			const std::int32_t x = cell_coordinate(center.x, size);
 			const std::int32_t y = cell_coordinate(center.y, size);
-			last_square = square_of((std::uint64_t(std::uint32_t(x)) << 32) | std::uint32_t(y),
-					level * SQUARE_COLORS + std::uint32_t(x & 1) + 2 * std::uint32_t(y & 1));
+			last_square = square_of(cell_key(x, y), level * SQUARE_COLORS + std::uint32_t(x & 1) + 2 * std::uint32_t(y & 1));
 		}
 		last_body = pair.a;
 		last_level = level;

@@ -3,55 +3,31 @@
 #include "core/collision/collider_contact.h"
 
 #include "core/collision/convex_query.h"
-#include "core/geometry/triangle.h"
+#include "core/geometry/segment.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace softbody {
 
 namespace {
 
-struct NearestEdge {
-	std::size_t edge = 0;
-	Real t = 0;
-	Real distance = 0;
-};
-
-NearestEdge find_nearest_edge(std::span<const Vec2> hull, Vec2 p) {
-	NearestEdge nearest;
-	Real least = std::numeric_limits<Real>::max();
-	for (std::size_t i = 0; i < hull.size(); ++i) {
-		const Vec2 a = hull[i];
-		const Vec2 b = hull[(i + 1) % hull.size()];
-		const Real t = closest_parameter_on_segment(p, a, b);
-		const Real distance = length_squared(p - (a + (b - a) * t));
-		if (distance < least) {
-			least = distance;
-			nearest = { i, t, 0 };
-		}
-	}
-	nearest.distance = std::sqrt(least);
-	return nearest;
-}
-
 // Contact of a collider's corner or round end with the nearest edge of the hull.
 std::optional<SurfaceContact> find_edge_contact(std::span<const Vec2> hull, Vec2 corner, Real radius, bool inside) {
-	const NearestEdge nearest = find_nearest_edge(hull, corner);
-	const Real depth = inside ? radius + nearest.distance : radius - nearest.distance;
+	const OutlinePlace nearest = nearest_place(hull, corner);
+	const Real distance = std::sqrt(nearest.distance_squared);
+	const Real depth = inside ? radius + distance : radius - distance;
 	if (!(depth > 0)) {
 		return {};
 	}
 	const std::size_t next = (nearest.edge + 1) % hull.size();
 	const Vec2 edge = hull[next] - hull[nearest.edge];
-	const Vec2 closest = hull[nearest.edge] + edge * nearest.t;
-	const Vec2 away = (closest - corner) * (inside ? Real(-1) : Real(1));
+	const Vec2 away = (nearest.position - corner) * (inside ? Real(-1) : Real(1));
 	// The hull must move so that the corner leaves through its nearest place on the hull: against the direction from
 	// the corner to that place if the corner is inside, along it if outside. On the edge itself the inward normal is
 	// used.
 	Vec2 normal = perpendicular(edge);
-	if (nearest.distance > Real(1e-4) * length(edge)) {
+	if (distance > Real(1e-4) * length(edge)) {
 		normal = away;
 	}
 	const Real size = length(normal);
@@ -94,24 +70,16 @@ std::optional<SurfaceContact> find_entered_edge(const HullMotion &hull, Vec2 fro
 
 std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std::size_t point,
 		const Collider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop) {
-	Vec2 from = hull.from[point];
-	Vec2 to = hull.to[point];
-	if (!motion.is_still) {
-		from = motion.from.apply_inverse(from);
-		to = motion.to.apply_inverse(to);
-	}
-	Aabb path;
-	path.include(from);
-	path.include(to);
-	if (!path.overlaps(bounds)) {
+	const Vec2 from = motion.own_from(hull.from[point]);
+	const Vec2 to = motion.own_to(hull.to[point]);
+	if (!Aabb::between(from, to).overlaps(bounds)) {
 		return {};
 	}
 	const auto contact = find_point_contact(collider, from, to, slop);
 	if (!contact) {
 		return {};
 	}
-	const Vec2 normal = motion.is_still ? contact->normal : motion.to.rotation.apply(contact->normal);
-	return SurfaceContact{ { point, point, 0 }, normal, contact->depth };
+	return SurfaceContact{ { point, point, 0 }, motion.turned(contact->normal), contact->depth };
 }
 
 std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &box,
@@ -130,11 +98,8 @@ std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, con
 	const bool is_free_end = collider.vertices.size() == 2 && !is_joined;
 	const Real radius = is_free_end ? std::max(collider.radius, slop) : collider.radius;
 	const Vec2 now = motion.is_still ? vertex : motion.to.apply(vertex);
-	const Vec2 before = motion.is_still ? vertex : motion.from.apply(vertex);
-	Aabb path;
-	path.include(before);
-	path.include(now);
-	if (!box.grown(radius).overlaps(path)) {
+	const Vec2 before = motion.world_from(vertex);
+	if (!box.grown(radius).overlaps(Aabb::between(before, now))) {
 		return {};
 	}
 	const bool inside = point_in_polygon(now, hull.to);

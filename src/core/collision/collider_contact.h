@@ -18,12 +18,28 @@ struct ColliderMotion {
 	Pose from;
 	Pose to;
 	bool is_still = true; ///< if true, vertices are in the world's frame and the poses are not read
+
+	/// Places of the world in the collider's frame, at the start and at the end, and one of the start in the world.
+	Vec2 own_from(Vec2 p) const { return is_still ? p : from.apply_inverse(p); }
+	Vec2 own_to(Vec2 p) const { return is_still ? p : to.apply_inverse(p); }
+	Vec2 world_from(Vec2 own) const { return is_still ? own : from.apply(own); }
+	/// A direction of the collider's frame in the world, at the end.
+	Vec2 turned(Vec2 direction) const { return is_still ? direction : to.rotation.apply(direction); }
 };
 
 /// A hull and the motion of its points in a substep, up to their present positions.
 struct HullMotion {
 	std::span<const Vec2> from; ///< positions at the start; at least one for each hull point
 	std::span<const Vec2> to;
+
+	/// Box around both.
+	Aabb box() const {
+		Aabb box = bounding_box(to);
+		for (const Vec2 p : from.first(to.size())) {
+			box.include(p);
+		}
+		return box;
+	}
 };
 
 /// Contact of a hull point with the collider. The path of the point is swept in the frame of the collider, so that a

@@ -22,8 +22,6 @@ public:
 	const Aabb &bounds(std::uint32_t collider) const { return bounds_[collider]; }
 
 	bool has_colliders() const { return !still_.empty() || !kinematic_.empty(); }
-	/// Whether any static or kinematic collider overlaps the box. O(colliders near it).
-	bool has_collider_in(const Aabb &box) const { return still_.overlaps_any(box) || kinematic_.overlaps_any(box); }
 	/// Writes the static and kinematic colliders that overlap the box, in the order of the world's list. O(n log n) in
 	/// their number.
 	void collect(const Aabb &box, std::vector<std::uint32_t> &colliders) const;

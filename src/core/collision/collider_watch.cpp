@@ -5,6 +5,7 @@
 #include "core/base/hash.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace softbody {
 
@@ -90,19 +91,10 @@ void ColliderWatch::update(const ColliderIndex &index) {
 	}
 	moving_ = changed_.size();
 	std::ranges::sort(seen_, {}, &Seen::hash);
-	// Both lists are sorted. A collider in only one of them has changed.
-	std::size_t a = 0;
-	std::size_t b = 0;
-	while (a < last_.size() || b < seen_.size()) {
-		if (b == seen_.size() || (a < last_.size() && last_[a].hash < seen_[b].hash)) {
-			changed_.push_back(last_[a++].box);
-		} else if (a == last_.size() || seen_[b].hash < last_[a].hash) {
-			changed_.push_back(seen_[b++].box);
-		} else {
-			++a;
-			++b;
-		}
-	}
+	// A collider in only one of both lists has changed.
+	differing_.clear();
+	std::ranges::set_symmetric_difference(last_, seen_, std::back_inserter(differing_), {}, &Seen::hash, &Seen::hash);
+	std::ranges::transform(differing_, std::back_inserter(changed_), &Seen::box);
 }
 
 // A sum, so that the order of the world's list does not matter.

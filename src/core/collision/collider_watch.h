@@ -34,6 +34,7 @@ private:
 	};
 	std::vector<Seen> seen_; ///< sorted by hash
 	std::vector<Seen> last_;
+	std::vector<Seen> differing_; ///< scratch memory
 	std::vector<Aabb> changed_; ///< moving colliders first
 	std::size_t moving_ = 0;
 	std::vector<std::uint32_t> near_;

@@ -2,8 +2,7 @@
 // Contact of a point with a rounded collider.
 #include "core/collision/convex_query.h"
 
-#include "core/geometry/polygon.h"
-#include "core/geometry/triangle.h"
+#include "core/geometry/segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,33 +24,28 @@ SurfaceDistance distance_from_core(Vec2 offset, Vec2 fallback, Real radius) {
 	return { size - radius, size > 0 ? offset * (1 / size) : fallback };
 }
 
-Vec2 closest_on_edge(const std::vector<Vec2> &vertices, std::size_t i, Vec2 p) {
-	const Vec2 a = vertices[i];
-	const Vec2 b = vertices[(i + 1) % vertices.size()];
-	return a + (b - a) * closest_parameter_on_segment(p, a, b);
+bool is_inner(const Collider &collider, std::size_t edge) {
+	return edge < 32 && (collider.internal_edges >> edge & 1) != 0;
 }
 
-SurfaceDistance polygon_distance(const Collider &collider, Vec2 p) {
+// The largest distance of p to the face lines, or to those of outer faces: negative inside.
+SurfaceDistance face_distance(const Collider &collider, Vec2 p, bool outer_only) {
 	SurfaceDistance nearest{ -std::numeric_limits<Real>::max(), {} };
 	for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
 		const Vec2 normal = face_normal(collider.vertices, i);
 		const Real distance = dot(normal, p - collider.vertices[i]);
-		if (distance > nearest.distance) {
+		if (distance > nearest.distance && !(outer_only && is_inner(collider, i))) {
 			nearest = { distance, normal };
 		}
 	}
+	return nearest;
+}
+
+SurfaceDistance polygon_distance(const Collider &collider, Vec2 p) {
+	SurfaceDistance nearest = face_distance(collider, p, false);
 	if (nearest.distance > 0 && collider.radius > 0) {
 		// Outside the core polygon the rounded surface lies at `radius` from its closest point.
-		Vec2 offset;
-		Real least = std::numeric_limits<Real>::max();
-		for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
-			const Vec2 candidate = p - closest_on_edge(collider.vertices, i, p);
-			if (length_squared(candidate) < least) {
-				least = length_squared(candidate);
-				offset = candidate;
-			}
-		}
-		return distance_from_core(offset, nearest.normal, collider.radius);
+		return distance_from_core(p - nearest_place(collider.vertices, p).position, nearest.normal, collider.radius);
 	}
 	nearest.distance -= collider.radius;
 	return nearest;
@@ -89,20 +83,9 @@ std::optional<PointContact> swept_segment(const Collider &collider, Vec2 from, V
 	return PointContact{ normal, radius - dot(normal, to - a) };
 }
 
-bool is_inner(const Collider &collider, std::size_t edge) {
-	return edge < 32 && (collider.internal_edges >> edge & 1) != 0;
-}
-
 // The nearest face that is not internal. If all faces are internal, the nearest face.
 SurfaceDistance way_out(const Collider &collider, Vec2 p) {
-	SurfaceDistance nearest{ -std::numeric_limits<Real>::max(), {} };
-	for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
-		const Vec2 normal = face_normal(collider.vertices, i);
-		const Real distance = dot(normal, p - collider.vertices[i]);
-		if (!is_inner(collider, i) && distance > nearest.distance) {
-			nearest = { distance, normal };
-		}
-	}
+	const SurfaceDistance nearest = face_distance(collider, p, true);
 	return length_squared(nearest.normal) > 0 ? nearest : polygon_distance(collider, p);
 }
 
@@ -160,22 +143,14 @@ std::optional<PointContact> polygon_contact(const Collider &collider, Vec2 from,
 // Nearest place on the outline of a concave polygon.
 SurfaceDistance outline_distance(const Collider &collider, Vec2 p) {
 	const std::vector<Vec2> &vertices = collider.vertices;
-	Real least = std::numeric_limits<Real>::max();
-	std::size_t nearest = 0;
-	for (std::size_t i = 0; i < vertices.size(); ++i) {
-		const Real distance = length_squared(p - closest_on_edge(vertices, i, p));
-		if (distance < least) {
-			least = distance;
-			nearest = i;
-		}
-	}
+	const OutlinePlace nearest = nearest_place(vertices, p);
 	const bool inside = point_in_polygon(p, vertices);
-	const Real distance = std::sqrt(least);
-	const Vec2 edge = vertices[(nearest + 1) % vertices.size()] - vertices[nearest];
-	const Vec2 outwards = (closest_on_edge(vertices, nearest, p) - p) * (inside ? Real(1) : Real(-1));
+	const Real distance = std::sqrt(nearest.distance_squared);
+	const Vec2 edge = vertices[(nearest.edge + 1) % vertices.size()] - vertices[nearest.edge];
+	const Vec2 outwards = (nearest.position - p) * (inside ? Real(1) : Real(-1));
 	// So close to the outline the difference gives no direction; the face's normal replaces it.
 	const bool is_close = !(distance > Real(1e-4) * length(edge));
-	return { inside ? -distance : distance, is_close ? face_normal(vertices, nearest) : outwards * (1 / distance) };
+	return { inside ? -distance : distance, is_close ? face_normal(vertices, nearest.edge) : outwards * (1 / distance) };
 }
 
 // A concave polygon: the point leaves by the edge that it entered by, else by the nearest edge.
@@ -226,8 +201,10 @@ SurfaceDistance surface_distance(const Collider &collider, Vec2 p, Real least_ra
 	switch (vertices.size()) {
 		case 1:
 			return distance_from_core(p - vertices[0], { 0, -1 }, radius);
-		case 2:
-			return distance_from_core(p - closest_on_edge(vertices, 0, p), face_normal(vertices, 0), radius);
+		case 2: {
+			const Vec2 along = (vertices[1] - vertices[0]) * closest_parameter_on_segment(p, vertices[0], vertices[1]);
+			return distance_from_core(p - (vertices[0] + along), face_normal(vertices, 0), radius);
+		}
 		default:
 			return collider.concave ? outline_distance(collider, p) : polygon_distance(collider, p);
 	}

@@ -6,7 +6,6 @@
 #include "core/collision/convex_query.h"
 #include "core/collision/surface_constraint.h"
 #include "core/geometry/polygon.h"
-#include "core/geometry/segment.h"
 
 #include <algorithm>
 
@@ -15,15 +14,7 @@ namespace softbody {
 namespace {
 
 bool is_point_near(Vec2 p, std::span<const Vec2> hull, Real gap) {
-	for (std::size_t i = 0; i < hull.size(); ++i) {
-		const Vec2 start = hull[i];
-		const Vec2 end = hull[i + 1 == hull.size() ? 0 : i + 1];
-		const Vec2 nearest = start + (end - start) * closest_parameter_on_segment(p, start, end);
-		if (length_squared(p - nearest) < gap * gap) {
-			return true;
-		}
-	}
-	return false;
+	return nearest_place(hull, p).distance_squared < gap * gap;
 }
 
 // For polygons that do not overlap, the closest points include a corner of one of them.

@@ -2,7 +2,6 @@
 // Finds and solves the contacts of bodies with the environment.
 #include "core/collision/environment_contact_solver.h"
 
-#include "core/base/constants.h"
 #include "core/collision/convex_query.h"
 
 #include <algorithm>
@@ -90,10 +89,7 @@ std::size_t EnvironmentContactSolver::handle(SoftBodyData &body, std::span<const
 }
 
 void EnvironmentContactSolver::handle_colliders(SoftBodyData &body, std::span<const Vec2> before) {
-	Aabb swept = bounding_box(body.hull());
-	for (std::size_t i = 0; i < body.shape().hull_count(); ++i) {
-		swept.include(before[i]);
-	}
+	const Aabb swept = HullMotion{ before, body.hull() }.box();
 	if (!near().reach.contains(swept)) {
 		// Search around the whole path of this substep, which may already have left the old box.
 		const Vec2 way = swept.max - swept.min;
@@ -113,11 +109,9 @@ void EnvironmentContactSolver::handle_colliders(SoftBodyData &body, std::span<co
 
 void EnvironmentContactSolver::handle_collider(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept,
 		std::uint32_t index, bool corners) {
-	const WorldData &world = surroundings_->world();
-	const Real slop = LINEAR_SLOP * world.length_unit();
-	const Collider &collider = world.colliders()[index];
+	const Collider &collider = surroundings_->world().colliders()[index];
 	collider_ = index;
-	const Aabb bounds = surroundings_->bounds(index).grown(slop);
+	const Aabb bounds = surroundings_->bounds(index).grown(slop());
 	if (!swept.overlaps(bounds)) {
 		return;
 	}
@@ -126,32 +120,42 @@ void EnvironmentContactSolver::handle_collider(SoftBodyData &body, std::span<con
 		solve_collider(body, hull, collider, collider.surface, {}, corners ? bounding_box(hull.to) : bounds, corners);
 		return;
 	}
-	const RigidBody &mover = world.rigid_bodies()[collider.rigid_body];
-	const ColliderMotion motion{ mover.pose_after(near().elapsed), mover.pose_after(near().elapsed + h_), false };
-	const Surface surface = surface_in_motion(collider.surface, mover, motion.to);
-	Aabb box = collider.bounds().grown(slop);
-	if (corners) {
-		box = bounding_box(hull.to);
-		for (std::size_t i = 0; i < hull.to.size(); ++i) {
-			box.include(hull.from[i]);
-		}
+	const ColliderMotion motion = motion_of(collider);
+	const Surface surface = surface_in_motion(collider.surface, surroundings_->world().rigid_bodies()[collider.rigid_body], motion.to);
+	solve_collider(body, hull, collider, surface, motion, corners ? hull.box() : collider.bounds().grown(slop()), corners);
+}
+
+ColliderMotion EnvironmentContactSolver::motion_of(const Collider &collider) const {
+	if (collider.rigid_body == NO_RIGID_BODY) {
+		return {};
 	}
-	solve_collider(body, hull, collider, surface, motion, box, corners);
+	const RigidBody &mover = surroundings_->world().rigid_bodies()[collider.rigid_body];
+	return { mover.pose_after(near().elapsed), mover.pose_after(near().elapsed + h_), false };
 }
 
 // `box` is the hull's box for the collider's corners, and the collider's box in its own frame for the hull's points.
 void EnvironmentContactSolver::solve_collider(SoftBodyData &body, const HullMotion &hull, const Collider &collider,
 		const Surface &surface, const ColliderMotion &motion, const Aabb &box, bool corners) {
 	std::optional<OneWay> one_way;
+	HullMotion seen = hull;
 	if (collider.is_one_way()) {
 		one_way.emplace(body, collider, motion, surroundings_->world().length_unit());
 		if (one_way->passes() || (!one_way->is_held() && is_beside_passed(body, collider))) {
 			return;
 		}
+		starts_.resize(hull.to.size());
+		std::ranges::transform(hull.from.first(hull.to.size()), starts_.begin(), [&](Vec2 p) { return one_way->start_of(p); });
+		seen.from = starts_;
 	}
-	OneWay *const one_way_or_none = one_way ? &*one_way : nullptr;
-	const Real pressed = corners ? handle_corners(body, hull, collider, surface, motion, box, one_way_or_none)
-								 : handle_points(body, hull, collider, surface, motion, box, one_way_or_none);
+	Real pressed = 0;
+	const std::size_t count = corners ? collider.vertices.size() : hull.to.size();
+	for (std::uint32_t i = 0; i < count; ++i) {
+		const auto contact = corners ? find_contact_of_corner(hull, box, collider, i, motion, slop())
+									 : find_contact_of_point(seen, i, collider, motion, box, slop());
+		if (contact && (!one_way || one_way->counts(*contact, hull))) {
+			pressed += solve(body, *contact, surface, corners ? ContactPoint::CORNER | i : i);
+		}
+	}
 	if (one_way && pressed > 0) {
 		one_way->hold(body.hull(), own_hull_);
 	}
@@ -164,7 +168,7 @@ bool EnvironmentContactSolver::is_beside_passed(const SoftBodyData &body, const 
 		return false;
 	}
 	const WorldData &world = surroundings_->world();
-	const Aabb box = collider.bounds().grown(LINEAR_SLOP * world.length_unit());
+	const Aabb box = collider.bounds().grown(slop());
 	return std::ranges::any_of(near().colliders, [&](std::uint32_t i) {
 		const Collider &other = world.colliders()[i];
 		return &other != &collider && other.rigid_body == collider.rigid_body && other.one_way == collider.one_way &&
@@ -174,54 +178,16 @@ bool EnvironmentContactSolver::is_beside_passed(const SoftBodyData &body, const 
 
 void EnvironmentContactSolver::begin_one_ways(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept) {
 	const WorldData &world = surroundings_->world();
-	const Real slop = LINEAR_SLOP * world.length_unit();
 	for (const std::uint32_t i : near().colliders) {
 		const Collider &collider = world.colliders()[i];
-		if (collider.is_one_way() && swept.overlaps(surroundings_->bounds(i).grown(slop))) {
-			ColliderMotion motion;
-			if (collider.rigid_body != NO_RIGID_BODY) {
-				motion = { world.rigid_bodies()[collider.rigid_body].pose_after(near().elapsed), {}, false };
-			}
+		if (collider.is_one_way() && swept.overlaps(surroundings_->bounds(i).grown(slop()))) {
+			const ColliderMotion motion = motion_of(collider);
 			OneWay(body, collider, motion, world.length_unit()).begin_substep(before.first(body.hull().size()), own_hull_);
 		}
 	}
 }
 
-// Returns the sum of the normal impulses.
-Real EnvironmentContactSolver::handle_points(SoftBodyData &body, const HullMotion &hull, const Collider &collider,
-		const Surface &surface, const ColliderMotion &motion, const Aabb &own_bounds, const OneWay *one_way) {
-	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
-	HullMotion seen = hull;
-	if (one_way != nullptr) {
-		starts_.assign(hull.from.begin(), hull.from.begin() + std::ptrdiff_t(hull.to.size()));
-		for (Vec2 &p : starts_) {
-			p = one_way->start_of(p);
-		}
-		seen.from = starts_;
-	}
-	Real pressed = 0;
-	for (std::uint32_t i = 0; i < hull.to.size(); ++i) {
-		const auto contact = find_contact_of_point(seen, i, collider, motion, own_bounds, slop);
-		if (contact && (one_way == nullptr || one_way->counts(*contact, hull))) {
-			pressed += solve(body, *contact, surface, i);
-		}
-	}
-	return pressed;
-}
-
-Real EnvironmentContactSolver::handle_corners(SoftBodyData &body, const HullMotion &hull, const Collider &collider,
-		const Surface &surface, const ColliderMotion &motion, const Aabb &box, const OneWay *one_way) {
-	const Real slop = LINEAR_SLOP * surroundings_->world().length_unit();
-	Real pressed = 0;
-	for (std::uint32_t corner = 0; corner < collider.vertices.size(); ++corner) {
-		const auto contact = find_contact_of_corner(hull, box, collider, corner, motion, slop);
-		if (contact && (one_way == nullptr || one_way->counts(*contact, hull))) {
-			pressed += solve(body, *contact, surface, ContactPoint::CORNER | corner);
-		}
-	}
-	return pressed;
-}
-
+// Returns the normal impulse.
 Real EnvironmentContactSolver::solve(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface,
 		std::uint32_t feature) {
 	const Real impulse = solve_surface_contact(body, contact, surface, bounce_threshold_, h_);
@@ -306,8 +272,7 @@ Real measure_penetration(const WorldData &world, const SoftBodyData &body) {
 			continue;
 		}
 		for (const Vec2 p : body.hull()) {
-			const Vec2 own = motion.is_still ? p : motion.to.apply_inverse(p);
-			deepest = std::max(deepest, -surface_distance(collider, own).distance);
+			deepest = std::max(deepest, -surface_distance(collider, motion.own_to(p)).distance);
 		}
 		for (std::size_t corner = 0; corner < collider.vertices.size(); ++corner) {
 			if (const auto contact = find_contact_of_corner({ body.hull(), body.hull() }, box, collider, corner, motion)) {

@@ -2,6 +2,7 @@
 // Finds and solves the contacts of bodies with the environment.
 #pragma once
 
+#include "core/base/constants.h"
 #include "core/base/vec2.h"
 #include "core/collision/collider_contact.h"
 #include "core/collision/contact_log.h"
@@ -44,6 +45,8 @@ public:
 private:
 	Real solve(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, std::uint32_t feature);
 	std::uint32_t index_of(const SoftBodyData &body) const;
+	Real slop() const { return LINEAR_SLOP * surroundings_->world().length_unit(); }
+	ColliderMotion motion_of(const Collider &collider) const;
 	void gather(const SoftBodyData &body, Real margin);
 	void handle_borders(SoftBodyData &body);
 	void handle_colliders(SoftBodyData &body, std::span<const Vec2> before);
@@ -51,10 +54,6 @@ private:
 			bool corners);
 	void solve_collider(SoftBodyData &body, const HullMotion &hull, const Collider &collider, const Surface &surface,
 			const ColliderMotion &motion, const Aabb &box, bool corners);
-	Real handle_points(SoftBodyData &body, const HullMotion &hull, const Collider &collider, const Surface &surface,
-			const ColliderMotion &motion, const Aabb &own_bounds, const OneWay *one_way);
-	Real handle_corners(SoftBodyData &body, const HullMotion &hull, const Collider &collider, const Surface &surface,
-			const ColliderMotion &motion, const Aabb &box, const OneWay *one_way);
 	void begin_one_ways(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept);
 	bool is_beside_passed(const SoftBodyData &body, const Collider &collider) const;
 	void forget_one_ways(SoftBodyData &body) const;

@@ -153,7 +153,7 @@ void OneWay::begin_substep(std::span<const Vec2> hull_before, std::vector<Vec2> 
 }
 
 Vec2 OneWay::start_of(Vec2 before) const {
-	const Vec2 own = motion_.is_still ? before : motion_.from.apply_inverse(before);
+	const Vec2 own = motion_.own_from(before);
 	const Place place = place_of(own, collider_.one_way);
 	const Real front = front_at(place.across, collider_);
 	const Real sunk = front - place.along;
@@ -161,18 +161,17 @@ Vec2 OneWay::start_of(Vec2 before) const {
 	if (!(front > NOWHERE) || !(sunk >= 0) || sunk > farthest) {
 		return before;
 	}
-	const Vec2 lifted = own + collider_.one_way * (sunk + Real(0.1) * margin_);
-	return motion_.is_still ? lifted : motion_.from.apply(lifted);
+	return motion_.world_from(own + collider_.one_way * (sunk + Real(0.1) * margin_));
 }
 
 bool OneWay::counts(const SurfaceContact &contact, const HullMotion &hull) const {
-	const Vec2 direction = motion_.is_still ? collider_.one_way : motion_.to.rotation.apply(collider_.one_way);
+	const Vec2 direction = motion_.turned(collider_.one_way);
 	const Real facing = dot(contact.normal, direction);
 	if (!(facing > ONE_WAY_FACING)) {
 		return false;
 	}
 	const Vec2 from = position_of(contact.place, hull.from);
-	const Vec2 own_from = motion_.is_still ? from : motion_.from.apply_inverse(from);
+	const Vec2 own_from = motion_.own_from(from);
 	if (is_held_) {
 		return true;
 	}

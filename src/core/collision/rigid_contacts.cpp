@@ -54,10 +54,7 @@ void RigidContacts::begin_substep(Real h) {
 void RigidContacts::find(const NearBody &near, Task &task) const {
 	SoftBodyData &body = *near.body;
 	const HullMotion hull{ std::span(before_).subspan(near.first_before, body.hull().size()), body.hull() };
-	Aabb swept = bounding_box(hull.to);
-	for (const Vec2 p : hull.from) {
-		swept.include(p);
-	}
+	const Aabb swept = hull.box();
 	surroundings_->collect_dynamic(swept, task.colliders);
 	const Real slop = LINEAR_SLOP * world_->length_unit();
 	for (const std::uint32_t i : task.colliders) {
@@ -94,16 +91,15 @@ void RigidContacts::find(const NearBody &near, Task &task) const {
 }
 
 std::uint64_t RigidContacts::solve(const ParallelFor &parallel_for) {
-	const std::size_t tasks = std::clamp<std::size_t>(bodies_.size() / BODIES_A_TASK, 1, TASKS);
-	run_tasks(parallel_for, tasks, [&](std::size_t task) {
-		tasks_[task].contacts.clear();
-		for (std::size_t i = bodies_.size() * task / tasks; i < bodies_.size() * (task + 1) / tasks; ++i) {
+	run_slices(parallel_for, bodies_.size(), BODIES_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
 			find(bodies_[i], tasks_[task]);
 		}
 	});
 	contacts_.clear();
-	for (std::size_t task = 0; task < tasks; ++task) {
-		contacts_.insert(contacts_.end(), tasks_[task].contacts.begin(), tasks_[task].contacts.end());
+	for (Task &task : tasks_) {
+		contacts_.insert(contacts_.end(), task.contacts.begin(), task.contacts.end());
+		task.contacts.clear();
 	}
 	for (Contact &contact : contacts_) {
 		prepare(contact);

@@ -41,9 +41,6 @@ public:
 	void end_step(Real dt);
 
 private:
-	/// Number of tasks among which bodies are divided; independent of the number of threads.
-	static constexpr std::size_t TASKS = 16;
-
 	struct NearBody {
 		SoftBodyData *body = nullptr;
 		std::size_t first_before = 0; ///< first of the body's hull points in `before_`
@@ -88,7 +85,7 @@ private:
 	std::vector<NearBody> bodies_;
 	std::vector<Vec2> before_; ///< hull points at the start of the substep
 	std::vector<Pose> from_; ///< of every rigid body, at the start of the substep
-	std::array<Task, TASKS> tasks_;
+	std::array<Task, MOST_SLICES> tasks_;
 	std::vector<Contact> contacts_;
 	ContactLog log_;
 	Real h_ = 0;

@@ -4,9 +4,8 @@
 
 #include "core/base/constants.h"
 #include "core/collision/point_edge_constraint.h"
+#include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
-#include "core/geometry/triangle.h"
-#include "core/geometry/vec2d.h"
 
 #include <algorithm>
 #include <bit>

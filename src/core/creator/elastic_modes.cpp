@@ -29,11 +29,19 @@ constexpr std::size_t KEPT_MODES = MAX_ELASTIC_MODES + 4;
 constexpr std::size_t FREQUENCY_BLOCK = 6;
 constexpr int FREQUENCY_ITERATIONS = 5;
 
-// Hull share of the mass [1]: first guess and bounds. A disk has about 0.6.
-constexpr double FIRST_HULL_SHARE = 0.6;
+// Bounds of the hull's share of the mass [1]. The first search has all of it there; a disk has about 0.6.
 constexpr double LEAST_HULL_SHARE = 0.12;
 constexpr double MOST_HULL_SHARE = 0.95;
 constexpr int MASS_ITERATIONS = 3;
+
+// Translations and the rotation of places about which `arms` are known, orthonormal by mass.
+std::vector<PointVector> rigid_motions(const PointVector &arms, std::span<const double> masses) {
+	std::vector<PointVector> motions = { PointVector(arms.size(), { 1, 0 }), PointVector(arms.size(), { 0, 1 }), arms };
+	for (Vec2d &each : motions[2]) {
+		each = perpendicular(each);
+	}
+	return orthonormal_by(std::move(motions), masses);
+}
 
 // The solid as its points see it: loads on them in, displacements of them out.
 class Reduction {
@@ -47,13 +55,10 @@ public:
 	double lowest_frequency_squared();
 	/// Lowest frequency of the points in their modes, squared, times mass over shear modulus.
 	double reduced_frequency_squared() const { return 1 / compliances_[0]; }
-	bool has_inner_points() const { return 2 * hull_count_ < masses_.size(); }
+	bool has_inner_points() const { return hull_count_ < points_.size(); }
 	ElasticReduction result();
 
 private:
-	std::vector<PointVector> orthonormal(std::vector<PointVector> vectors) const { return orthonormal_by(std::move(vectors), masses_); }
-	void make_rigid_basis();
-	void remove_rigid(PointVector &displacement) const;
 	std::vector<PointVector> solve(const std::vector<PointVector> &loads) const;
 	void solve_dilation();
 	std::vector<PointVector> apply_compliance(std::vector<PointVector> displacements) const;
@@ -62,25 +67,24 @@ private:
 	std::size_t hull_count_;
 	LatticeSolid solid_;
 	PointLoads loads_;
-	PointVector masses_; ///< each twice, for both coordinates
+	std::vector<double> masses_;
 	Vec2 center_;
 	std::vector<PointVector> rigid_; ///< orthonormal by mass
 	PointVector area_gradient_; ///< at rest [length]
 	PointVector dilation_; ///< displacement under a pressure inside
 	std::vector<PointVector> modes_; ///< orthonormal by mass
-	PointVector compliances_; ///< descending
+	std::vector<double> compliances_; ///< descending
 };
 
 Reduction::Reduction(std::span<const Vec2> points, std::size_t hull_count) :
 		points_(points.begin(), points.end()), hull_count_(hull_count), solid_(points.first(hull_count), LATTICE_CELLS),
 		loads_(solid_, points, hull_count) {
 	const std::span<const Vec2> hull = points.first(hull_count);
-	area_gradient_.assign(2 * points.size(), 0);
+	area_gradient_.assign(points.size(), {});
 	for (std::size_t i = 0; i < hull_count; ++i) {
 		const Vec2 last = hull[i == 0 ? hull_count - 1 : i - 1];
 		const Vec2 next = hull[i + 1 == hull_count ? 0 : i + 1];
-		area_gradient_[2 * i] = (double(next.y) - last.y) / 2;
-		area_gradient_[2 * i + 1] = (double(last.x) - next.x) / 2;
+		area_gradient_[i] = { (double(next.y) - last.y) / 2, (double(last.x) - next.x) / 2 };
 	}
 	solid_.factor(MODE_POISSON_RATIOS[REFERENCE_RATIO]);
 }
@@ -89,66 +93,43 @@ void Reduction::set_hull_share(double share) {
 	const std::size_t inner = points_.size() - hull_count_;
 	masses_.clear();
 	for (std::size_t i = 0; i < points_.size(); ++i) {
-		const double mass = i < hull_count_ ? share * loads_.hull_shares()[i] : (1 - share) / double(inner);
-		masses_.insert(masses_.end(), 2, mass);
+		masses_.push_back(i < hull_count_ ? share * loads_.hull_shares()[i] : (1 - share) / double(inner));
 	}
-	make_rigid_basis();
+	Vec2d center;
+	for (std::size_t i = 0; i < points_.size(); ++i) {
+		center += Vec2d(points_[i]) * masses_[i];
+	}
+	center_ = Vec2(center);
+	PointVector arms;
+	for (const Vec2 p : points_) {
+		arms.push_back(Vec2d(p) - center);
+	}
+	rigid_ = rigid_motions(arms, masses_);
 	solve_dilation();
-}
-
-void Reduction::make_rigid_basis() {
-	double x = 0;
-	double y = 0;
-	for (std::size_t i = 0; i < points_.size(); ++i) {
-		x += masses_[2 * i] * points_[i].x;
-		y += masses_[2 * i] * points_[i].y;
-	}
-	center_ = { Real(x), Real(y) };
-	rigid_.assign(3, PointVector(masses_.size(), 0));
-	for (std::size_t i = 0; i < points_.size(); ++i) {
-		rigid_[0][2 * i] = 1;
-		rigid_[1][2 * i + 1] = 1;
-		rigid_[2][2 * i] = y - points_[i].y;
-		rigid_[2][2 * i + 1] = points_[i].x - x;
-	}
-	rigid_ = orthonormal(std::move(rigid_));
-}
-
-void Reduction::remove_rigid(PointVector &displacement) const {
-	for (const PointVector &motion : rigid_) {
-		add(displacement, motion, -weighted_dot(displacement, motion, masses_));
-	}
 }
 
 // Displacements of the points by balanced loads on them, without rigid motion.
 std::vector<PointVector> Reduction::solve(const std::vector<PointVector> &loads) const {
-	const std::size_t count = loads.size();
-	PointVector all(solid_.freedom_count() * count);
-	for (std::size_t c = 0; c < count; ++c) {
-		const PointVector nodes = loads_.to_nodes(loads[c]);
-		for (std::size_t k = 0; k < nodes.size(); ++k) {
-			all[k * count + c] = nodes[k];
-		}
+	std::vector<PointVector> nodes;
+	for (const PointVector &load : loads) {
+		nodes.push_back(loads_.to_nodes(load));
 	}
-	solid_.solve(all, count);
+	solid_.solve(nodes);
 	std::vector<PointVector> results;
-	PointVector nodes(solid_.freedom_count());
-	for (std::size_t c = 0; c < count; ++c) {
-		for (std::size_t k = 0; k < nodes.size(); ++k) {
-			nodes[k] = all[k * count + c];
-		}
-		results.push_back(loads_.from_nodes(nodes));
-		remove_rigid(results.back());
+	for (const PointVector &moved : nodes) {
+		results.push_back(loads_.from_nodes(moved));
+		remove_parts(results.back(), rigid_, masses_);
 	}
 	return results;
 }
 
 void Reduction::solve_dilation() {
 	dilation_ = solve({ area_gradient_ })[0];
-	const PointVector ones(masses_.size(), 1);
-	const double work = weighted_dot(area_gradient_, dilation_, ones);
+	const double work = weighted_dot(area_gradient_, dilation_, std::vector<double>(masses_.size(), 1));
 	if (work > 0) {
-		scale(dilation_, 1 / work); // now of unit area
+		for (Vec2d &each : dilation_) {
+			each *= 1 / work; // now of unit area
+		}
 	}
 }
 
@@ -157,17 +138,12 @@ void Reduction::solve_dilation() {
 // keeps the area.
 std::vector<PointVector> Reduction::apply_compliance(std::vector<PointVector> displacements) const {
 	for (PointVector &loads : displacements) {
-		for (std::size_t k = 0; k < loads.size(); ++k) {
-			loads[k] *= masses_[k];
-		}
+		loads = weighted(std::move(loads), masses_);
 	}
 	std::vector<PointVector> results = solve(displacements);
+	const std::vector<double> ones(masses_.size(), 1);
 	for (PointVector &result : results) {
-		double area = 0;
-		for (std::size_t k = 0; k < result.size(); ++k) {
-			area += area_gradient_[k] * result[k];
-		}
-		add(result, dilation_, -area);
+		add(result, dilation_, -weighted_dot(area_gradient_, result, ones));
 	}
 	return results;
 }
@@ -181,14 +157,14 @@ void Reduction::find_modes() {
 		}
 		for (int degree = 1; degree <= START_DEGREE; ++degree) {
 			for (int power = 0; power <= degree; ++power) {
-				for (std::size_t axis = 0; axis < 2; ++axis) {
-					PointVector start(masses_.size(), 0);
-					for (std::size_t i = 0; i < points_.size(); ++i) {
+				for (const Vec2d axis : { Vec2d{ 1, 0 }, Vec2d{ 0, 1 } }) {
+					PointVector start;
+					for (const Vec2 p : points_) {
 						double value = 1;
 						for (int k = 0; k < degree; ++k) {
-							value *= double(k < power ? points_[i].x - center_.x : points_[i].y - center_.y) / reach;
+							value *= double(k < power ? p.x - center_.x : p.y - center_.y) / reach;
 						}
-						start[2 * i + axis] = value;
+						start.push_back(axis * value);
 					}
 					block.push_back(std::move(start));
 				}
@@ -198,18 +174,18 @@ void Reduction::find_modes() {
 		block = modes_; // modes for other masses
 	}
 	for (PointVector &vector : block) {
-		remove_rigid(vector);
+		remove_parts(vector, rigid_, masses_);
 	}
 	// The first search starts from afar; later the masses have changed a little.
 	const int iterations = modes_.empty() ? ITERATIONS : LATER_ITERATIONS;
 	for (int iteration = 0; iteration < iterations; ++iteration) {
-		block = orthonormal(std::move(block));
+		block = orthonormal_by(std::move(block), masses_);
 		const std::vector<PointVector> images = apply_compliance(block);
 		// Rayleigh and Ritz: the best combinations of the block.
-		std::vector<PointVector> combinations = ritz_combinations(block, images, masses_, compliances_);
+		const std::vector<std::vector<double>> combinations = ritz_combinations(block, images, masses_, compliances_);
 		const bool is_last = iteration + 1 == iterations;
 		const std::size_t kept = std::min(block.size(), is_last ? KEPT_MODES : block.size());
-		std::vector<PointVector> next(kept, PointVector(masses_.size(), 0));
+		std::vector<PointVector> next(kept, PointVector(masses_.size()));
 		for (std::size_t a = 0; a < kept; ++a) {
 			for (std::size_t b = 0; b < block.size(); ++b) {
 				add(next[a], is_last ? block[b] : images[b], combinations[b][a]);
@@ -223,49 +199,26 @@ void Reduction::find_modes() {
 // Inverse iteration of several displacements of the lattice at once, from the first modes on: the lowest mode of the
 // solid may be another than that of its points.
 double Reduction::lowest_frequency_squared() {
-	const std::span<const double> node_masses = solid_.node_masses();
-	PointVector weights;
-	for (const double mass : node_masses) {
-		weights.insert(weights.end(), 2, mass);
+	const std::span<const double> weights = solid_.node_masses();
+	PointVector arms;
+	for (std::size_t node = 0; node < weights.size(); ++node) {
+		arms.push_back(Vec2d(solid_.node_position(node) - center_));
 	}
-	std::vector<PointVector> rigid(3, PointVector(weights.size(), 0));
-	for (std::size_t node = 0; node < node_masses.size(); ++node) {
-		const Vec2 arm = solid_.node_position(node) - center_;
-		rigid[0][2 * node] = 1;
-		rigid[1][2 * node + 1] = 1;
-		rigid[2][2 * node] = -arm.y;
-		rigid[2][2 * node + 1] = arm.x;
-	}
-	rigid = orthonormal_by(std::move(rigid), weights);
+	const std::vector<PointVector> rigid = rigid_motions(arms, weights);
 	std::vector<PointVector> block;
+	std::vector<PointVector> images;
 	for (std::size_t j = 0; j < std::min(FREQUENCY_BLOCK, modes_.size()); ++j) {
-		PointVector loads = modes_[j];
-		for (std::size_t k = 0; k < loads.size(); ++k) {
-			loads[k] *= masses_[k];
-		}
-		block.push_back(loads_.to_nodes(loads));
+		images.push_back(loads_.to_nodes(weighted(modes_[j], masses_)));
 	}
-	const std::size_t count = block.size();
-	PointVector all(weights.size() * count);
+	const std::size_t count = images.size();
 	double frequency_squared = 0;
 	for (int iteration = 0; iteration <= FREQUENCY_ITERATIONS; ++iteration) {
-		for (std::size_t c = 0; c < count; ++c) {
-			for (std::size_t k = 0; k < weights.size(); ++k) {
-				all[k * count + c] = iteration == 0 ? block[c][k] : weights[k] * block[c][k];
-			}
-		}
-		solid_.solve(all, count);
-		std::vector<PointVector> images(count, PointVector(weights.size()));
-		for (std::size_t c = 0; c < count; ++c) {
-			for (std::size_t k = 0; k < weights.size(); ++k) {
-				images[c][k] = all[k * count + c];
-			}
-			for (const PointVector &motion : rigid) {
-				add(images[c], motion, -weighted_dot(images[c], motion, weights));
-			}
+		solid_.solve(images);
+		for (PointVector &image : images) {
+			remove_parts(image, rigid, weights);
 		}
 		if (iteration > 0) {
-			PointVector compliances;
+			std::vector<double> compliances;
 			ritz_combinations(block, images, weights, compliances);
 			frequency_squared = 1 / compliances[0];
 		}
@@ -273,15 +226,17 @@ double Reduction::lowest_frequency_squared() {
 		if (block.size() < count) {
 			break; // as close as rounding allows
 		}
+		images.clear();
+		for (const PointVector &each : block) {
+			images.push_back(weighted(each, weights));
+		}
 	}
 	return frequency_squared;
 }
 
 ElasticReduction Reduction::result() {
 	ElasticReduction reduction;
-	for (std::size_t i = 0; i < points_.size(); ++i) {
-		reduction.mass_shares.push_back(Real(masses_[2 * i]));
-	}
+	reduction.mass_shares.assign(masses_.begin(), masses_.end());
 	auto modes = std::make_shared<ElasticModes>();
 	// Modes are neither rigid nor dilation. Modes stiffer than rounding can resolve count as deformation in no mode.
 	const std::size_t most = std::min(MAX_ELASTIC_MODES, 2 * hull_count_ - 4);
@@ -296,10 +251,9 @@ ElasticReduction Reduction::result() {
 	for (std::size_t j = 0; j < count; ++j) {
 		double overlap = 0;
 		for (std::size_t i = 0; i < points_.size(); ++i) {
-			const double x = masses_[2 * i] * modes_[j][2 * i];
-			const double y = masses_[2 * i] * modes_[j][2 * i + 1];
-			modes->shapes[i * count + j] = { Real(x), Real(y) };
-			overlap += x * (double(points_[i].x) - center_.x) + y * (double(points_[i].y) - center_.y);
+			const Vec2d moved = modes_[j][i] * masses_[i];
+			modes->shapes[i * count + j] = Vec2(moved);
+			overlap += dot(moved, difference(points_[i], center_));
 		}
 		modes->dilation_overlap[j] = Real(overlap);
 	}
@@ -317,10 +271,10 @@ ElasticReduction Reduction::result() {
 	double position_norm = 0;
 	for (std::size_t i = 0; i < points_.size(); ++i) {
 		if (i < hull_count_) {
-			modes->dilation.push_back({ Real(area_gradient_[2 * i] / twice_area), Real(area_gradient_[2 * i + 1] / twice_area) });
-			gradient_norm += double(length_squared(modes->dilation.back())) / masses_[2 * i];
+			modes->dilation.push_back({ Real(area_gradient_[i].x / twice_area), Real(area_gradient_[i].y / twice_area) });
+			gradient_norm += double(length_squared(modes->dilation.back())) / masses_[i];
 		}
-		position_norm += masses_[2 * i] * double(length_squared(points_[i] - center_));
+		position_norm += masses_[i] * double(length_squared(points_[i] - center_));
 	}
 	// The norm of the oblique projection that removes dilation, squared.
 	modes->projection_bound = Real(std::max(1.0, gradient_norm * position_norm));
@@ -333,7 +287,7 @@ ElasticReduction Reduction::result() {
 ElasticReduction reduce_solid(std::span<const Vec2> points, std::size_t hull_count) {
 	Reduction reduction(points, hull_count);
 	double wanted = 0;
-	double share = reduction.has_inner_points() ? FIRST_HULL_SHARE : 1.0;
+	double share = 1;
 	for (int iteration = 0; iteration < MASS_ITERATIONS; ++iteration) {
 		reduction.set_hull_share(share);
 		reduction.find_modes();

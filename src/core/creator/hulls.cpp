@@ -3,7 +3,6 @@
 #include "core/creator/hulls.h"
 
 #include "core/base/constants.h"
-#include "core/geometry/convex_hull.h"
 #include "core/geometry/polygon.h"
 
 #include <cmath>
@@ -46,10 +45,7 @@ double pieces_of(double size, double spacing) {
 } // namespace
 
 Result<std::vector<Vec2>> circle_hull(Real radius, int point_count) {
-	if (Status status = check_above("radius", radius, 0, "")) {
-		return *status;
-	}
-	if (Status status = check_count(point_count)) {
+	if (Status status = first_error({ check_above("radius", radius, 0, ""), check_count(point_count) })) {
 		return *status;
 	}
 	std::vector<Vec2> hull;
@@ -62,18 +58,10 @@ Result<std::vector<Vec2>> circle_hull(Real radius, int point_count) {
 }
 
 Result<std::vector<Vec2>> box_hull(Vec2 size, Real spacing) {
-	if (Status status = check_above("size.x", size.x, 0, "")) {
-		return *status;
-	}
-	if (Status status = check_above("size.y", size.y, 0, "")) {
-		return *status;
-	}
-	if (Status status = check_above("spacing", spacing, 0, "")) {
-		return *status;
-	}
 	const double across = pieces_of(size.x, spacing);
 	const double down = pieces_of(size.y, spacing);
-	if (Status status = check_count(2 * (across + down))) {
+	if (Status status = first_error({ check_above("size.x", size.x, 0, ""), check_above("size.y", size.y, 0, ""),
+				check_above("spacing", spacing, 0, ""), check_count(2 * (across + down)) })) {
 		return *status;
 	}
 	const Vec2 h = size * Real(0.5);
@@ -86,18 +74,10 @@ Result<std::vector<Vec2>> box_hull(Vec2 size, Real spacing) {
 }
 
 Result<std::vector<Vec2>> capsule_hull(Real radius, Real height, Real spacing) {
-	if (Status status = check_above("radius", radius, 0, "")) {
-		return *status;
-	}
-	if (Status status = check_above("height", height, 2 * double(radius), "(twice the radius)")) {
-		return *status;
-	}
-	if (Status status = check_above("spacing", spacing, 0, "")) {
-		return *status;
-	}
 	const double arc = std::fmax(2, pieces_of(std::numbers::pi * radius, spacing));
 	const double side = pieces_of(height - 2 * radius, spacing);
-	if (Status status = check_count(2 * (arc + side))) {
+	if (Status status = first_error({ check_above("radius", radius, 0, ""), check_above("height", height, 2 * double(radius), "(twice the radius)"),
+				check_above("spacing", spacing, 0, ""), check_count(2 * (arc + side)) })) {
 		return *status;
 	}
 	const Real straight = height / 2 - radius;

@@ -32,17 +32,12 @@ constexpr double INWARD_CORNER = 0.5;
 // Stiffness of the spring to the ground, over a cell's own.
 constexpr double GROUND = 1e-5;
 
-struct Point {
-	double x;
-	double y;
-};
-
 // Clips by one axis-parallel line (Sutherland and Hodgman). Edges along the line cancel in the area.
-void clip(const std::vector<Point> &from, double Point::*axis, double bound, double sign, std::vector<Point> &to) {
+void clip(const std::vector<Vec2d> &from, double Vec2d::*axis, double bound, double sign, std::vector<Vec2d> &to) {
 	to.clear();
 	for (std::size_t i = 0; i < from.size(); ++i) {
-		const Point &a = from[i];
-		const Point &b = from[i + 1 == from.size() ? 0 : i + 1];
+		const Vec2d &a = from[i];
+		const Vec2d &b = from[i + 1 == from.size() ? 0 : i + 1];
 		const double da = sign * (a.*axis - bound);
 		const double db = sign * (b.*axis - bound);
 		if (da >= 0) {
@@ -50,17 +45,15 @@ void clip(const std::vector<Point> &from, double Point::*axis, double bound, dou
 		}
 		if ((da > 0 && db < 0) || (da < 0 && db > 0)) {
 			const double t = da / (da - db);
-			to.push_back({ a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t });
+			to.push_back(a + (b - a) * t);
 		}
 	}
 }
 
-double area_of(const std::vector<Point> &polygon) {
+double area_of(const std::vector<Vec2d> &polygon) {
 	double twice = 0;
 	for (std::size_t i = 0; i < polygon.size(); ++i) {
-		const Point &a = polygon[i];
-		const Point &b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-		twice += (a.x - polygon[0].x) * (b.y - polygon[0].y) - (b.x - polygon[0].x) * (a.y - polygon[0].y);
+		twice += cross(polygon[i] - polygon[0], polygon[i + 1 == polygon.size() ? 0 : i + 1] - polygon[0]);
 	}
 	return twice / 2;
 }
@@ -68,7 +61,7 @@ double area_of(const std::vector<Point> &polygon) {
 using CellMatrix = std::array<std::array<double, 8>, 8>;
 
 // Corners of a cell in the order (0,0), (1,0), (1,1), (0,1).
-constexpr std::array<Point, 4> CORNERS = { { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } } };
+constexpr std::array<Vec2d, 4> CORNERS = { { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } } };
 
 // Adds weight·(λ div² + 2μ ε:ε) at one place of the unit cell. In two dimensions stiffness does not depend on the cell's size.
 void add_at(CellMatrix &matrix, double x, double y, double shear, double volume) {
@@ -102,10 +95,6 @@ CellMatrix cell_matrix(double poisson_ratio) {
 	return matrix;
 }
 
-} // namespace
-
-namespace {
-
 // The hull point at which the outline turns inwards most, if by more than INWARD_CORNER.
 std::optional<std::size_t> sharpest_inward_corner(std::span<const Vec2> hull) {
 	std::optional<std::size_t> sharpest;
@@ -128,12 +117,7 @@ std::optional<std::size_t> sharpest_inward_corner(std::span<const Vec2> hull) {
 } // namespace
 
 LatticeSolid::LatticeSolid(std::span<const Vec2> hull, std::size_t cells) {
-	Vec2 low = hull[0];
-	Vec2 high = hull[0];
-	for (const Vec2 p : hull) {
-		low = { std::min(low.x, p.x), std::min(low.y, p.y) };
-		high = { std::max(high.x, p.x), std::max(high.y, p.y) };
-	}
+	const auto [low, high] = bounding_box(hull);
 	const double width = double(high.x) - low.x;
 	const double height = double(high.y) - low.y;
 	transposed_ = height > width;
@@ -148,10 +132,8 @@ LatticeSolid::LatticeSolid(std::span<const Vec2> hull, std::size_t cells) {
 	columns_ = cells_between(0, along);
 	rows_ = cells_between(0, across);
 	// Symmetric about the middle of the outline's box, as the outline may be.
-	const double margin_along = (double(columns_) * cell_ - along) / 2;
-	const double margin_across = (double(rows_) * cell_ - across) / 2;
-	double left = transposed_ ? low.x - margin_across : low.x - margin_along;
-	double top = transposed_ ? low.y - margin_along : low.y - margin_across;
+	double left = low.x - (double(transposed_ ? rows_ : columns_) * cell_ - width) / 2;
+	double top = low.y - (double(transposed_ ? columns_ : rows_) * cell_ - height) / 2;
 	// A cell over a corner that points inwards would bridge it; the sharpest such corner gets a node.
 	if (const std::optional<std::size_t> corner = sharpest_inward_corner(hull)) {
 		left = hull[*corner].x - std::ceil((double(hull[*corner].x) - low.x) / cell_ - 1e-6) * cell_;
@@ -171,23 +153,23 @@ std::size_t LatticeSolid::cells_between(double from, double to) const {
 void LatticeSolid::measure_fill(std::span<const Vec2> hull) {
 	// In units of a cell, columns along x. A transposed outline is turned over rather than mirrored: only the sign of
 	// areas changes.
-	std::vector<Point> outline;
+	std::vector<Vec2d> outline;
 	for (const Vec2 p : hull) {
 		const double x = (double(p.x) - corner_.x) / cell_;
 		const double y = (double(p.y) - corner_.y) / cell_;
-		outline.push_back(transposed_ ? Point{ y, x } : Point{ x, y });
+		outline.push_back(transposed_ ? Vec2d{ y, x } : Vec2d{ x, y });
 	}
 	fill_.assign(columns_ * rows_, 0);
-	std::vector<Point> left;
-	std::vector<Point> column;
-	std::vector<Point> below;
-	std::vector<Point> cell;
+	std::vector<Vec2d> left;
+	std::vector<Vec2d> column;
+	std::vector<Vec2d> below;
+	std::vector<Vec2d> cell;
 	for (std::size_t i = 0; i < columns_; ++i) {
-		clip(outline, &Point::x, double(i), 1, left);
-		clip(left, &Point::x, double(i + 1), -1, column);
+		clip(outline, &Vec2d::x, double(i), 1, left);
+		clip(left, &Vec2d::x, double(i + 1), -1, column);
 		for (std::size_t j = 0; j < rows_ && !column.empty(); ++j) {
-			clip(column, &Point::y, double(j), 1, below);
-			clip(below, &Point::y, double(j + 1), -1, cell);
+			clip(column, &Vec2d::y, double(j), 1, below);
+			clip(below, &Vec2d::y, double(j + 1), -1, cell);
 			const double share = std::abs(area_of(cell));
 			fill_[i * rows_ + j] = share > 1e-9 ? std::min(share, 1.0) : 0.0;
 		}
@@ -211,17 +193,14 @@ void LatticeSolid::number_nodes() {
 	masses_.assign(count, 0);
 	band_ = 0;
 	double total = 0;
-	for (std::size_t i = 0; i < columns_; ++i) {
-		for (std::size_t j = 0; j < rows_; ++j) {
-			const double fill = fill_[i * rows_ + j];
-			if (fill > 0) {
-				const std::size_t span = node_at(i + 1, j + 1) - node_at(i, j);
-				band_ = std::max(band_, 2 * span + 1);
-				for (const std::uint32_t node : { node_at(i, j), node_at(i + 1, j), node_at(i + 1, j + 1), node_at(i, j + 1) }) {
-					masses_[node] += fill / 4;
-				}
-				total += fill;
+	for (std::size_t cell = 0; cell < fill_.size(); ++cell) {
+		if (fill_[cell] > 0) {
+			const std::array<std::uint32_t, 4> corners = corners_of(cell);
+			band_ = std::max<std::size_t>(band_, 2 * (corners[2] - corners[0]) + 1);
+			for (const std::uint32_t node : corners) {
+				masses_[node] += fill_[cell] / 4;
 			}
+			total += fill_[cell];
 		}
 	}
 	for (double &mass : masses_) {
@@ -262,37 +241,31 @@ LatticeSolid::Embedding LatticeSolid::embed(Vec2 point) const {
 			look_at(cell);
 		}
 	}
-	const std::size_t i = best / rows_;
-	const std::size_t j = best % rows_;
-	const double u = x - double(i);
-	const double v = y - double(j);
-	return { { node_at(i, j), node_at(i + 1, j), node_at(i + 1, j + 1), node_at(i, j + 1) },
-		{ (1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v } };
+	const double u = x - double(best / rows_);
+	const double v = y - double(best % rows_);
+	return { corners_of(best), { (1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v } };
 }
 
 // Cholesky factor of a banded matrix.
 void LatticeSolid::factor(double poisson_ratio) {
-	const std::size_t count = freedom_count();
+	const std::size_t count = 2 * masses_.size();
 	const std::size_t width = band_ + 1;
 	factor_.assign(count * width, 0);
 	const auto entry = [&](std::size_t row, std::size_t column) -> double & { return factor_[row * width + band_ + column - row]; };
-	const CellMatrix cell = cell_matrix(poisson_ratio);
-	for (std::size_t i = 0; i < columns_; ++i) {
-		for (std::size_t j = 0; j < rows_; ++j) {
-			const double fill = fill_[i * rows_ + j];
-			if (fill <= 0) {
-				continue;
-			}
-			const double weight = std::max(fill, LEAST_FILL);
-			const std::array<std::uint32_t, 4> corners = { node_at(i, j), node_at(i + 1, j), node_at(i + 1, j + 1), node_at(i, j + 1) };
-			for (std::size_t a = 0; a < 8; ++a) {
-				for (std::size_t b = 0; b < 8; ++b) {
-					// A transposed lattice has its axes swapped; an isotropic solid is unaffected.
-					const std::size_t row = 2 * corners[a / 2] + (transposed_ ? 1 - a % 2 : a % 2);
-					const std::size_t column = 2 * corners[b / 2] + (transposed_ ? 1 - b % 2 : b % 2);
-					if (column <= row) {
-						entry(row, column) += weight * cell[a][b];
-					}
+	const CellMatrix matrix = cell_matrix(poisson_ratio);
+	for (std::size_t cell = 0; cell < fill_.size(); ++cell) {
+		if (fill_[cell] <= 0) {
+			continue;
+		}
+		const double weight = std::max(fill_[cell], LEAST_FILL);
+		const std::array<std::uint32_t, 4> corners = corners_of(cell);
+		for (std::size_t a = 0; a < 8; ++a) {
+			for (std::size_t b = 0; b < 8; ++b) {
+				// A transposed lattice has its axes swapped; an isotropic solid is unaffected.
+				const std::size_t row = 2 * corners[a / 2] + (transposed_ ? 1 - a % 2 : a % 2);
+				const std::size_t column = 2 * corners[b / 2] + (transposed_ ? 1 - b % 2 : b % 2);
+				if (column <= row) {
+					entry(row, column) += weight * matrix[a][b];
 				}
 			}
 		}
@@ -321,40 +294,45 @@ void LatticeSolid::factor(double poisson_ratio) {
 	}
 }
 
-void LatticeSolid::solve(std::span<double> loads, std::size_t loads_count) const {
-	const std::size_t count = freedom_count();
+// Entry k of load c lies at [k * loads.size() + c], so that all loads are solved in one pass over the factor.
+void LatticeSolid::solve(std::vector<std::vector<Vec2d>> &loads) const {
+	const std::size_t count = 2 * masses_.size();
 	const std::size_t width = band_ + 1;
-	const auto row_of = [&](std::size_t row) { return &loads[row * loads_count]; };
-	for (std::size_t row = 0; row < count; ++row) {
-		const std::size_t first = row > band_ ? row - band_ : 0;
-		const double *entries = &factor_[row * width + band_ + first - row];
-		double *target = row_of(row);
-		for (std::size_t k = first; k < row; ++k) {
-			const double factor = entries[k - first];
-			const double *source = row_of(k);
-			for (std::size_t c = 0; c < loads_count; ++c) {
-				target[c] -= factor * source[c];
-			}
+	const std::size_t loads_count = loads.size();
+	std::vector<double> all(count * loads_count);
+	const auto row_of = [&](std::size_t row) { return &all[row * loads_count]; };
+	const auto take = [&](std::size_t to, std::size_t from, double factor) {
+		for (std::size_t c = 0; c < loads_count; ++c) {
+			row_of(to)[c] -= factor * row_of(from)[c];
 		}
+	};
+	const auto divide_by_pivot = [&](std::size_t row) {
 		const double inverse = 1 / factor_[row * width + band_];
 		for (std::size_t c = 0; c < loads_count; ++c) {
-			target[c] *= inverse;
+			row_of(row)[c] *= inverse;
+		}
+	};
+	const auto entry = [&](std::size_t row, std::size_t column) { return factor_[row * width + band_ + column - row]; };
+	for (std::size_t k = 0; k < count; ++k) {
+		for (std::size_t c = 0; c < loads_count; ++c) {
+			row_of(k)[c] = k % 2 == 0 ? loads[c][k / 2].x : loads[c][k / 2].y;
 		}
 	}
-	for (std::size_t row = count; row-- > 0;) {
-		const std::size_t first = row > band_ ? row - band_ : 0;
-		const double *entries = &factor_[row * width + band_ + first - row];
-		double *source = row_of(row);
-		const double inverse = 1 / factor_[row * width + band_];
-		for (std::size_t c = 0; c < loads_count; ++c) {
-			source[c] *= inverse;
+	for (std::size_t row = 0; row < count; ++row) {
+		for (std::size_t k = row > band_ ? row - band_ : 0; k < row; ++k) {
+			take(row, k, entry(row, k));
 		}
-		for (std::size_t k = first; k < row; ++k) {
-			const double factor = entries[k - first];
-			double *target = row_of(k);
-			for (std::size_t c = 0; c < loads_count; ++c) {
-				target[c] -= factor * source[c];
-			}
+		divide_by_pivot(row);
+	}
+	for (std::size_t row = count; row-- > 0;) {
+		divide_by_pivot(row);
+		for (std::size_t k = row > band_ ? row - band_ : 0; k < row; ++k) {
+			take(k, row, entry(row, k));
+		}
+	}
+	for (std::size_t k = 0; k < count; ++k) {
+		for (std::size_t c = 0; c < loads_count; ++c) {
+			(k % 2 == 0 ? loads[c][k / 2].x : loads[c][k / 2].y) = row_of(k)[c];
 		}
 	}
 }

@@ -14,8 +14,8 @@ namespace softbody {
 
 /// Plane-strain solid of unit shear modulus and unit mass that fills an outline with bilinear square cells. A cell that
 /// the outline cuts counts by its share inside (finite cell method, Parvizian, Düster and Rank 2007). Shear is
-/// integrated at four points, volume change at one, so that nearly incompressible material does not lock. Displacements
-/// have two entries a node. Allocates: for the creation of bodies only.
+/// integrated at four points, volume change at one, so that nearly incompressible material does not lock. Allocates: for
+/// the creation of bodies only.
 class LatticeSolid {
 public:
 	/// A point's place in the lattice: its displacement is the weighted mean of four nodes' displacements.
@@ -27,7 +27,6 @@ public:
 	/// About `cells` cells, more where the outline is thin. Precondition: `hull` passes `check_hull`, with positive area.
 	LatticeSolid(std::span<const Vec2> hull, std::size_t cells);
 
-	std::size_t freedom_count() const { return 2 * masses_.size(); }
 	std::span<const double> node_masses() const { return masses_; } ///< they sum to 1
 	double cell_size() const { return cell_; } ///< [length]
 	Vec2 node_position(std::size_t node) const {
@@ -39,11 +38,17 @@ public:
 	/// Factors the stiffness matrix for a Poisson's ratio, 0 <= ν < 0.5, with a faint spring to the ground. O(nodes ·
 	/// bandwidth²).
 	void factor(double poisson_ratio);
-	/// Replaces loads by the displacements that they cause. Precondition: `factor` was called. Several loads at once:
-	/// entry k of load c at [k * loads_count + c].
-	void solve(std::span<double> loads, std::size_t loads_count = 1) const;
+	/// Replaces each of several loads, one vector a node, by the displacements that it causes. Precondition: `factor`
+	/// was called.
+	void solve(std::vector<std::vector<Vec2d>> &loads) const;
 
 private:
+	/// The nodes of a cell that is not empty, in the order (0,0), (1,0), (1,1), (0,1).
+	std::array<std::uint32_t, 4> corners_of(std::size_t cell) const {
+		const std::size_t i = cell / rows_;
+		const std::size_t j = cell % rows_;
+		return { node_at(i, j), node_at(i + 1, j), node_at(i + 1, j + 1), node_at(i, j + 1) };
+	}
 	std::uint32_t node_at(std::size_t column, std::size_t row) const { return nodes_[column * (rows_ + 1) + row]; }
 	std::size_t cells_between(double from, double to) const;
 	void measure_fill(std::span<const Vec2> hull);

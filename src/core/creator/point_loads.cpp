@@ -55,7 +55,10 @@ void PointLoads::assign_shares() {
 		share = std::max(share, LEAST_MASS / double(hull_count_));
 		sum += share;
 	}
-	scale(hull_shares_, 1 / sum);
+	const double factor = 1 / sum;
+	for (double &share : hull_shares_) {
+		share *= factor;
+	}
 }
 
 // Hull points closer together than the lattice's nodes share the sum within a cell's length equally.
@@ -63,7 +66,7 @@ void PointLoads::smooth_shares() {
 	const auto edge = [&](std::size_t i) { return double(length(points_[(i + 1) % hull_count_] - points_[i])); };
 	const auto tributary = [&](std::size_t i) { return (edge((i + hull_count_ - 1) % hull_count_) + edge(i)) / 2; };
 	const double reach = SMOOTHED_CELLS * solid_.cell_size();
-	PointVector smooth(hull_count_);
+	std::vector<double> smooth(hull_count_);
 	for (std::size_t i = 0; i < hull_count_; ++i) {
 		double share = hull_shares_[i];
 		double length = tributary(i);
@@ -133,40 +136,32 @@ void PointLoads::assign_regions() {
 			region.nodes.assign(nearest.nodes.begin(), nearest.nodes.end());
 		}
 		for (const std::uint32_t node : region.nodes) {
-			const Vec2 place = solid_.node_position(node);
 			region.mass += node_masses[node];
-			region.x += node_masses[node] * place.x;
-			region.y += node_masses[node] * place.y;
+			region.center += Vec2d(solid_.node_position(node)) * node_masses[node];
 		}
-		region.x /= region.mass;
-		region.y /= region.mass;
+		region.center = { region.center.x / region.mass, region.center.y / region.mass };
 		for (const std::uint32_t node : region.nodes) {
-			const Vec2 place = solid_.node_position(node);
-			const double dx = place.x - region.x;
-			const double dy = place.y - region.y;
-			region.inertia += node_masses[node] * (dx * dx + dy * dy);
+			region.inertia += node_masses[node] * length_squared(Vec2d(solid_.node_position(node)) - region.center);
 		}
 	}
 }
 
 // Spreads loads on the points over the nodes.
 PointVector PointLoads::to_nodes(const PointVector &loads) const {
-	PointVector nodes(solid_.freedom_count(), 0);
+	PointVector nodes(solid_.node_masses().size());
 	for (std::size_t i = 0; i < hull_count_; ++i) {
 		for (const auto &[node, weight] : edges_[i]) {
-			nodes[2 * node] += weight * loads[2 * i];
-			nodes[2 * node + 1] += weight * loads[2 * i + 1];
+			nodes[node] += loads[i] * weight;
 		}
 	}
 	for (std::size_t k = 0; k < regions_.size(); ++k) {
 		const Region &region = regions_[k];
-		const std::size_t i = hull_count_ + k;
-		const double torque = (points_[i].x - region.x) * loads[2 * i + 1] - (points_[i].y - region.y) * loads[2 * i];
+		const Vec2d load = loads[hull_count_ + k];
+		const Vec2d pull{ load.x / region.mass, load.y / region.mass };
+		const double turn = cross(Vec2d(points_[hull_count_ + k]) - region.center, load) / region.inertia;
 		for (const std::uint32_t node : region.nodes) {
-			const Vec2 place = solid_.node_position(node);
-			const double mass = solid_.node_masses()[node];
-			nodes[2 * node] += mass * (loads[2 * i] / region.mass - torque / region.inertia * (place.y - region.y));
-			nodes[2 * node + 1] += mass * (loads[2 * i + 1] / region.mass + torque / region.inertia * (place.x - region.x));
+			const Vec2d arm = Vec2d(solid_.node_position(node)) - region.center;
+			nodes[node] += (pull + perpendicular(arm) * turn) * solid_.node_masses()[node];
 		}
 	}
 	return nodes;
@@ -174,28 +169,23 @@ PointVector PointLoads::to_nodes(const PointVector &loads) const {
 
 // The displacements of the points when the nodes move: the transpose of `to_nodes`.
 PointVector PointLoads::from_nodes(const PointVector &nodes) const {
-	PointVector result(2 * points_.size(), 0);
+	PointVector result(points_.size());
 	for (std::size_t i = 0; i < hull_count_; ++i) {
 		for (const auto &[node, weight] : edges_[i]) {
-			result[2 * i] += weight * nodes[2 * node];
-			result[2 * i + 1] += weight * nodes[2 * node + 1];
+			result[i] += nodes[node] * weight;
 		}
 	}
 	for (std::size_t k = 0; k < regions_.size(); ++k) {
 		const Region &region = regions_[k];
-		const std::size_t i = hull_count_ + k;
-		double x = 0;
-		double y = 0;
+		Vec2d moved;
 		double turn = 0;
 		for (const std::uint32_t node : region.nodes) {
-			const Vec2 place = solid_.node_position(node);
 			const double mass = solid_.node_masses()[node];
-			x += mass * nodes[2 * node];
-			y += mass * nodes[2 * node + 1];
-			turn += mass * ((place.x - region.x) * nodes[2 * node + 1] - (place.y - region.y) * nodes[2 * node]);
+			moved += nodes[node] * mass;
+			turn += mass * cross(Vec2d(solid_.node_position(node)) - region.center, nodes[node]);
 		}
-		result[2 * i] = x / region.mass - turn / region.inertia * (points_[i].y - region.y);
-		result[2 * i + 1] = y / region.mass + turn / region.inertia * (points_[i].x - region.x);
+		const Vec2d arm = Vec2d(points_[hull_count_ + k]) - region.center;
+		result[hull_count_ + k] = Vec2d{ moved.x / region.mass, moved.y / region.mass } + perpendicular(arm) * (turn / region.inertia);
 	}
 	return result;
 }

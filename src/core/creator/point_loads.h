@@ -22,7 +22,7 @@ public:
 	PointLoads(const LatticeSolid &solid, std::span<const Vec2> points, std::size_t hull_count);
 
 	/// Share of the solid for which each hull point stands, summing to 1.
-	const PointVector &hull_shares() const { return hull_shares_; }
+	const std::vector<double> &hull_shares() const { return hull_shares_; }
 	/// Spreads loads on the points over the nodes.
 	PointVector to_nodes(const PointVector &loads) const;
 	/// Displacements of the points when the nodes move: the transpose of `to_nodes`.
@@ -38,8 +38,7 @@ private:
 	struct Region {
 		std::vector<std::uint32_t> nodes;
 		double mass = 0;
-		double x = 0;
-		double y = 0;
+		Vec2d center;
 		double inertia = 0;
 	};
 
@@ -49,7 +48,7 @@ private:
 	/// For each hull point: the nodes along its two edges, by the weights with which they share its load.
 	std::vector<std::vector<std::pair<std::uint32_t, double>>> edges_;
 	std::vector<Region> regions_; ///< of each inner point
-	PointVector hull_shares_; ///< of each hull point
+	std::vector<double> hull_shares_; ///< of each hull point
 };
 
 } // namespace softbody

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -11,10 +12,12 @@ namespace softbody {
 
 namespace {
 
+using Matrix = std::vector<std::vector<double>>;
+
 // Eigenvalues, descending, and eigenvectors (columns) of a symmetric matrix, by Jacobi's rotations.
-void diagonalize(std::vector<PointVector> &matrix, std::vector<PointVector> &vectors, PointVector &values) {
+void diagonalize(Matrix &matrix, Matrix &vectors, std::vector<double> &values) {
 	const std::size_t n = matrix.size();
-	vectors.assign(n, PointVector(n, 0));
+	vectors.assign(n, std::vector<double>(n, 0));
 	for (std::size_t i = 0; i < n; ++i) {
 		vectors[i][i] = 1;
 	}
@@ -39,23 +42,17 @@ void diagonalize(std::vector<PointVector> &matrix, std::vector<PointVector> &vec
 				const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
 				const double c = 1 / std::sqrt(t * t + 1);
 				const double s = t * c;
+				const auto rotate = [c, s](double &x, double &y) {
+					const double a = x;
+					x = c * a - s * y;
+					y = s * a + c * y;
+				};
 				for (std::size_t k = 0; k < n; ++k) {
-					const double a = matrix[k][p];
-					const double b = matrix[k][q];
-					matrix[k][p] = c * a - s * b;
-					matrix[k][q] = s * a + c * b;
+					rotate(matrix[k][p], matrix[k][q]);
+					rotate(vectors[k][p], vectors[k][q]);
 				}
 				for (std::size_t k = 0; k < n; ++k) {
-					const double a = matrix[p][k];
-					const double b = matrix[q][k];
-					matrix[p][k] = c * a - s * b;
-					matrix[q][k] = s * a + c * b;
-				}
-				for (std::size_t k = 0; k < n; ++k) {
-					const double a = vectors[k][p];
-					const double b = vectors[k][q];
-					vectors[k][p] = c * a - s * b;
-					vectors[k][q] = s * a + c * b;
+					rotate(matrix[p][k], matrix[q][k]);
 				}
 			}
 		}
@@ -63,7 +60,7 @@ void diagonalize(std::vector<PointVector> &matrix, std::vector<PointVector> &vec
 	std::vector<std::size_t> order(n);
 	std::iota(order.begin(), order.end(), std::size_t(0));
 	std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return matrix[i][i]; });
-	std::vector<PointVector> sorted(n, PointVector(n));
+	Matrix sorted(n, std::vector<double>(n));
 	values.resize(n);
 	for (std::size_t j = 0; j < n; ++j) {
 		values[j] = matrix[order[j]][order[j]];
@@ -76,53 +73,62 @@ void diagonalize(std::vector<PointVector> &matrix, std::vector<PointVector> &vec
 
 } // namespace
 
-double weighted_dot(const PointVector &a, const PointVector &b, const PointVector &weights) {
+// The order of this sum decides about the last digits of all modes.
+double weighted_dot(const PointVector &a, const PointVector &b, std::span<const double> weights) {
 	double sum = 0;
-	for (std::size_t k = 0; k < a.size(); ++k) {
-		sum += weights[k] * a[k] * b[k];
+	for (std::size_t i = 0; i < a.size(); ++i) {
+		sum += weights[i] * a[i].x * b[i].x;
+		sum += weights[i] * a[i].y * b[i].y;
 	}
 	return sum;
 }
 
 void add(PointVector &to, const PointVector &from, double factor) {
-	for (std::size_t k = 0; k < to.size(); ++k) {
-		to[k] += factor * from[k];
+	for (std::size_t i = 0; i < to.size(); ++i) {
+		to[i] += from[i] * factor;
 	}
 }
 
-void scale(PointVector &vector, double factor) {
-	for (double &value : vector) {
-		value *= factor;
+PointVector weighted(PointVector vectors, std::span<const double> weights) {
+	for (std::size_t i = 0; i < vectors.size(); ++i) {
+		vectors[i] *= weights[i];
+	}
+	return vectors;
+}
+
+void remove_parts(PointVector &vector, const std::vector<PointVector> &others, std::span<const double> weights) {
+	for (const PointVector &other : others) {
+		add(vector, other, -weighted_dot(vector, other, weights));
 	}
 }
 
-std::vector<PointVector> orthonormal_by(std::vector<PointVector> vectors, const PointVector &weights) {
+std::vector<PointVector> orthonormal_by(std::vector<PointVector> vectors, std::span<const double> weights) {
 	std::vector<PointVector> result;
 	for (PointVector &vector : vectors) {
 		const double first = weighted_dot(vector, vector, weights);
-		for (int pass = 0; pass < 2; ++pass) {
-			for (const PointVector &earlier : result) {
-				add(vector, earlier, -weighted_dot(vector, earlier, weights));
-			}
-		}
+		remove_parts(vector, result, weights);
+		remove_parts(vector, result, weights);
 		const double rest = weighted_dot(vector, vector, weights);
 		if (rest > 1e-10 * first) {
-			scale(vector, 1 / std::sqrt(rest));
+			const double factor = 1 / std::sqrt(rest);
+			for (Vec2d &each : vector) {
+				each *= factor;
+			}
 			result.push_back(std::move(vector));
 		}
 	}
 	return result;
 }
 
-std::vector<PointVector> ritz_combinations(const std::vector<PointVector> &block, const std::vector<PointVector> &images, const PointVector &weights,
-		PointVector &values) {
-	std::vector<PointVector> matrix(block.size(), PointVector(block.size()));
+std::vector<std::vector<double>> ritz_combinations(const std::vector<PointVector> &block, const std::vector<PointVector> &images,
+		std::span<const double> weights, std::vector<double> &values) {
+	Matrix matrix(block.size(), std::vector<double>(block.size()));
 	for (std::size_t a = 0; a < block.size(); ++a) {
 		for (std::size_t b = 0; b <= a; ++b) {
 			matrix[a][b] = matrix[b][a] = (weighted_dot(block[a], images[b], weights) + weighted_dot(block[b], images[a], weights)) / 2;
 		}
 	}
-	std::vector<PointVector> combinations;
+	Matrix combinations;
 	diagonalize(matrix, combinations, values);
 	return combinations;
 }

@@ -3,7 +3,6 @@
 #include "core/creator/soft_body_creator.h"
 
 #include "core/creator/elastic_modes.h"
-#include "core/creator/hulls.h"
 #include "core/creator/triangle_mesh.h"
 #include "core/geometry/polygon.h"
 
@@ -20,19 +19,12 @@ namespace softbody {
 namespace {
 
 Status check_options(const StructureOptions &options) {
-	if (Status status = check_above("mass", options.mass, 0, "kg")) {
-		return status;
-	}
-	if (Status status = check_at_least("stiffness", options.stiffness, 0, "N/m")) {
-		return status;
-	}
 	if (options.elastic && options.elastic_triangles) {
 		return Error{ "elastic_triangles", "beside elastic modes", "must be the only elastic model", "switch one of the two off" };
 	}
-	if (Status status = check_between("triangle_points", options.triangle_points, 0, MAX_HULL_POINTS, "")) {
-		return status;
-	}
-	return check_at_least("damping", options.damping, 0, "N·s/m");
+	return first_error({ check_above("mass", options.mass, 0, "kg"), check_at_least("stiffness", options.stiffness, 0, "N/m"),
+			check_between("triangle_points", options.triangle_points, 0, MAX_HULL_POINTS, ""),
+			check_at_least("damping", options.damping, 0, "N·s/m") });
 }
 
 Status check_scales(const StructureOptions &options, std::size_t spring_count) {
@@ -64,13 +56,7 @@ Status check_inner_points(const std::vector<Vec2> &points) {
 		return Error{ "inner_points", std::to_string(points.size()) + " points",
 			"must be at most " + std::to_string(MAX_HULL_POINTS), "remove points" };
 	}
-	for (std::size_t i = 0; i < points.size(); ++i) {
-		if (!is_finite(points[i])) {
-			return Error{ "inner_points[" + std::to_string(i) + "]", "non-finite", "must be finite",
-				"check the computation that produced this value" };
-		}
-	}
-	return {};
+	return check_all_finite("inner_points", points);
 }
 
 Vec2 mean_of(std::span<const Vec2> points) {
@@ -101,24 +87,9 @@ Status check_spring_ends(std::span<const SpringEnds> springs, std::span<const Ve
 
 } // namespace
 
-Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_circle(Real radius, int point_count,
-		const StructureOptions &options) {
-	const Result<std::vector<Vec2>> hull = circle_hull(radius, point_count);
-	if (!hull) {
-		return hull.error();
-	}
-	return create_polygon(hull.value(), options);
-}
-
 Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std::span<const Vec2> hull,
 		const StructureOptions &options) {
-	if (Status status = check_options(options)) {
-		return *status;
-	}
-	if (Status status = check_hull(hull)) {
-		return *status;
-	}
-	if (Status status = check_inner_points(options.inner_points)) {
+	if (Status status = first_error({ check_options(options), check_hull(hull), check_inner_points(options.inner_points) })) {
 		return *status;
 	}
 	const std::size_t count = hull.size();
@@ -141,10 +112,7 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	}
 	const std::vector<SpringEnds> springs =
 			options.springs.empty() ? automatic_springs(hull, inner_points, center) : options.springs;
-	if (Status status = check_spring_ends(springs, points)) {
-		return *status;
-	}
-	if (Status status = check_scales(options, springs.size())) {
+	if (Status status = first_error({ check_spring_ends(springs, points), check_scales(options, springs.size()) })) {
 		return *status;
 	}
 
@@ -175,22 +143,20 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	if (!plain) {
 		return plain.error();
 	}
+	std::vector<Real> mass_shares;
 	if (options.elastic_triangles) {
 		Result<TriangleMesh> mesh = make_triangle_mesh(plain.value()->rest_positions(), count);
 		if (!mesh) {
 			return mesh.error();
 		}
-		for (std::size_t i = 0; i < description.masses.size(); ++i) {
-			description.masses[i] = options.mass * mesh.value().mass_shares[i];
-		}
+		mass_shares = std::move(mesh.value().mass_shares);
 		description.triangles = std::move(mesh.value().triangles);
-		return SoftBodyShape::create(std::move(description));
+	} else {
+		ElasticReduction reduction = reduce_solid(plain.value()->rest_positions(), count);
+		mass_shares = std::move(reduction.mass_shares);
+		description.modes = std::move(reduction.modes);
 	}
-	ElasticReduction reduction = reduce_solid(plain.value()->rest_positions(), count);
-	for (std::size_t i = 0; i < description.masses.size(); ++i) {
-		description.masses[i] = options.mass * reduction.mass_shares[i];
-	}
-	description.modes = std::move(reduction.modes);
+	std::ranges::transform(mass_shares, description.masses.begin(), [&](Real share) { return options.mass * share; });
 	return SoftBodyShape::create(std::move(description));
 }
 

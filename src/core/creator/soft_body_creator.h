@@ -55,11 +55,6 @@ bool leave_out(StructureOptions &options, const std::string &refused);
 /// Builds soft bodies (thesis 4.4.2, "SoftBodyCreator"; Alg. 4.9 to 4.11). Fills data, simulates nothing.
 class SoftBodyCreator {
 public:
-	/// The thesis's test body and its relatives: `point_count` hull points on a circle and a center point.
-	/// Refuses what `circle_hull` and `create_polygon` refuse.
-	static Result<std::shared_ptr<const SoftBodyShape>> create_circle(Real radius, int point_count,
-			const StructureOptions &options);
-
 	/// Any simple polygon, convex or not; the center point sits at the mean of its points. A hull of negative winding
 	/// is reversed about its first point: point i becomes (n - i) mod n, springs follow, and their order stays. Refuses
 	/// a bad hull (see `check_hull`), mass <= 0, negative or non-finite values, a center that coincides with a hull

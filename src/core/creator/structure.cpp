@@ -18,19 +18,12 @@ namespace {
 // Number of nearest points that are tested first for lying between two others; usually one of them does.
 constexpr std::size_t ASKED_FIRST = 16;
 
-Aabb box_around(Vec2 a, Vec2 b) {
-	Aabb box;
-	box.include(a);
-	box.include(b);
-	return box;
-}
-
 // Whether the way between two points meets an edge of the outline that ends at neither.
 bool crosses_outline(std::span<const Vec2> points, std::size_t hull_count, std::uint32_t from, std::uint32_t to) {
-	const Aabb way = box_around(points[from], points[to]);
+	const Aabb way = Aabb::between(points[from], points[to]);
 	for (std::size_t i = 0; i < hull_count; ++i) {
 		const std::size_t next = (i + 1) % hull_count;
-		if (i != to && next != to && way.overlaps(box_around(points[i], points[next])) &&
+		if (i != to && next != to && way.overlaps(Aabb::between(points[i], points[next])) &&
 				segment_intersection(points[from], points[to], points[i], points[next])) {
 			return true;
 		}

@@ -5,8 +5,6 @@
 #include "core/creator/elastic_modes.h"
 #include "core/geometry/aabb.h"
 #include "core/geometry/polygon.h"
-#include "core/geometry/segment.h"
-#include "core/geometry/triangle.h"
 #include "core/skin/triangulation.h"
 
 #include <algorithm>
@@ -65,15 +63,8 @@ public:
 
 	bool is_clear(Vec2 p, double distance) const {
 		const double least = distance * distance;
-		for (std::size_t i = 0; i < hull_.size(); ++i) {
-			const Vec2 a = hull_[i];
-			const Vec2 side = hull_[(i + 1) % hull_.size()] - a;
-			const Real t = closest_parameter_on_segment(p, a, a + side);
-			if (double(length_squared(a + side * t - p)) < least) {
-				return false;
-			}
-		}
-		return std::ranges::none_of(own_points_, [&](Vec2 own) { return double(length_squared(own - p)) < least; });
+		return !(double(nearest_place(hull_, p).distance_squared) < least) &&
+				std::ranges::none_of(own_points_, [&](Vec2 own) { return double(length_squared(own - p)) < least; });
 	}
 
 private:
@@ -146,16 +137,11 @@ void relax(std::vector<Vec2> &points, std::size_t hull_count, std::size_t first,
 }
 
 ElasticTriangle elastic_triangle(std::span<const Vec2> points, const Triangle &corners) {
-	const Vec2 origin = points[corners[0]];
-	const std::array<double, 2> a = { double(points[corners[1]].x) - origin.x, double(points[corners[1]].y) - origin.y };
-	const std::array<double, 2> b = { double(points[corners[2]].x) - origin.x, double(points[corners[2]].y) - origin.y };
-	const double determinant = a[0] * b[1] - a[1] * b[0];
-	ElasticTriangle triangle;
-	triangle.corners = corners;
-	triangle.gradients = { Vec2{ Real(b[1] / determinant), Real(-b[0] / determinant) },
-		Vec2{ Real(-a[1] / determinant), Real(a[0] / determinant) } };
-	triangle.area = Real(determinant / 2);
-	return triangle;
+	const Vec2d a = difference(points[corners[1]], points[corners[0]]);
+	const Vec2d b = difference(points[corners[2]], points[corners[0]]);
+	const double determinant = cross(a, b);
+	return { corners, { Vec2{ Real(b.y / determinant), Real(-b.x / determinant) }, Vec2{ Real(-a.y / determinant), Real(a.x / determinant) } },
+		Real(determinant / 2) };
 }
 
 bool is_flat(std::span<const Vec2> points, const Triangle &t) {

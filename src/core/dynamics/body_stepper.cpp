@@ -64,7 +64,7 @@ void BodyStepper::begin_step(const StepContext &context) {
 }
 
 void BodyStepper::begin(const Batch &batch) {
-	for (std::uint32_t lane = 0; context_->world.is_interpolated() && lane < batch.count; ++lane) {
+	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
 		if (is_finite(*batch.states[lane])) { // otherwise only the last positions tell where the body was
 			SoftBodyData &data = body(batch.body_indices[lane]);
 			std::ranges::copy(data.positions(), data.mutable_previous_positions().begin());

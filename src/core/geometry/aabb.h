@@ -14,6 +14,13 @@ struct Aabb {
 	Vec2 min{ Real(1e30), Real(1e30) };
 	Vec2 max{ Real(-1e30), Real(-1e30) };
 
+	/// The box around two points.
+	static Aabb between(Vec2 a, Vec2 b) {
+		Aabb box;
+		box.include(a);
+		box.include(b);
+		return box;
+	}
 	/// A coordinate that is NaN changes nothing.
 	void include(Vec2 p) {
 		min = { std::min(min.x, p.x), std::min(min.y, p.y) };
@@ -22,6 +29,9 @@ struct Aabb {
 	Aabb grown(Real margin) const {
 		return { { min.x - margin, min.y - margin }, { max.x + margin, max.y + margin } };
 	}
+	/// The longer side [length].
+	Real extent() const { return std::max(max.x - min.x, max.y - min.y); }
+	Vec2 center() const { return (min + max) * Real(0.5); }
 	bool overlaps(const Aabb &other) const {
 		return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y && other.min.y <= max.y;
 	}

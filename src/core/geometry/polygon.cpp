@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Measures and checks of closed polygons.
+// Measures and checks of triangles and closed polygons.
 #include "core/geometry/polygon.h"
 
 #include "core/base/constants.h"
 #include "core/geometry/segment.h"
-#include "core/geometry/triangle.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -26,14 +27,12 @@ struct Moments {
 Moments moments(std::span<const Vec2> polygon) {
 	Moments sum;
 	for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-		const double ax = double(polygon[i].x) - polygon[0].x;
-		const double ay = double(polygon[i].y) - polygon[0].y;
-		const double bx = double(polygon[i + 1].x) - polygon[0].x;
-		const double by = double(polygon[i + 1].y) - polygon[0].y;
-		const double twice = ax * by - ay * bx;
+		const Vec2d a = difference(polygon[i], polygon[0]);
+		const Vec2d b = difference(polygon[i + 1], polygon[0]);
+		const double twice = cross(a, b);
 		sum.double_area += twice;
-		sum.x += twice * (ax + bx) / 3;
-		sum.y += twice * (ay + by) / 3;
+		sum.x += twice * (a.x + b.x) / 3;
+		sum.y += twice * (a.y + b.y) / 3;
 	}
 	return sum;
 }
@@ -82,6 +81,18 @@ std::string edge_text(std::size_t i, std::size_t count) {
 
 } // namespace
 
+bool point_in_triangle(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
+	const double whole = signed_double_area(a, b, c);
+	if (whole == 0) {
+		return false;
+	}
+	// The sub-areas are the barycentric coordinates times the whole; p is inside when none has the opposite sign.
+	const double u = signed_double_area(p, b, c);
+	const double v = signed_double_area(a, p, c);
+	const double w = signed_double_area(a, b, p);
+	return whole > 0 ? (u >= 0 && v >= 0 && w >= 0) : (u <= 0 && v <= 0 && w <= 0);
+}
+
 Real signed_area(std::span<const Vec2> polygon) {
 	return Real(moments(polygon).double_area / 2);
 }
@@ -109,6 +120,20 @@ Vec2 area_centroid(std::span<const Vec2> polygon) {
 	return mean * (Real(1) / Real(polygon.size()));
 }
 
+OutlinePlace nearest_place(std::span<const Vec2> outline, Vec2 p) {
+	OutlinePlace nearest{ 0, 0, outline[0], std::numeric_limits<Real>::max() };
+	for (std::size_t i = 0; i < outline.size(); ++i) {
+		const Vec2 a = outline[i];
+		const Vec2 b = outline[(i + 1) % outline.size()];
+		const Real t = closest_parameter_on_segment(p, a, b);
+		const Vec2 place = a + (b - a) * t;
+		if (const Real distance = length_squared(p - place); distance < nearest.distance_squared) {
+			nearest = { i, t, place, distance };
+		}
+	}
+	return nearest;
+}
+
 bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon) {
 	bool inside = false;
 	for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
@@ -120,6 +145,40 @@ bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon) {
 		}
 	}
 	return inside;
+}
+
+std::span<const Vec2> convex_hull(std::span<const Vec2> points, std::span<Vec2> workspace) {
+	assert(workspace.size() >= 2 * points.size());
+	// The back half holds the points sorted, the front half grows the hull.
+	const std::span<Vec2> sorted = workspace.subspan(points.size(), points.size());
+	std::copy(points.begin(), points.end(), sorted.begin());
+	std::sort(sorted.begin(), sorted.end(), [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+	const std::size_t distinct = std::size_t(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
+	if (distinct < 2) {
+		std::copy_n(sorted.begin(), distinct, workspace.begin());
+		return workspace.first(distinct);
+	}
+
+	std::size_t count = 0;
+	std::size_t chain_start = 0; // corners before it belong to the finished lower chain
+	const auto add = [&](Vec2 p) {
+		while (count >= chain_start + 2 && signed_double_area(workspace[count - 2], workspace[count - 1], p) <= 0) {
+			count--;
+		}
+		workspace[count++] = p;
+	};
+	for (std::size_t i = 0; i < distinct; ++i) {
+		add(sorted[i]);
+	}
+	// From right to left. The upper chain starts at the lower one's last corner and ends where that began. A corner of
+	// the lower chain stays on the upper chain only until the next point comes, so the chains hold at most one more
+	// than the points. They may overwrite sorted[0], which is then taken from the lower chain.
+	chain_start = count - 1;
+	for (std::size_t i = distinct - 2; i > 0; --i) {
+		add(sorted[i]);
+	}
+	add(workspace[0]);
+	return workspace.first(count - 1);
 }
 
 bool is_star_shaped_about(Vec2 center, std::span<const Vec2> polygon) {
@@ -150,12 +209,8 @@ Status check_hull(std::span<const Vec2> hull) {
 				count < std::size_t(MIN_HULL_POINTS) ? "add points until they enclose an area"
 													 : "simplify the outline");
 	}
-	for (std::size_t i = 0; i < count; ++i) {
-		if (!is_finite(hull[i])) {
-			return Error{ "hull[" + std::to_string(i) + "]",
-				"(" + number_text(hull[i].x) + ", " + number_text(hull[i].y) + ")", "must be finite",
-				"check the computation that produced this value" };
-		}
+	if (Status status = check_all_finite("hull", hull)) {
+		return status;
 	}
 	if (const auto contact = find_self_contact(hull)) {
 		const std::string first = edge_text(contact->first, count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures and checks of closed polygons: area, centroid, containment, simplicity.
+// Measures and checks of triangles and closed polygons: area, centroid, containment, convex hull, simplicity.
 #pragma once
 
 #include "core/base/error.h"
@@ -9,6 +9,18 @@
 #include <span>
 
 namespace softbody {
+
+/// Twice the signed area of the triangle abc: positive when a, b, c turn from x towards y
+/// (counter-clockwise with y up, clockwise on Godot's screen). Evaluated in double, so that the
+/// sign is right for float input unless the triangle is thinner than about 1e-15 of its size.
+/// Source: thesis Alg. 4.6, which calls this the area.
+constexpr double signed_double_area(Vec2 a, Vec2 b, Vec2 c) {
+	return cross(difference(a, c), difference(b, c));
+}
+
+/// Whether p lies in the triangle abc, border included, for either winding. A degenerate triangle
+/// (zero area) contains nothing. Source: thesis Alg. 4.5, with the upper bound on u that it lacks.
+bool point_in_triangle(Vec2 p, Vec2 a, Vec2 b, Vec2 c);
 
 /// Signed area of the closed polygon [length²]: positive when it winds from x towards y. O(n).
 /// Source: thesis Alg. 4.8 (shoelace), with its winding stated.
@@ -20,8 +32,24 @@ Real perimeter(std::span<const Vec2> polygon);
 /// Center of area [length]; the mean of the points when the area is zero. O(n).
 Vec2 area_centroid(std::span<const Vec2> polygon);
 
+/// Place of a closed outline.
+struct OutlinePlace {
+	std::size_t edge = 0; ///< from the corner of this index to the next
+	Real t = 0; ///< of the way along the edge [1], 0..1
+	Vec2 position; ///< [length]
+	Real distance_squared = 0; ///< from the point asked about [length²]
+};
+/// The place of a closed outline that is nearest to p; of several the first. Precondition: not empty. O(n).
+OutlinePlace nearest_place(std::span<const Vec2> outline, Vec2 p);
+
 /// Whether p lies inside the closed polygon (even-odd rule). Points on the border may fall on either side. O(n).
 bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon);
+
+/// The corners of the convex hull, of positive winding, starting at the least x (of those, the least y), as a part of
+/// `workspace`. It holds at least twice as many points as `points`, and does not overlap them. No three corners are in
+/// line, as far as double can resolve. No points give no corners, coincident points one, points in line their two ends.
+/// Precondition: finite points. O(n log n), no allocation. Source: Andrew 1979 (monotone chain).
+std::span<const Vec2> convex_hull(std::span<const Vec2> points, std::span<Vec2> workspace);
 
 /// Whether every border point is seen from `center` without crossing the border: the condition for centre springs,
 /// where thesis Alg. 4.11 asks for convexity. O(n).

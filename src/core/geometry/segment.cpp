@@ -2,8 +2,7 @@
 // Tests on line segments.
 #include "core/geometry/segment.h"
 
-#include "core/geometry/triangle.h"
-#include "core/geometry/vec2d.h"
+#include "core/geometry/polygon.h"
 
 #include <algorithm>
 #include <array>

@@ -35,13 +35,8 @@ Result<Attachment> Attachment::create(std::span<const Vec2> rest_positions, Vec2
 	if (rest_positions.empty()) {
 		return Error{ "rest_positions", "0 points", "must be at least 1", "attach to a body that has points" };
 	}
-	for (const Vec2 point : rest_positions) {
-		if (!is_finite(point)) {
-			return Error{ "rest_positions", "a point that is not finite", "must be finite", "give finite positions" };
-		}
-	}
-	if (!is_finite(place)) {
-		return Error{ "place", "a position that is not finite", "must be finite", "give a finite position" };
+	if (Status status = first_error({ check_all_finite("rest_positions", rest_positions), check_finite("place", place) })) {
+		return *status;
 	}
 	const std::vector<double> weights = weights_at(rest_positions, place);
 	BasicVec2<double> center;

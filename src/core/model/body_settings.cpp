@@ -6,79 +6,32 @@
 
 namespace softbody {
 
-void set_default_limits(BodySettings &settings) {
-	settings.least_area = DEFAULT_LEAST_AREA;
-	settings.least_stretch = DEFAULT_LEAST_STRETCH;
-	settings.most_stretch = DEFAULT_MOST_STRETCH;
-}
-
 Status check_settings(const BodySettings &settings) {
-	if (Status status = check_at_least("spring_stiffness_scale", settings.spring_stiffness_scale, 0, "")) {
-		return status;
-	}
-	if (Status status = check_at_least("spring_damping_scale", settings.spring_damping_scale, 0, "")) {
-		return status;
-	}
-	if (Status status = check_at_least("shear_modulus", settings.shear_modulus, 0, "N/m")) {
-		return status;
-	}
-	if (Status status = check_between("poisson_ratio", settings.poisson_ratio, 0, double(MOST_POISSON_RATIO), "")) {
-		return status;
-	}
-	if (Status status = check_at_least("area_stiffness", settings.area_stiffness, 0, "N/m")) {
-		return status;
-	}
-	if (Status status = check_at_least("elastic_damping_time", settings.elastic_damping_time, 0, "s")) {
-		return status;
-	}
-	if (Status status = check_between("least_area", settings.least_area, 0, 1, "")) {
-		return status;
-	}
-	if (Status status = check_between("least_stretch", settings.least_stretch, 0, 1, "")) {
-		return status;
-	}
-	if (settings.most_stretch != std::numeric_limits<Real>::infinity()) {
-		if (Status status = check_at_least("most_stretch", settings.most_stretch, 1, "")) {
-			return status;
-		}
-	}
-	if (Status status = check_at_least("shape_stiffness", settings.shape_stiffness, 0, "N/m")) {
-		return status;
-	}
-	if (Status status = check_at_least("shape_damping", settings.shape_damping, 0, "N·s/m")) {
-		return status;
-	}
-	if (Status status = check_at_least("pressure_stiffness", settings.pressure_stiffness, 0, "N/m")) {
-		return status;
-	}
-	if (Status status = check_at_least("inflation", settings.inflation, 0, "")) {
-		return status;
-	}
-	if (Status status = check_at_least("friction", settings.friction, 0, "")) {
-		return status;
-	}
-	if (Status status = check_at_least("rolling_resistance", settings.rolling_resistance, 0, "")) {
-		return status;
-	}
-	if (Status status = check_between("restitution", settings.restitution, 0, 1, "")) {
-		return status;
-	}
-	if (Status status = check_finite("gravity_scale", settings.gravity_scale, "")) {
-		return status;
-	}
-	if (Status status = check_at_least("linear_damp", settings.linear_damp, 0, "1/s")) {
-		return status;
-	}
-	if (Status status = check_at_least("angular_damp", settings.angular_damp, 0, "1/s")) {
-		return status;
-	}
-	if (Status status = check_between("integrator", int(settings.integrator), 0, INTEGRATOR_COUNT - 1, "")) {
-		return status;
-	}
-	if (Status status = check_between("failure_response", int(settings.failure_response), 0, FAILURE_RESPONSE_COUNT - 1, "")) {
-		return status;
-	}
-	return check_between("substeps", settings.substeps, 0, MAX_SUBSTEPS, "");
+	const double most_stretch = settings.most_stretch != std::numeric_limits<Real>::infinity() ? double(settings.most_stretch) : 1;
+	return first_error({
+			check_at_least("spring_stiffness_scale", settings.spring_stiffness_scale, 0, ""),
+			check_at_least("spring_damping_scale", settings.spring_damping_scale, 0, ""),
+			check_at_least("shear_modulus", settings.shear_modulus, 0, "N/m"),
+			check_between("poisson_ratio", settings.poisson_ratio, 0, double(MOST_POISSON_RATIO), ""),
+			check_at_least("area_stiffness", settings.area_stiffness, 0, "N/m"),
+			check_at_least("elastic_damping_time", settings.elastic_damping_time, 0, "s"),
+			check_between("least_area", settings.least_area, 0, 1, ""),
+			check_between("least_stretch", settings.least_stretch, 0, 1, ""),
+			check_at_least("most_stretch", most_stretch, 1, ""),
+			check_at_least("shape_stiffness", settings.shape_stiffness, 0, "N/m"),
+			check_at_least("shape_damping", settings.shape_damping, 0, "N·s/m"),
+			check_at_least("pressure_stiffness", settings.pressure_stiffness, 0, "N/m"),
+			check_at_least("inflation", settings.inflation, 0, ""),
+			check_at_least("friction", settings.friction, 0, ""),
+			check_at_least("rolling_resistance", settings.rolling_resistance, 0, ""),
+			check_between("restitution", settings.restitution, 0, 1, ""),
+			check_finite("gravity_scale", settings.gravity_scale, ""),
+			check_at_least("linear_damp", settings.linear_damp, 0, "1/s"),
+			check_at_least("angular_damp", settings.angular_damp, 0, "1/s"),
+			check_between("integrator", int(settings.integrator), 0, INTEGRATOR_COUNT - 1, ""),
+			check_between("failure_response", int(settings.failure_response), 0, FAILURE_RESPONSE_COUNT - 1, ""),
+			check_between("substeps", settings.substeps, 0, MAX_SUBSTEPS, ""),
+	});
 }
 
 } // namespace softbody

@@ -38,7 +38,7 @@ struct BodySettings {
 	/// Damping of elastic modes and area: time β for which strain rate counts as strain [s], >= 0 (Kelvin and Voigt).
 	Real elastic_damping_time = 0;
 	/// Share of the rest area above which the area is kept [1], 0..1; 0, the default, switches it off. See
-	/// `keep_whole`. `set_default_limits` sets values for nearly every body.
+	/// `keep_whole`.
 	Real least_area = 0;
 	/// Shares of its rest size between which the body as a whole is kept in any direction [1]: 0..1 and >= 1; 0 and
 	/// infinity, the defaults, switch them off. See `keep_whole`.
@@ -123,9 +123,6 @@ inline Real combine_friction(Real signed_a, Real signed_b) {
 inline Real signed_restitution(Real restitution, bool absorbent) {
 	return absorbent ? -restitution : restitution;
 }
-
-/// Switches the limits of area and stretch on, with DEFAULT_LEAST_AREA and its neighbors. Nodes get them by default.
-void set_default_limits(BodySettings &settings);
 
 /// Refuses the first value outside its range, by name.
 Status check_settings(const BodySettings &settings);

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
-#include "core/model/body_id.h"
+#include "core/model/id_list.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -76,27 +76,33 @@ struct RestState {
 	friend bool operator==(const RestState &, const RestState &) = default;
 };
 
-/// Everything of a body that a step reads and writes (`SoftBodyData::save_state`). Restored with equal shape, settings,
-/// world and environment, the body goes on in the same bits, on any number of threads. `BodyId`s in it mean something
-/// in the same world, or in one built alike. Not part of it: shape, settings, ignored tags, everything of the world,
-/// and contact events already reported, so touches may be reported to begin or end anew.
-struct BodyState {
-	std::vector<Vec2> positions; ///< of all points [length]
-	std::vector<Vec2> velocities; ///< of all points [length/s]
+/// What a body remembers besides the places and speeds of its points.
+struct BodyMemory {
 	std::vector<Vec2> previous_positions; ///< of all points, for drawing [length]
-	std::vector<std::uint32_t> pinned_points; ///< ascending
 	std::vector<PinTarget> pin_targets; ///< of the next step
 	std::vector<ExternalForce> external_forces; ///< queued for the next step
 	RigidLoad load; ///< queued for the next step
 	Vec2 acceleration; ///< SoftBodyData::acceleration [length/s²]
-	Rotation rotation_memory;
 	TouchMemory touch;
 	std::vector<PairMemory> pair_touches;
-	std::vector<OneWayMemory> one_ways;
+	std::vector<OneWayMemory> one_ways; ///< the few one-way colliders that hold the body or that it passes through
 	RestState rest;
 	std::vector<Vec2> last_valid_hull; ///< see SoftBodyData::last_valid_hull; empty, or one a hull point
 	bool active = true;
 	bool frozen = false;
+
+	friend bool operator==(const BodyMemory &, const BodyMemory &) = default;
+};
+
+/// Everything of a body that a step reads and writes (`SoftBodyData::save_state`). Restored with equal shape, settings,
+/// world and environment, the body goes on in the same bits, on any number of threads. `BodyId`s in it mean something
+/// in the same world, or in one built alike. Not part of it: shape, settings, ignored tags, everything of the world,
+/// and contact events already reported, so touches may be reported to begin or end anew.
+struct BodyState : BodyMemory {
+	std::vector<Vec2> positions; ///< of all points [length]
+	std::vector<Vec2> velocities; ///< of all points [length/s]
+	std::vector<std::uint32_t> pinned_points; ///< ascending
+	Rotation rotation_memory;
 
 	friend bool operator==(const BodyState &, const BodyState &) = default;
 };

@@ -4,24 +4,17 @@
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
-#include "core/model/body_id.h"
+#include "core/model/id_list.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
-#include <vector>
 
 namespace softbody {
 
 class SoftBodyData;
 
-/// Refers to a joint as long as it lives, like `BodyId`.
-struct JointId {
-	std::uint32_t index = UINT32_MAX;
-	std::uint32_t generation = 0;
-	friend bool operator==(JointId a, JointId b) = default;
-};
+/// The id of a joint.
+using JointId = Id<struct Joint>;
 
 /// One end of a joint.
 struct JointAnchor {
@@ -80,28 +73,5 @@ Status check_joint(const Joint &joint);
 JointAnchor nearest_anchor(const SoftBodyData &body, BodyId id, Vec2 place);
 /// Where an anchor on this body is now. Precondition: its point is one of the body's.
 Vec2 position_of(const JointAnchor &anchor, const SoftBodyData &body);
-
-/// The joints of a world, stored densely under stable ids; removing one moves the last into its place.
-class JointList {
-public:
-	JointId add(const Joint &joint);
-	/// False when the id refers to nothing.
-	bool remove(JointId id);
-	/// Null when the id refers to nothing. Valid until a joint is added or removed.
-	Joint *find(JointId id);
-	std::span<const Joint> joints() const { return joints_; }
-	/// Id of the joint stored at `index` of `joints()`.
-	JointId id_at(std::size_t index) const { return ids_[index]; }
-
-private:
-	struct Slot {
-		std::uint32_t dense = UINT32_MAX; ///< place in `joints_`, UINT32_MAX when free
-		std::uint32_t generation = 0;
-	};
-	std::vector<Joint> joints_;
-	std::vector<JointId> ids_;
-	std::vector<Slot> slots_;
-	std::vector<std::uint32_t> free_slots_;
-};
 
 } // namespace softbody

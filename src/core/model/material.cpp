@@ -10,13 +10,9 @@
 namespace softbody {
 
 Status check_material(const Material &material) {
-	if (Status status = check_above("youngs_modulus", material.youngs_modulus, 0, "N/m")) {
-		return status;
-	}
-	if (Status status = check_between("poisson_ratio", material.poisson_ratio, 0, double(MOST_POISSON_RATIO), "")) {
-		return status;
-	}
-	return check_at_least("damping_ratio", material.damping_ratio, 0, "");
+	return first_error({ check_above("youngs_modulus", material.youngs_modulus, 0, "N/m"),
+			check_between("poisson_ratio", material.poisson_ratio, 0, double(MOST_POISSON_RATIO), ""),
+			check_at_least("damping_ratio", material.damping_ratio, 0, "") });
 }
 
 double spring_shear_modulus(const SoftBodyShape &shape) {
@@ -32,17 +28,11 @@ namespace {
 // The lowest frequency of a solid of unit shear modulus and unit mass, squared: a disk's, for shapes without modes.
 constexpr double DISK_FREQUENCY_SQUARED = 17.3;
 
-Status apply_modes(const Material &material, const SoftBodyShape &shape, BodySettings &settings) {
-	if (shape.modes() == nullptr) {
+Status apply_solid(const Material &material, ElasticModel model, const SoftBodyShape &shape, BodySettings &settings) {
+	if (model == ElasticModel::MODES && shape.modes() == nullptr) {
 		return Error{ "elastic_model", "MODES", "needs a shape with elastic modes", "create the shape with the option elastic" };
 	}
-	settings.shear_modulus = material.shear_modulus();
-	settings.area_stiffness = material.bulk_modulus();
-	return {};
-}
-
-Status apply_triangles(const Material &material, const SoftBodyShape &shape, BodySettings &settings) {
-	if (shape.triangles() == nullptr) {
+	if (model == ElasticModel::TRIANGLES && shape.triangles() == nullptr) {
 		return Error{ "elastic_model", "TRIANGLES", "needs a shape with elastic triangles",
 			"create the shape with the option elastic_triangles" };
 	}
@@ -110,11 +100,8 @@ Status apply_material(const Material &material, ElasticModel model, const SoftBo
 	changed.area_stiffness = 0;
 	changed.poisson_ratio = material.poisson_ratio;
 	const bool has_springs = model != ElasticModel::MODES && model != ElasticModel::TRIANGLES;
-	const Status refused = has_springs ? apply_springs(material, model, shape, changed)
-			: model == ElasticModel::MODES ? apply_modes(material, shape, changed)
-										   : apply_triangles(material, shape, changed);
-	if (refused) {
-		return refused;
+	if (Status status = has_springs ? apply_springs(material, model, shape, changed) : apply_solid(material, model, shape, changed)) {
+		return status;
 	}
 	// Damping in proportion to stiffness: ζ = β ω / 2 for the lowest mode.
 	const double frequency = std::sqrt(lowest_stiffness(material, shape) * material.shear_modulus() / shape.total_mass());

@@ -56,40 +56,20 @@ Surface surface_in_motion(const Surface &surface, const RigidBody &body, const P
 }
 
 Status check_rigid_body(const RigidBody &body) {
-	const auto refuse = [](const char *name) {
-		return Error{ name, "non-finite", "must be finite", "check the computation that produced this value" };
-	};
-	if (!is_finite(body.pose.position)) {
-		return refuse("rigid_body.position");
-	}
-	const Real size = length(Vec2{ body.pose.rotation.c, body.pose.rotation.s });
-	if (!(std::abs(size - 1) <= Real(1e-3))) { // NaN compares false
-		return Error{ "rigid_body.rotation", "length " + number_text(size), "must have unit length",
-			"make it with Rotation::from_angle, and leave scale out of it" };
-	}
-	if (!is_finite(body.center_of_mass)) {
-		return refuse("rigid_body.center_of_mass");
-	}
-	if (!is_finite(body.linear_velocity)) {
-		return refuse("rigid_body.linear_velocity");
-	}
-	if (Status status = check_finite("rigid_body.angular_velocity", body.angular_velocity, "rad/s")) {
-		return status;
-	}
-	if (!is_finite(body.acceleration)) {
-		return refuse("rigid_body.acceleration");
-	}
 	if (!(length(body.support) <= Real(1.001))) { // NaN compares false
 		return Error{ "rigid_body.support", "length " + number_text(length(body.support)), "must be a vector of length 0 to 1",
 			"give the share of a push that the support takes, along the direction in which it holds" };
 	}
-	if (Status status = check_between("rigid_body.turn_support", body.turn_support, 0, 1, "")) {
-		return status;
-	}
-	if (Status status = check_at_least("rigid_body.inverse_mass", body.inverse_mass, 0, "")) {
-		return status;
-	}
-	return check_at_least("rigid_body.inverse_inertia", body.inverse_inertia, 0, "");
+	return first_error({ check_finite("rigid_body.position", body.pose.position),
+			check_unit_length("rigid_body.rotation", { body.pose.rotation.c, body.pose.rotation.s },
+					"make it with Rotation::from_angle, and leave scale out of it"),
+			check_finite("rigid_body.center_of_mass", body.center_of_mass),
+			check_finite("rigid_body.linear_velocity", body.linear_velocity),
+			check_finite("rigid_body.angular_velocity", body.angular_velocity, "rad/s"),
+			check_finite("rigid_body.acceleration", body.acceleration),
+			check_between("rigid_body.turn_support", body.turn_support, 0, 1, ""),
+			check_at_least("rigid_body.inverse_mass", body.inverse_mass, 0, ""),
+			check_at_least("rigid_body.inverse_inertia", body.inverse_inertia, 0, "") });
 }
 
 } // namespace softbody

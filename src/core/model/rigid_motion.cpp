@@ -9,14 +9,6 @@ namespace softbody {
 
 namespace {
 
-Status check_vector(const char *name, Vec2 value) {
-	if (is_finite(value)) {
-		return {};
-	}
-	return Error{ name, "(" + number_text(value.x) + ", " + number_text(value.y) + ")", "must be finite",
-		"check the computation that produced this value" };
-}
-
 bool can_turn(const SoftBodyData &body, const BodyFrame &frame) {
 	return frame.inertia > DEGENERATE_LENGTH * body.shape().rest_inertia();
 }
@@ -39,10 +31,7 @@ void change_motion(SoftBodyData &body, const BodyFrame &frame, Vec2 velocity, Re
 } // namespace
 
 Status apply_rigid_impulse(SoftBodyData &body, Vec2 impulse, Vec2 position) {
-	if (Status status = check_vector("impulse", impulse)) {
-		return status;
-	}
-	if (Status status = check_vector("position", position)) {
+	if (Status status = first_error({ check_finite("impulse", impulse), check_finite("position", position) })) {
 		return status;
 	}
 	const BodyFrame frame = measure_frame(body);
@@ -61,10 +50,7 @@ Status apply_angular_impulse(SoftBodyData &body, Real impulse) {
 }
 
 Status add_rigid_force(SoftBodyData &body, Vec2 force, Vec2 position) {
-	if (Status status = check_vector("force", force)) {
-		return status;
-	}
-	if (Status status = check_vector("position", position)) {
+	if (Status status = first_error({ check_finite("force", force), check_finite("position", position) })) {
 		return status;
 	}
 	body.queue_load({ force, cross(position - measure_frame(body).center, force) });
@@ -80,7 +66,7 @@ Status add_torque(SoftBodyData &body, Real torque) {
 }
 
 Status set_linear_velocity(SoftBodyData &body, Vec2 velocity) {
-	if (Status status = check_vector("linear_velocity", velocity)) {
+	if (Status status = check_finite("linear_velocity", velocity)) {
 		return status;
 	}
 	const BodyFrame frame = measure_frame(body);

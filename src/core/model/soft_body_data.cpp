@@ -13,10 +13,7 @@ namespace softbody {
 namespace {
 
 Status check_pose(const Pose &pose) {
-	if (is_finite(pose.position) && std::isfinite(pose.rotation.c) && std::isfinite(pose.rotation.s)) {
-		return {};
-	}
-	return Error{ "pose", "non-finite", "must be finite", "check the computation that produced this value" };
+	return first_error({ check_finite("pose", pose.position), check_finite("pose", Vec2{ pose.rotation.c, pose.rotation.s }) });
 }
 
 } // namespace
@@ -26,40 +23,37 @@ Result<SoftBodyData> SoftBodyData::create(std::shared_ptr<const SoftBodyShape> s
 	if (!shape) {
 		return Error{ "shape", "null", "must be a shape", "create one with SoftBodyCreator" };
 	}
-	if (Status status = check_settings(settings)) {
-		return *status;
-	}
-	if (Status status = check_pose(pose)) {
+	if (Status status = first_error({ check_settings(settings), check_pose(pose) })) {
 		return *status;
 	}
 	SoftBodyData body;
 	body.settings_ = settings;
 	const std::size_t count = shape->point_count();
-	body.previous_positions_.reserve(count);
+	body.memory_.previous_positions.reserve(count);
 	for (const Vec2 rest : shape->rest_positions()) {
-		body.previous_positions_.push_back(pose.apply(rest + shape->origin_offset()));
+		body.memory_.previous_positions.push_back(pose.apply(rest + shape->origin_offset()));
 	}
 	body.state_.assign(2 * count + 1, Vec2{});
-	std::ranges::copy(body.previous_positions_, body.state_.begin());
+	std::ranges::copy(body.memory_.previous_positions, body.state_.begin());
 	body.set_rotation_memory(pose.rotation);
 	body.shape_ = std::move(shape);
 	return body;
 }
 
 void SoftBodyData::wake() {
-	if (frozen_) {
+	if (memory_.frozen) {
 		return; // a frozen body does not sleep, and its contacts are no reason to wake
 	}
-	if (rest_state_.asleep && changes_) {
-		changes_->woken_islands.push_back({ rest_state_.island, rest_state_.restored });
+	if (memory_.rest.asleep && changes_) {
+		changes_->woken_islands.push_back({ memory_.rest.island, memory_.rest.restored });
 	}
-	rest_state_.asleep = false;
-	rest_state_.rest_time = 0;
+	memory_.rest.asleep = false;
+	memory_.rest.rest_time = 0;
 }
 
 void SoftBodyData::disturb() {
 	wake();
-	if (frozen_ && changes_) {
+	if (memory_.frozen && changes_) {
 		changes_->disturbed_boxes.push_back(bounding_box(hull())); // bodies that rest on it share no island with it
 	}
 }
@@ -67,17 +61,17 @@ void SoftBodyData::disturb() {
 void SoftBodyData::put_to_sleep() {
 	// The step counts its islands from 1.
 	constexpr std::uint64_t NOT_OF_A_STEP = std::uint64_t(1) << 63;
-	if (frozen_) {
+	if (memory_.frozen) {
 		return;
 	}
 	std::ranges::fill(mutable_velocities(), Vec2{});
 	clear_external_forces();
 	note_change(); // the step determines sleeping bodies anew
-	rest_state_ = { 0, true, NOT_OF_A_STEP | (changes_ ? ++changes_->put_to_sleep : 0) };
+	memory_.rest = { 0, true, NOT_OF_A_STEP | (changes_ ? ++changes_->put_to_sleep : 0) };
 }
 
 void SoftBodyData::note_change() {
-	last_valid_hull_.clear();
+	memory_.last_valid_hull.clear();
 	disturb();
 	if (changes_) {
 		++changes_->arrangement;
@@ -85,22 +79,22 @@ void SoftBodyData::note_change() {
 }
 
 void SoftBodyData::set_frozen(bool frozen) {
-	if (frozen == frozen_) {
+	if (frozen == memory_.frozen) {
 		return;
 	}
 	note_change();
-	frozen_ = frozen;
+	memory_.frozen = frozen;
 	disturb();
 	frozen_inverse_masses_.assign(frozen ? point_count() : 0, Real(0));
 	std::ranges::fill(mutable_velocities(), Vec2{});
-	touch_memory_ = {};
+	memory_.touch = {};
 	clear_external_forces();
 	clear_pin_targets();
 }
 
 void SoftBodyData::set_active(bool active) {
-	if (active != active_) {
-		active_ = active;
+	if (active != memory_.active) {
+		memory_.active = active;
 		note_change();
 	}
 }
@@ -148,7 +142,7 @@ Status SoftBodyData::set_shape(std::shared_ptr<const SoftBodyShape> shape) {
 
 Point2D SoftBodyData::point(std::size_t index) const {
 	Point2D point{ positions()[index], velocities()[index], {}, shape_->masses()[index], inverse_masses()[index] };
-	for (const ExternalForce &external : external_forces_) {
+	for (const ExternalForce &external : memory_.external_forces) {
 		if (external.point == index) {
 			point.force += external.force;
 		}
@@ -157,26 +151,18 @@ Point2D SoftBodyData::point(std::size_t index) const {
 }
 
 Status SoftBodyData::check_point(std::uint32_t point, const char *what, Vec2 value) const {
-	if (point >= point_count()) {
-		return Error{ "point", std::to_string(point), "must be below " + std::to_string(point_count()),
-			"use an index of an existing point" };
-	}
-	if (!is_finite(value)) {
-		return Error{ what, "(" + number_text(value.x) + ", " + number_text(value.y) + ")", "must be finite",
-			"check the computation that produced this value" };
-	}
-	return {};
+	return first_error({ check_index("point", point, point_count(), "use an index of an existing point"), check_finite(what, value) });
 }
 
 Status SoftBodyData::add_external_force(std::uint32_t point, Vec2 force) {
 	if (Status status = check_point(point, "force", force)) {
 		return status;
 	}
-	if (frozen_) {
+	if (memory_.frozen) {
 		return {};
 	}
 	wake();
-	external_forces_.push_back({ point, force });
+	memory_.external_forces.push_back({ point, force });
 	if (changes_) {
 		++changes_->forces;
 	}
@@ -184,11 +170,11 @@ Status SoftBodyData::add_external_force(std::uint32_t point, Vec2 force) {
 }
 
 Status SoftBodyData::set_acceleration(Vec2 acceleration) {
-	if (Status status = check_point(0, "acceleration", acceleration)) {
+	if (Status status = check_finite("acceleration", acceleration)) {
 		return status;
 	}
-	if (acceleration != acceleration_) {
-		acceleration_ = acceleration;
+	if (acceleration != memory_.acceleration) {
+		memory_.acceleration = acceleration;
 		wake();
 		if (changes_) {
 			++changes_->forces;
@@ -199,10 +185,10 @@ Status SoftBodyData::set_acceleration(Vec2 acceleration) {
 
 Vec2 SoftBodyData::total_acceleration(Vec2 gravity) const {
 	const Vec2 falling = gravity * settings_.gravity_scale;
-	if (acceleration_ == Vec2{}) {
+	if (memory_.acceleration == Vec2{}) {
 		return falling;
 	}
-	const Vec2 total = falling + acceleration_;
+	const Vec2 total = falling + memory_.acceleration;
 	const Real rounding = 4 * std::numeric_limits<Real>::epsilon();
 	return length_squared(total) > rounding * rounding * length_squared(falling) ? total : Vec2{};
 }
@@ -212,8 +198,8 @@ void SoftBodyData::queue_load(const RigidLoad &load) {
 		return;
 	}
 	wake();
-	load_.force += load.force;
-	load_.torque += load.torque;
+	memory_.load.force += load.force;
+	memory_.load.torque += load.torque;
 	if (changes_) {
 		++changes_->forces;
 	}
@@ -223,7 +209,7 @@ Status SoftBodyData::apply_impulse(std::uint32_t point, Vec2 impulse) {
 	if (Status status = check_point(point, "impulse", impulse)) {
 		return status;
 	}
-	if (frozen_) {
+	if (memory_.frozen) {
 		return {};
 	}
 	wake();
@@ -232,17 +218,14 @@ Status SoftBodyData::apply_impulse(std::uint32_t point, Vec2 impulse) {
 }
 
 Status SoftBodyData::set_point(std::uint32_t point, Vec2 position, Vec2 velocity) {
-	if (Status status = check_point(point, "position", position)) {
-		return status;
-	}
-	if (Status status = check_point(point, "velocity", velocity)) {
+	if (Status status = first_error({ check_point(point, "position", position), check_finite("velocity", velocity) })) {
 		return status;
 	}
 	disturb();
-	last_valid_hull_.clear();
-	one_ways_.clear();
+	memory_.last_valid_hull.clear();
+	memory_.one_ways.clear();
 	mutable_positions()[point] = position;
-	mutable_velocities()[point] = frozen_ ? Vec2{} : velocity;
+	mutable_velocities()[point] = memory_.frozen ? Vec2{} : velocity;
 	disturb();
 	return {};
 }
@@ -254,7 +237,7 @@ Status SoftBodyData::set_pinned(std::uint32_t point, bool pinned) {
 	if (pinned && !has_pins()) {
 		pinned_inverse_masses_.assign(shape_->inverse_masses().begin(), shape_->inverse_masses().end());
 	}
-	std::erase_if(pin_targets_, [point](const PinTarget &target) { return target.point == point; });
+	std::erase_if(memory_.pin_targets, [point](const PinTarget &target) { return target.point == point; });
 	if (pinned) {
 		pinned_inverse_masses_[point] = 0;
 		mutable_velocities()[point] = {};
@@ -275,15 +258,15 @@ Status SoftBodyData::set_pin_target(std::uint32_t point, Vec2 position) {
 	if (!is_pinned(point)) {
 		return Error{ "point", std::to_string(point), "must be pinned", "pin it with set_pinned first" };
 	}
-	if (frozen_) {
+	if (memory_.frozen) {
 		return {};
 	}
-	std::erase_if(pin_targets_, [point](const PinTarget &target) { return target.point == point; });
+	std::erase_if(memory_.pin_targets, [point](const PinTarget &target) { return target.point == point; });
 	if (position == positions()[point]) {
 		return {};
 	}
 	wake();
-	pin_targets_.push_back({ point, position });
+	memory_.pin_targets.push_back({ point, position });
 	if (changes_) {
 		++changes_->pin_targets;
 	}
@@ -291,10 +274,8 @@ Status SoftBodyData::set_pin_target(std::uint32_t point, Vec2 position) {
 }
 
 Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
-	for (const Pose &each : { reference, pose }) {
-		if (Status status = check_pose(each)) {
-			return status;
-		}
+	if (Status status = first_error({ check_pose(reference), check_pose(pose) })) {
+		return status;
 	}
 	disturb();
 	for (const std::span<Vec2> points : { mutable_positions(), mutable_previous_positions() }) {
@@ -303,9 +284,9 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 		}
 	}
 	disturb();
-	last_valid_hull_.clear();
-	touch_memory_ = {};
-	one_ways_.clear();
+	memory_.last_valid_hull.clear();
+	memory_.touch = {};
+	memory_.one_ways.clear();
 	const Rotation from = reference.rotation;
 	const Rotation to = pose.rotation;
 	const Rotation turn{ to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s };

@@ -7,7 +7,6 @@
 #include "core/geometry/aabb.h"
 #include "core/model/body_settings.h"
 #include "core/model/body_state.h"
-#include "core/model/point2d.h"
 #include "core/model/pose.h"
 #include "core/model/soft_body_shape.h"
 
@@ -17,6 +16,16 @@
 #include <vector>
 
 namespace softbody {
+
+/// Point mass (thesis 4.4.2, "Point2D"). A value: bodies store their points as parallel arrays, because the step reads
+/// positions without masses and masses without forces.
+struct Point2D {
+	Vec2 position; ///< [length]
+	Vec2 velocity; ///< [length/s]
+	Vec2 force; ///< external force queued for the next step [mass·length/s²]
+	Real mass = 1; ///< [mass], > 0
+	Real inverse_mass = 1; ///< 1 / mass, or 0 while the point is pinned
+};
 
 /// Identifies bodies that fell asleep together. A body that was put back into an island since the last step does not
 /// belong to the bodies that were in it before.
@@ -54,19 +63,19 @@ public:
 	/// Replaces springs and masses; the state stays. Refuses another number of points or hull points.
 	Status set_shape(std::shared_ptr<const SoftBodyShape> shape);
 
-	std::size_t point_count() const { return previous_positions_.size(); }
+	std::size_t point_count() const { return memory_.previous_positions.size(); }
 	std::span<const Vec2> positions() const { return { state_.data(), point_count() }; }
 	std::span<const Vec2> velocities() const { return { state_.data() + point_count(), point_count() }; }
 	std::span<const Vec2> hull() const { return { state_.data(), shape_->hull_count() }; }
 	/// Inverse masses for contacts and integrators [1/mass]: 0 for pinned points, and for all while frozen.
 	std::span<const Real> inverse_masses() const {
-		if (frozen_) {
+		if (memory_.frozen) {
 			return frozen_inverse_masses_;
 		}
 		return pinned_inverse_masses_.empty() ? shape_->inverse_masses() : pinned_inverse_masses_;
 	}
-	/// Positions at the start of the last step, for interpolated drawing (see `WorldData::set_interpolated`).
-	std::span<const Vec2> previous_positions() const { return previous_positions_; }
+	/// Positions at the start of the last step, for interpolated drawing.
+	std::span<const Vec2> previous_positions() const { return memory_.previous_positions; }
 	/// All values of one point. Precondition: index < point_count().
 	Point2D point(std::size_t index) const;
 
@@ -104,35 +113,35 @@ public:
 
 	/// An inactive body is left out of the step: it keeps its state and queued forces, and nothing collides with it.
 	/// Default true.
-	bool is_active() const { return active_; }
+	bool is_active() const { return memory_.active; }
 	void set_active(bool active);
 
 	/// A frozen body keeps its shape and place, as if of infinite mass, and others collide with it. It is not stepped,
 	/// does not count as asleep, and ignores forces, impulses and pin targets; its queue is emptied. It may be
 	/// teleported, its points set, its pins changed: bodies near it wake. After release it goes on at rest. A rigid
 	/// body that lies on it is stopped, not moved out. Default false.
-	bool is_frozen() const { return frozen_; }
+	bool is_frozen() const { return memory_.frozen; }
 	void set_frozen(bool frozen);
 
-	const std::vector<ExternalForce> &external_forces() const { return external_forces_; }
+	const std::vector<ExternalForce> &external_forces() const { return memory_.external_forces; }
 	/// Adds to the load on the body as a whole during the next step, unchecked. Callers of the core use
 	/// `add_rigid_force` and `add_torque`.
 	void queue_load(const RigidLoad &load);
-	const RigidLoad &queued_load() const { return load_; }
+	const RigidLoad &queued_load() const { return memory_.load; }
 	/// Acceleration of all its points [length/s²], added to gravity times `gravity_scale` until it is changed, such as
 	/// wind or an area's gravity. A change wakes the body and rearranges nothing. A body with an acceleration is
 	/// stepped alone. Refuses non-finite values. Default 0.
-	Vec2 acceleration() const { return acceleration_; }
+	Vec2 acceleration() const { return memory_.acceleration; }
 	Status set_acceleration(Vec2 acceleration);
 	/// Gravity plus acceleration [length/s²]; exactly 0 where they cancel up to rounding.
 	Vec2 total_acceleration(Vec2 gravity) const;
 	/// Whether queued forces or an acceleration act on the body in the next step.
-	bool is_pushed() const { return !external_forces_.empty() || load_ != RigidLoad{} || acceleration_ != Vec2{}; }
+	bool is_pushed() const { return !memory_.external_forces.empty() || memory_.load != RigidLoad{} || memory_.acceleration != Vec2{}; }
 
 	/// A sleeping body is at rest and left out of the step. It wakes with its island when an awake body touches it, and
 	/// when a force, an impulse or any other change is applied to it.
-	bool is_asleep() const { return rest_state_.asleep; }
-	Real rest_time() const { return rest_state_.rest_time; } ///< time for which it has hardly moved [s]
+	bool is_asleep() const { return memory_.rest.asleep; }
+	Real rest_time() const { return memory_.rest.rest_time; } ///< time for which it has hardly moved [s]
 	void wake();
 	/// Called before a body is moved or removed: wakes it, or, if it is frozen, the bodies near it.
 	void disturb();
@@ -143,33 +152,33 @@ public:
 	/// Whether any point is pinned.
 	bool has_pins() const { return !pinned_inverse_masses_.empty(); }
 	/// Whether the body can be moved as a whole: it is neither pinned nor frozen.
-	bool is_free() const { return !has_pins() && !frozen_; }
+	bool is_free() const { return !has_pins() && !memory_.frozen; }
 	/// `WorldData` gives its bodies a common count of changes.
 	void set_change_counts(std::shared_ptr<ChangeCounts> counts) { changes_ = std::move(counts); }
 
 	// State access of the step (dynamics and collision); not for users of the core.
 	std::span<Vec2> mutable_positions() { return { state_.data(), point_count() }; }
 	std::span<Vec2> mutable_velocities() { return { state_.data() + point_count(), point_count() }; }
-	std::span<Vec2> mutable_previous_positions() { return previous_positions_; }
-	const std::vector<PinTarget> &pin_targets() const { return pin_targets_; }
-	void clear_pin_targets() { pin_targets_.clear(); }
+	std::span<Vec2> mutable_previous_positions() { return memory_.previous_positions; }
+	const std::vector<PinTarget> &pin_targets() const { return memory_.pin_targets; }
+	void clear_pin_targets() { memory_.pin_targets.clear(); }
 	void clear_external_forces() {
-		external_forces_.clear();
-		load_ = {};
+		memory_.external_forces.clear();
+		memory_.load = {};
 	}
 	/// Last well-defined orientation; see `measure_frame`. The step keeps it for bodies whose forces depend on it; for
 	/// other bodies any caller that measures the frame may set it.
 	Rotation rotation_memory() const { return { state_.back().x, state_.back().y }; }
 	void set_rotation_memory(Rotation rotation) { state_.back() = { rotation.c, rotation.s }; }
-	TouchMemory &touch_memory() { return touch_memory_; }
-	std::vector<PairMemory> &pair_memories() { return pair_memories_; }
+	TouchMemory &touch_memory() { return memory_.touch; }
+	std::vector<PairMemory> &pair_memories() { return memory_.pair_touches; }
 	/// The few one-way colliders that hold the body or that it passes through.
-	std::vector<OneWayMemory> &one_ways() { return one_ways_; }
-	std::span<const OneWayMemory> one_ways() const { return one_ways_; }
-	RestState &rest_state() { return rest_state_; }
+	std::vector<OneWayMemory> &one_ways() { return memory_.one_ways; }
+	std::span<const OneWayMemory> one_ways() const { return memory_.one_ways; }
+	RestState &rest_state() { return memory_.rest; }
 	/// The hull of a body with self-collision at its last environment contacts, if it has pushed itself since.
 	/// Otherwise empty.
-	std::vector<Vec2> &last_valid_hull() { return last_valid_hull_; }
+	std::vector<Vec2> &last_valid_hull() { return memory_.last_valid_hull; }
 
 private:
 	SoftBodyData() = default;
@@ -180,22 +189,11 @@ private:
 	BodySettings settings_;
 	/// Positions, then velocities, then the rotation memory: the only data that a step reads and writes.
 	std::vector<Vec2> state_;
-	std::vector<Vec2> previous_positions_;
 	std::vector<Real> pinned_inverse_masses_; ///< empty while nothing is pinned: then the shape's hold
 	std::vector<Real> frozen_inverse_masses_; ///< zeros, while the body is frozen
-	std::vector<PinTarget> pin_targets_;
-	std::vector<ExternalForce> external_forces_;
-	RigidLoad load_;
-	Vec2 acceleration_;
-	TouchMemory touch_memory_;
-	std::vector<PairMemory> pair_memories_;
-	std::vector<OneWayMemory> one_ways_;
-	RestState rest_state_;
-	std::vector<Vec2> last_valid_hull_;
+	BodyMemory memory_;
 	std::vector<std::uint64_t> ignored_tags_;
 	std::shared_ptr<ChangeCounts> changes_;
-	bool active_ = true;
-	bool frozen_ = false;
 };
 
 } // namespace softbody

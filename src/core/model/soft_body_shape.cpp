@@ -24,13 +24,8 @@ Status check_spring(const Spring2D &spring, std::size_t index, std::size_t point
 		return Error{ name, "point " + std::to_string(spring.a) + " twice", "must join two different points",
 			"choose another end point" };
 	}
-	if (Status status = check_above(name + ".rest_length", spring.rest_length, 0, "")) {
-		return status;
-	}
-	if (Status status = check_at_least(name + ".stiffness", spring.stiffness, 0, "N/m")) {
-		return status;
-	}
-	return check_at_least(name + ".damping", spring.damping, 0, "N·s/m");
+	return first_error({ check_above(name + ".rest_length", spring.rest_length, 0, ""),
+			check_at_least(name + ".stiffness", spring.stiffness, 0, "N/m"), check_at_least(name + ".damping", spring.damping, 0, "N·s/m") });
 }
 
 Status check_duplicates(const std::vector<Spring2D> &springs) {
@@ -62,9 +57,8 @@ Status check_triangles(const SoftBodyShape::Description &description) {
 	for (std::size_t i = 0; i < triangles.size(); ++i) {
 		const std::string name = "triangles[" + std::to_string(i) + "]";
 		for (const std::uint32_t corner : triangles[i].corners) {
-			if (corner >= description.points.size()) {
-				return Error{ name, "point " + std::to_string(corner),
-					"must name points below " + std::to_string(description.points.size()), "use indices of existing points" };
+			if (Status status = check_index(name, corner, description.points.size(), "use indices of existing points")) {
+				return status;
 			}
 		}
 		if (Status status = check_above(name + ".area", triangles[i].area, 0, "")) {
@@ -84,7 +78,7 @@ Status check(const SoftBodyShape::Description &description) {
 			"add the missing points" };
 	}
 	const std::span<const Vec2> hull(description.points.data(), description.hull_count);
-	if (Status status = check_hull(hull)) {
+	if (Status status = first_error({ check_hull(hull), check_all_finite("points", description.points) })) {
 		return status;
 	}
 	if (signed_area(hull) < 0) {
@@ -96,12 +90,7 @@ Status check(const SoftBodyShape::Description &description) {
 			"must have " + std::to_string(count) + " entries", "give one mass a point" };
 	}
 	for (std::size_t i = 0; i < count; ++i) {
-		const std::string index = "[" + std::to_string(i) + "]";
-		if (!is_finite(description.points[i])) {
-			return check_finite("points" + index,
-					std::isfinite(description.points[i].x) ? description.points[i].y : description.points[i].x, "");
-		}
-		if (Status status = check_above("masses" + index, description.masses[i], 0, "kg")) {
+		if (Status status = check_above("masses[" + std::to_string(i) + "]", description.masses[i], 0, "kg")) {
 			return status;
 		}
 	}
@@ -115,10 +104,7 @@ Status check(const SoftBodyShape::Description &description) {
 		return Error{ "modes", std::to_string(description.modes->shapes.size()) + " entries",
 			"must have one a point and mode", "find the modes of these points" };
 	}
-	if (Status status = check_triangles(description)) {
-		return status;
-	}
-	return check_duplicates(description.springs);
+	return first_error({ check_triangles(description), check_duplicates(description.springs) });
 }
 
 } // namespace
@@ -191,29 +177,19 @@ Status SoftBodyShape::derive() {
 // Each number may be in range and derived ones not: areas of hulls of 1e20, inverses of masses of 1e-40.
 Status SoftBodyShape::check_derived() const {
 	const auto is_usable = [](Real value) { return std::isfinite(value) && value >= std::numeric_limits<Real>::min(); };
-	const auto refused = [](const char *name, const char *what, const char *remedy) {
-		return Error{ name, what, "must stay within the range of numbers", remedy };
+	const auto check = [](bool is_good, const char *name, const char *value, const char *remedy) {
+		return is_good ? Status() : Error{ name, value, "must stay within the range of numbers", remedy };
 	};
 	const bool has_size = is_usable(rest_area_) && is_usable(radius_ * radius_) && is_usable(width_) &&
 			is_usable(shortest_hull_edge_ * shortest_hull_edge_) && is_finite(origin_offset_);
-	if (!has_size) {
-		return refused("hull", "too large or too small", "scale the outline");
-	}
 	const bool has_mass = is_usable(total_mass_) && std::ranges::all_of(inverse_masses_, is_usable) &&
 			is_usable(rest_inertia_) && is_usable(area_inverse_mass_);
-	if (!has_mass) {
-		return refused("mass", "too large or too small", "give a mass that fits the body's size");
-	}
-	if (!std::isfinite(spring_frequency_squared_)) {
-		return refused("stiffness", "too large for the masses", "give less stiffness or more mass");
-	}
-	if (!std::isfinite(triangle_shear_inverse_mass_) || !std::isfinite(triangle_dilation_inverse_mass_)) {
-		return refused("triangles", "too thin for the masses", "give more mass or fewer points");
-	}
-	if (!std::isfinite(spring_damping_rate_)) {
-		return refused("damping", "too large for the masses", "give less damping or more mass");
-	}
-	return {};
+	return first_error({ check(has_size, "hull", "too large or too small", "scale the outline"),
+			check(has_mass, "mass", "too large or too small", "give a mass that fits the body's size"),
+			check(std::isfinite(spring_frequency_squared_), "stiffness", "too large for the masses", "give less stiffness or more mass"),
+			check(std::isfinite(triangle_shear_inverse_mass_) && std::isfinite(triangle_dilation_inverse_mass_), "triangles",
+					"too thin for the masses", "give more mass or fewer points"),
+			check(std::isfinite(spring_damping_rate_), "damping", "too large for the masses", "give less damping or more mass") });
 }
 
 // Bound of the largest eigenvalue of M^-1 N for a non-negative symmetric matrix N; `apply` multiplies by N.

@@ -6,14 +6,25 @@
 #include "core/base/vec2.h"
 #include "core/model/elastic_modes.h"
 #include "core/model/elastic_triangles.h"
-#include "core/model/spring2d.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace softbody {
+
+/// Spring between the points `a` and `b` of one body (thesis 4.4.2, "Spring2D"). It pulls with k(|d| - l) along the
+/// line between the points and damps only the rate of length change, so it neither turns the body nor resists its
+/// rotation (thesis eq. 3.12 and 3.16, corrected).
+struct Spring2D {
+	std::uint32_t a = 0; ///< point index
+	std::uint32_t b = 0; ///< point index, != a
+	Real rest_length = 0; ///< l [length], > 0
+	Real stiffness = 0; ///< k [force/length], >= 0
+	Real damping = 0; ///< c [force·s/length], >= 0
+};
 
 /// Immutable structure of a soft body. Like bodies share one through `std::shared_ptr`; changing a spring means making
 /// another shape.

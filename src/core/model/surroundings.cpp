@@ -2,9 +2,8 @@
 // Validators of borders and colliders.
 #include "core/model/surroundings.h"
 
-#include "core/geometry/triangle.h"
+#include "core/geometry/polygon.h"
 
-#include <cmath>
 #include <string>
 
 namespace softbody {
@@ -12,18 +11,11 @@ namespace softbody {
 namespace {
 
 Status check_surface(const Surface &surface) {
-	if (Status status = check_at_least("surface.friction", surface.friction, 0, "")) {
-		return status;
-	}
-	if (Status status = check_between("surface.restitution", surface.restitution, 0, 1, "")) {
-		return status;
-	}
-	if (!is_finite(surface.linear_velocity) || !is_finite(surface.velocity_origin) ||
-			!std::isfinite(surface.angular_velocity)) {
-		return Error{ "surface.velocity", "non-finite", "must be finite",
-			"check the computation that produced this value" };
-	}
-	return {};
+	return first_error({ check_at_least("surface.friction", surface.friction, 0, ""),
+			check_between("surface.restitution", surface.restitution, 0, 1, ""),
+			check_finite("surface.linear_velocity", surface.linear_velocity),
+			check_finite("surface.velocity_origin", surface.velocity_origin),
+			check_finite("surface.angular_velocity", surface.angular_velocity, "") });
 }
 
 Status check_outline(const Collider &collider) {
@@ -48,16 +40,8 @@ Status check_outline(const Collider &collider) {
 } // namespace
 
 Status check_border(const Border &border) {
-	const Vec2 normal = border.plane.normal;
-	if (!is_finite(border.plane.position)) {
-		return Error{ "border.position", "non-finite", "must be finite", "check the computation that produced this value" };
-	}
-	// NaN compares false, so a non-finite normal is refused here as well.
-	if (!(std::abs(length(normal) - 1) <= Real(1e-3))) {
-		return Error{ "border.normal", "length " + number_text(length(normal)), "must have unit length",
-			"normalize the vector" };
-	}
-	return check_surface(border.surface);
+	return first_error({ check_finite("border.position", border.plane.position), check_unit_length("border.normal", border.plane.normal),
+			check_surface(border.surface) });
 }
 
 Status check_collider(const Collider &collider) {
@@ -66,7 +50,7 @@ Status check_collider(const Collider &collider) {
 	if (count == 0) {
 		return Error{ "collider.vertices", "0 points", "must have at least 1 point", "give the outline" };
 	}
-	if (Status status = check_at_least("collider.radius", collider.radius, 0, "")) {
+	if (Status status = first_error({ check_at_least("collider.radius", collider.radius, 0, ""), check_all_finite("collider.vertices", vertices) })) {
 		return status;
 	}
 	if (count == 1 && collider.radius == 0) {
@@ -74,9 +58,6 @@ Status check_collider(const Collider &collider) {
 	}
 	for (std::size_t i = 0; i < count; ++i) {
 		const auto name = [i] { return "collider.vertices[" + std::to_string(i) + "]"; };
-		if (!is_finite(vertices[i])) {
-			return Error{ name(), "non-finite", "must be finite", "check the computation that produced this value" };
-		}
 		if (count > 1 && vertices[i] == vertices[(i + 1) % count]) {
 			return Error{ name(), "coincides with the next", "must differ from its neighbors", "remove one of the two" };
 		}
@@ -94,17 +75,11 @@ Status check_collider(const Collider &collider) {
 			return status;
 		}
 	}
-	if (collider.is_one_way() && !(std::abs(length(collider.one_way) - 1) <= Real(1e-3))) { // NaN compares false
-		return Error{ "collider.one_way", "length " + number_text(length(collider.one_way)), "must have unit length, or be zero",
-			"normalize the vector" };
-	}
-	if (Status status = check_finite("collider.one_way_margin", collider.one_way_margin, "length")) {
-		return status;
-	}
 	if (count > 2 && !(signed_area(vertices) > 0)) {
 		return Error{ "collider.vertices", "zero area", "must enclose an area", "use two vertices for a segment" };
 	}
-	return check_surface(collider.surface);
+	return first_error({ collider.is_one_way() ? check_unit_length("collider.one_way", collider.one_way) : Status(),
+			check_finite("collider.one_way_margin", collider.one_way_margin, "length"), check_surface(collider.surface) });
 }
 
 } // namespace softbody

@@ -19,9 +19,8 @@ std::uint64_t next_version() {
 } // namespace
 
 Status WorldData::set_gravity(Vec2 gravity) {
-	if (!is_finite(gravity)) {
-		return Error{ "gravity", "(" + number_text(gravity.x) + ", " + number_text(gravity.y) + ")", "must be finite",
-			"check the computation that produced this value" };
+	if (Status status = check_finite("gravity", gravity)) {
+		return status;
 	}
 	if (gravity != gravity_) {
 		wake_all();
@@ -46,73 +45,40 @@ void WorldData::set_sleeping(bool sleeping) {
 }
 
 void WorldData::wake_all() {
-	for (SoftBodyData &body : bodies_) {
+	for (SoftBodyData &body : soft_bodies()) {
 		body.wake();
 	}
 }
 
 Status WorldData::set_contact_substeps(int contact_substeps) {
-	if (contact_substeps < 1 || contact_substeps > MAX_SUBSTEPS) {
-		return Error{ "contact_substeps", std::to_string(contact_substeps),
-			"must be from 1 to " + std::to_string(MAX_SUBSTEPS), "4 to 8 hold an ordinary pile" };
+	if (Status status = check_between("contact_substeps", contact_substeps, 1, MAX_SUBSTEPS, "")) {
+		return status;
 	}
 	contact_substeps_ = contact_substeps;
 	return {};
 }
 
 BodyId WorldData::add_soft_body(SoftBodyData body) {
-	if (free_slots_.empty()) {
-		free_slots_.push_back(std::uint32_t(slots_.size()));
-		slots_.emplace_back();
-	}
-	const std::uint32_t slot = free_slots_.back();
-	free_slots_.pop_back();
-	slots_[slot].dense = std::uint32_t(bodies_.size());
-	const BodyId id{ slot, slots_[slot].generation };
 	body.wake(); // bodies with which it may have fallen asleep are elsewhere
 	body.set_change_counts(changes_);
-	bodies_.push_back(std::move(body));
-	ids_.push_back(id);
 	++changes_->arrangement;
-	return id;
+	return bodies_.add(std::move(body));
 }
 
 bool WorldData::remove_soft_body(BodyId id) {
-	if (!find(id)) {
+	SoftBodyData *body = find(id);
+	if (!body) {
 		return false;
 	}
-	const std::uint32_t dense = slots_[id.index].dense;
-	bodies_[dense].disturb(); // and with it the bodies that rested on it
+	body->disturb(); // and with it the bodies that rested on it
 	std::erase_if(collision_exceptions_, [id](const CollisionException &each) { return each.a == id || each.b == id; });
 	for (std::size_t i = joints().size(); i-- > 0;) {
 		if (joints()[i].first.body == id || joints()[i].second.body == id) {
 			remove_joint(joint_id_at(i));
 		}
 	}
-	if (dense + 1 != bodies_.size()) {
-		bodies_[dense] = std::move(bodies_.back());
-		ids_[dense] = ids_.back();
-		slots_[ids_[dense].index].dense = dense;
-	}
-	bodies_.pop_back();
-	ids_.pop_back();
-	slots_[id.index].dense = UINT32_MAX;
-	slots_[id.index].generation++;
-	free_slots_.push_back(id.index);
 	++changes_->arrangement;
-	return true;
-}
-
-SoftBodyData *WorldData::find(BodyId id) {
-	return const_cast<SoftBodyData *>(std::as_const(*this).find(id));
-}
-
-const SoftBodyData *WorldData::find(BodyId id) const {
-	if (id.index >= slots_.size() || slots_[id.index].dense == UINT32_MAX ||
-			slots_[id.index].generation != id.generation) {
-		return nullptr;
-	}
-	return &bodies_[slots_[id.index].dense];
+	return bodies_.remove(id);
 }
 
 Status WorldData::add_collision_exception(BodyId a, BodyId b) {
@@ -135,12 +101,9 @@ Status WorldData::add_collision_exception(BodyId a, BodyId b) {
 }
 
 bool WorldData::remove_collision_exception(BodyId a, BodyId b) {
-	const CollisionException exception{ std::min(a, b), std::max(a, b) };
-	const auto place = std::ranges::lower_bound(collision_exceptions_, exception);
-	if (place == collision_exceptions_.end() || *place != exception) {
+	if (std::erase(collision_exceptions_, CollisionException{ std::min(a, b), std::max(a, b) }) == 0) {
 		return false;
 	}
-	collision_exceptions_.erase(place);
 	find(a)->wake();
 	find(b)->wake();
 	return true;
@@ -166,9 +129,9 @@ Status WorldData::check_joint_here(const Joint &joint) const {
 				"use the id that add_soft_body returned" };
 		}
 		const std::size_t count = anchor.fraction != 0 ? body->shape().hull_count() : body->point_count();
-		if (anchor.point >= count) {
-			return Error{ name + ".point", std::to_string(anchor.point), "must be below " + std::to_string(count),
-				anchor.fraction != 0 ? "use an index of a hull point" : "use an index of an existing point" };
+		if (Status status = check_index(name + ".point", anchor.point, count,
+					anchor.fraction != 0 ? "use an index of a hull point" : "use an index of an existing point")) {
+			return status;
 		}
 	}
 	return {};
@@ -224,12 +187,10 @@ Status WorldData::add_border(const Border &border) {
 }
 
 Status WorldData::add_collider(Collider collider) {
-	if (Status status = check_collider(collider)) {
+	const Status missing = collider.rigid_body == NO_RIGID_BODY ? Status()
+			: check_index("collider.rigid_body", collider.rigid_body, rigid_bodies_.size(), "add the rigid body before its colliders");
+	if (Status status = first_error({ check_collider(collider), missing })) {
 		return status;
-	}
-	if (collider.rigid_body != NO_RIGID_BODY && collider.rigid_body >= rigid_bodies_.size()) {
-		return Error{ "collider.rigid_body", std::to_string(collider.rigid_body),
-			"must be below " + std::to_string(rigid_bodies_.size()), "add the rigid body before its colliders" };
 	}
 	colliders_.push_back(std::move(collider));
 	environment_version_ = next_version();
@@ -246,11 +207,8 @@ Result<std::uint32_t> WorldData::add_rigid_body(const RigidBody &body) {
 }
 
 Status WorldData::set_rigid_body(std::uint32_t index, const RigidBody &body) {
-	if (index >= rigid_bodies_.size()) {
-		return Error{ "index", std::to_string(index), "must be below " + std::to_string(rigid_bodies_.size()),
-			"use the index that add_rigid_body returned" };
-	}
-	if (Status status = check_rigid_body(body)) {
+	if (Status status = first_error({ check_index("index", index, rigid_bodies_.size(), "use the index that add_rigid_body returned"),
+				check_rigid_body(body) })) {
 		return status;
 	}
 	rigid_bodies_[index] = body;

@@ -5,7 +5,7 @@
 #include "core/base/constants.h"
 #include "core/base/error.h"
 #include "core/base/vec2.h"
-#include "core/model/body_id.h"
+#include "core/model/id_list.h"
 #include "core/model/joint.h"
 #include "core/model/rigid_body.h"
 #include "core/model/soft_body_data.h"
@@ -48,12 +48,12 @@ public:
 	/// False when the id refers to nothing.
 	bool remove_soft_body(BodyId id);
 	/// Null when the id refers to nothing. Valid until a body is added or removed.
-	SoftBodyData *find(BodyId id);
-	const SoftBodyData *find(BodyId id) const;
-	std::span<SoftBodyData> soft_bodies() { return bodies_; }
-	std::span<const SoftBodyData> soft_bodies() const { return bodies_; }
+	SoftBodyData *find(BodyId id) { return bodies_.find(id); }
+	const SoftBodyData *find(BodyId id) const { return bodies_.find(id); }
+	std::span<SoftBodyData> soft_bodies() { return bodies_.items(); }
+	std::span<const SoftBodyData> soft_bodies() const { return bodies_.items(); }
 	/// Id of the body stored at `index` of `soft_bodies()`.
-	BodyId id_at(std::size_t index) const { return ids_[index]; }
+	BodyId id_at(std::size_t index) const { return bodies_.id_at(index); }
 
 	/// Lets two soft bodies pass through each other, whatever their layers, from the next step on; wakes both.
 	/// Forgotten when one of them is removed. Refuses ids that refer to nothing and a body with itself. O(exceptions).
@@ -75,9 +75,6 @@ public:
 	std::vector<WokenIsland> take_woken_islands() { return std::exchange(changes_->woken_islands, {}); }
 	/// For the step: boxes in which frozen bodies were moved, came or went since the last call.
 	std::vector<Aabb> take_disturbed_boxes() { return std::exchange(changes_->disturbed_boxes, {}); }
-	/// Whether the step keeps its start positions for interpolated drawing. Default true.
-	bool is_interpolated() const { return interpolated_; }
-	void set_interpolated(bool interpolated) { interpolated_ = interpolated; }
 
 	/// Joins two anchors; the joined soft bodies wake. Refuses joints that `check_joint` refuses, missing bodies,
 	/// points out of range, and edges that do not begin at a hull point. Removing a body removes its joints.
@@ -89,7 +86,7 @@ public:
 	bool remove_joint(JointId id);
 	/// Null when the id refers to nothing. Valid until a joint is added or removed.
 	const Joint *find_joint(JointId id) { return joints_.find(id); }
-	std::span<const Joint> joints() const { return joints_.joints(); }
+	std::span<const Joint> joints() const { return joints_.items(); }
 	/// Id of the joint stored at `index` of `joints()`.
 	JointId joint_id_at(std::size_t index) const { return joints_.id_at(index); }
 
@@ -121,11 +118,6 @@ public:
 	std::span<Reaction> mutable_reactions() { return reactions_; }
 
 private:
-	struct Slot {
-		std::uint32_t dense = UINT32_MAX; ///< place in `bodies_`, UINT32_MAX when free
-		std::uint32_t generation = 0;
-	};
-
 	Status check_joint_here(const Joint &joint) const;
 	void note_joint(const Joint &joint);
 
@@ -134,13 +126,9 @@ private:
 	Real length_unit_ = 1;
 	int contact_substeps_ = MIN_CONTACT_SUBSTEPS;
 	bool sleeping_ = true;
-	bool interpolated_ = true;
-	std::vector<SoftBodyData> bodies_;
-	std::vector<BodyId> ids_;
-	std::vector<Slot> slots_;
-	std::vector<std::uint32_t> free_slots_;
+	IdList<SoftBodyData> bodies_;
 	std::vector<CollisionException> collision_exceptions_;
-	JointList joints_;
+	IdList<Joint> joints_;
 	std::vector<Border> borders_;
 	std::vector<Collider> colliders_;
 	std::vector<RigidBody> rigid_bodies_;

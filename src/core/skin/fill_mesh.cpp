@@ -116,25 +116,12 @@ void FillMesh::fill() {
 }
 
 void FillMesh::place_rim(std::span<const Vec2> points, std::span<Vec2> rim) const {
-	const std::size_t count = hull_count_;
 	if (options_.pieces == 1) {
-		std::copy_n(points.begin(), count, rim.begin());
+		std::copy_n(points.begin(), hull_count_, rim.begin());
 		return;
 	}
-	Vec2 before = points[count - 1];
-	Vec2 at = points[0];
-	Vec2 after = points[1];
 	Vec2 *write = rim.data();
-	for (std::size_t i = 0; i < count; ++i) {
-		const Vec2 next = points[(i + 2) % count];
-		for (std::size_t piece = 0; piece < options_.pieces; ++piece) {
-			const Real *weight = &curve_[4 * piece];
-			*write++ = before * weight[0] + at * weight[1] + after * weight[2] + next * weight[3];
-		}
-		before = at;
-		at = after;
-		after = next;
-	}
+	for_rim(points, [&](Vec2 place) { *write++ = place; });
 }
 
 void FillMesh::place(std::span<const Vec2> points, std::span<const Vec2> rim, std::span<Vec2> vertices) const {

@@ -52,6 +52,9 @@ public:
 
 private:
 	void fill();
+	/// Calls `each` with the value of every rim vertex, in order.
+	template <class Value>
+	void for_rim(std::span<const Value> hull_values, const auto &each) const;
 
 	Options options_;
 	std::vector<Vec2> rest_;
@@ -66,20 +69,30 @@ private:
 };
 
 template <class Value>
+void FillMesh::for_rim(std::span<const Value> hull_values, const auto &each) const {
+	Value before = hull_values[hull_count_ - 1];
+	Value at = hull_values[0];
+	Value after = hull_values[1];
+	for (std::size_t i = 0; i < hull_count_; ++i) {
+		const Value next = hull_values[(i + 2) % hull_count_];
+		for (std::size_t piece = 0; piece < options_.pieces; ++piece) {
+			const Real *weight = &curve_[4 * piece];
+			each(before * weight[0] + at * weight[1] + after * weight[2] + next * weight[3]);
+		}
+		before = at;
+		at = after;
+		after = next;
+	}
+}
+
+template <class Value>
 std::vector<Value> FillMesh::spread(std::span<const Value> hull_values) const {
 	std::vector<Value> values;
 	values.reserve(vertex_count_);
-	const std::size_t count = hull_count_;
-	for (std::size_t i = 0; i < count; ++i) {
-		for (std::size_t piece = 0; piece < options_.pieces; ++piece) {
-			const Real *weight = &curve_[4 * piece];
-			values.push_back(hull_values[(i + count - 1) % count] * weight[0] + hull_values[i] * weight[1] +
-					hull_values[(i + 1) % count] * weight[2] + hull_values[(i + 2) % count] * weight[3]);
-		}
-	}
+	for_rim(hull_values, [&](const Value &value) { values.push_back(value); });
 	for (const std::vector<Real> &weights : inner_weights_) {
 		Value sum = hull_values[0] * weights[0];
-		for (std::size_t i = 1; i < count; ++i) {
+		for (std::size_t i = 1; i < hull_count_; ++i) {
 			sum += hull_values[i] * weights[i];
 		}
 		values.push_back(sum);

@@ -3,7 +3,6 @@
 #include "core/skin/triangulation.h"
 
 #include "core/geometry/polygon.h"
-#include "core/geometry/triangle.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 // Divides a hull into convex parts by point index.
 #include "godot/surroundings/hull_parts.h"
 
-#include "core/geometry/convex_hull.h"
+#include "core/geometry/polygon.h"
 #include "godot/convert.h"
 
 #include <godot_cpp/classes/geometry2d.hpp>

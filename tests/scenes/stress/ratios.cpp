@@ -129,7 +129,7 @@ StressScene stiffness_within(const StressSetup &setup, double ratio) {
 		options.spring_damping_scales.push_back(is_stiff ? std::sqrt(Real(ratio)) : Real(1));
 	}
 	options.damping = damping_for_ratio(Real(0.1), options.stiffness, 1, 17);
-	const auto shape = SoftBodyCreator::create_circle(JELLY_RADIUS, JELLY_HULL_POINTS, options).value();
+	const auto shape = circle_shape(JELLY_RADIUS, JELLY_HULL_POINTS, options).value();
 	scene.world.add_border(floor_at(0));
 	scene.world.add_soft_body(SoftBodyData::create(shape, stress_settings(setup, { 1, options.stiffness }, 17), { { 0, -120 }, {} }).value());
 	scene.seconds = 8;
