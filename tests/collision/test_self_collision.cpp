@@ -161,7 +161,7 @@ TEST_CASE("a thin bar under a heavy body does not fold through itself") {
 			world.set_gravity({ 0, Real(-9.81) });
 			world.add_border({ { { 0, 0 }, { 0, 1 } }, {} });
 			world.add_soft_body(ribbon_body({ 2, 0.2, 10, 0, 1, 200 }, settings_with(self_collision), { { 0, Real(0.1) }, {} }));
-			const auto heavy = thesis_shape_with_ratio(Real(2000 * mass), Real(0.3))->with_total_mass(Real(mass)).value();
+			const auto heavy = thesis_shape_with_ratio(Real(2000 * mass), Real(0.3))->resized(1, Real(mass)).value();
 			world.add_soft_body(thesis_body(heavy, settings_with(false, 800 * mass), { { 0, 1 }, {} }));
 			const Outcome outcome = run(world, 180, [](int) {});
 			CHECK((outcome.folded > 0) == !self_collision);

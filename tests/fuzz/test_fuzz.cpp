@@ -91,7 +91,7 @@ TEST_CASE("a hull or mass whose area, inertia or inverse leaves the range of num
 	const auto stiff = SoftBodyCreator::create_polygon(usual, options);
 	REQUIRE_FALSE(stiff);
 	CHECK(stiff.error().name == "stiffness");
-	CHECK_FALSE(SoftBodyCreator::create_polygon(usual, {}).value()->with_total_mass(options.mass));
+	CHECK_FALSE(SoftBodyCreator::create_polygon(usual, {}).value()->resized(1, options.mass));
 }
 
 // Found by fuzz_shape: -0 passes as a damping, and the step that it grants an explicit method is -0 too.

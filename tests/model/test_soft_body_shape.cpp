@@ -186,9 +186,88 @@ TEST_CASE("springs of zero stiffness and damping are allowed, and so is every sp
 	CHECK(SoftBodyShape::create(description).has_value());
 }
 
+// Of a shape that was resized and one that was made at that size: all derived values.
+void check_same(const SoftBodyShape &resized, const SoftBodyShape &made) {
+	const Real tolerance = 64 * EPSILON;
+	REQUIRE(resized.point_count() == made.point_count());
+	for (std::size_t i = 0; i < made.point_count(); ++i) {
+		CHECK(length(resized.rest_positions()[i] - made.rest_positions()[i]) <= tolerance * made.radius());
+		CHECK(relative_error(resized.masses()[i], made.masses()[i]) <= tolerance);
+	}
+	for (std::size_t i = 0; i < made.springs().size(); ++i) {
+		CHECK(relative_error(resized.springs()[i].rest_length, made.springs()[i].rest_length) <= tolerance);
+		CHECK(resized.springs()[i].stiffness == made.springs()[i].stiffness);
+	}
+	CHECK(length(resized.origin_offset() - made.origin_offset()) <= tolerance * made.radius());
+	CHECK(relative_error(resized.total_mass(), made.total_mass()) <= tolerance);
+	CHECK(relative_error(resized.rest_area(), made.rest_area()) <= tolerance);
+	CHECK(relative_error(resized.rest_inertia(), made.rest_inertia()) <= tolerance);
+	CHECK(relative_error(resized.width(), made.width()) <= tolerance);
+	CHECK(relative_error(resized.radius(), made.radius()) <= tolerance);
+	CHECK(relative_error(resized.shortest_hull_edge(), made.shortest_hull_edge()) <= tolerance);
+	CHECK(relative_error(resized.area_inverse_mass(), made.area_inverse_mass()) <= tolerance);
+	CHECK(relative_error(1 + resized.spring_frequency_squared(), 1 + made.spring_frequency_squared()) <= tolerance);
+}
+
+std::vector<Vec2> enlarged(std::vector<Vec2> points, Real factor) {
+	for (Vec2 &point : points) {
+		point *= factor;
+	}
+	return points;
+}
+
+// An outline without symmetry, off the origin, wound positively.
+const std::vector<Vec2> UNEVEN = { { 10, 5 }, { 60, 0 }, { 90, 30 }, { 70, 55 }, { 75, 90 }, { 30, 80 }, { 0, 40 } };
+
+TEST_CASE("a resized shape is the shape that is made at that size, for springs, modes and triangles") {
+	for (const Real factor : { Real(0.02), Real(0.5), Real(3) }) {
+		for (const int model : { 0, 1, 2 }) {
+			CAPTURE(factor);
+			CAPTURE(model);
+			StructureOptions options;
+			options.mass = 2;
+			options.elastic = model == 1;
+			options.elastic_triangles = model == 2;
+			const auto small = SoftBodyCreator::create_polygon(UNEVEN, options).value();
+			options.mass = 5;
+			const auto made = SoftBodyCreator::create_polygon(enlarged(UNEVEN, factor), options).value();
+			const auto resized = small->resized(factor, 5).value();
+			check_same(*resized, *made);
+			CHECK((resized->modes() == nullptr) == (model != 1));
+			CHECK((resized->triangles() == nullptr) == (model != 2));
+			if (model == 1) {
+				// The eigenvectors of two eigenproblems may differ in sign; their products with lengths do not.
+				for (std::size_t j = 0; j < made->modes()->count; ++j) {
+					CHECK(relative_error(resized->modes()->stiffness[j][1], made->modes()->stiffness[j][1]) <= Real(1e-3));
+					CHECK(std::abs(std::abs(resized->modes()->dilation_overlap[j]) - std::abs(made->modes()->dilation_overlap[j])) <=
+							Real(1e-3) * made->radius());
+				}
+				for (std::size_t i = 0; i < made->hull_count(); ++i) {
+					CHECK(length(resized->modes()->dilation[i] - made->modes()->dilation[i]) * made->radius() <= Real(1e-4));
+				}
+			}
+			if (model == 2) {
+				REQUIRE(resized->triangles()->triangles.size() == made->triangles()->triangles.size());
+				for (std::size_t i = 0; i < made->triangles()->triangles.size(); ++i) {
+					const ElasticTriangle &a = resized->triangles()->triangles[i];
+					const ElasticTriangle &b = made->triangles()->triangles[i];
+					CHECK(relative_error(a.area, b.area) <= Real(1e-3));
+					CHECK(length(a.gradients[0] - b.gradients[0]) <= Real(1e-3) * length(b.gradients[0]));
+					CHECK(length(a.gradients[1] - b.gradients[1]) <= Real(1e-3) * length(b.gradients[1]));
+				}
+				CHECK(relative_error(resized->triangle_shear_inverse_mass(), made->triangle_shear_inverse_mass()) <= Real(1e-3));
+				CHECK(relative_error(resized->triangle_dilation_inverse_mass(), made->triangle_dilation_inverse_mass()) <= Real(1e-3));
+			}
+			for (const Real bad : { Real(0), Real(-1), NOT_A_NUMBER, INFINITE }) {
+				CHECK(small->resized(bad, 1).error().name == "factor");
+			}
+		}
+	}
+}
+
 TEST_CASE("another total mass scales every mass, the inertia, and the frequency bound inversely") {
 	const auto shape = SoftBodyShape::create(rectangle()).value();
-	const auto other = shape->with_total_mass(4).value();
+	const auto other = shape->resized(1, 4).value();
 	CHECK(relative_error(other->total_mass(), 4) <= 4 * EPSILON);
 	for (std::size_t i = 0; i < 5; ++i) {
 		CHECK(relative_error(other->masses()[i], shape->masses()[i] / 4) <= 2 * EPSILON);
@@ -197,6 +276,6 @@ TEST_CASE("another total mass scales every mass, the inertia, and the frequency 
 	CHECK(relative_error(other->spring_frequency_squared(), shape->spring_frequency_squared() * 4) <= 8 * EPSILON);
 	CHECK(shape->total_mass() == 16);
 	for (const Real bad : { Real(0), Real(-1), NOT_A_NUMBER, INFINITE }) {
-		CHECK(shape->with_total_mass(bad).error().name == "mass");
+		CHECK(shape->resized(1, bad).error().name == "mass");
 	}
 }

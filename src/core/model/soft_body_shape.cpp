@@ -320,19 +320,52 @@ std::array<double, 2> SoftBodyShape::largest_triangle_inverse_masses() const {
 	return { bound_of(&Coupling::shear), bound_of(&Coupling::dilation) };
 }
 
-Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::with_total_mass(Real total_mass) const {
-	if (Status status = check_above("mass", total_mass, 0, "kg")) {
+Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::resized(Real factor, Real total_mass) const {
+	if (Status status = first_error({ check_above("factor", factor, 0, ""), check_above("mass", total_mass, 0, "kg") })) {
 		return *status;
 	}
 	std::shared_ptr<SoftBodyShape> copy(new SoftBodyShape(*this));
-	const Real factor = total_mass / total_mass_;
+	const Real mass_factor = total_mass / total_mass_;
 	for (Real &mass : copy->masses_) {
-		mass *= factor;
+		mass *= mass_factor;
+	}
+	if (factor != 1) {
+		copy->enlarge(factor);
 	}
 	if (Status status = copy->derive()) {
 		return *status;
 	}
 	return std::shared_ptr<const SoftBodyShape>(std::move(copy));
+}
+
+void SoftBodyShape::enlarge(Real factor) {
+	const Real inverse = 1 / factor;
+	origin_offset_ *= factor;
+	for (Vec2 &position : rest_positions_) {
+		position *= factor;
+	}
+	for (Spring2D &spring : springs_) {
+		spring.rest_length *= factor;
+	}
+	if (modes_ != nullptr) {
+		auto modes = std::make_shared<ElasticModes>(*modes_);
+		for (Vec2 &derivative : modes->dilation) {
+			derivative *= inverse;
+		}
+		for (Real &overlap : modes->dilation_overlap) {
+			overlap *= factor;
+		}
+		modes_ = std::move(modes);
+	}
+	if (triangles_ != nullptr) {
+		auto mesh = std::make_shared<ElasticTriangles>(*triangles_);
+		for (ElasticTriangle &triangle : mesh->triangles) {
+			triangle.area *= factor * factor;
+			triangle.gradients[0] *= inverse;
+			triangle.gradients[1] *= inverse;
+		}
+		triangles_ = std::move(mesh);
+	}
 }
 
 } // namespace softbody

@@ -93,11 +93,13 @@ public:
 	Real least_hull_mass() const { return least_hull_mass_; } ///< [mass]
 	Real shortest_hull_edge() const { return shortest_hull_edge_; } ///< at rest [length], > 0
 
-	/// Copy with all masses scaled so that they sum to `total_mass`. Refuses values not > 0.
-	Result<std::shared_ptr<const SoftBodyShape>> with_total_mass(Real total_mass) const;
+	/// Copy in which all lengths are `factor` times as large, and masses are scaled so that they sum to `total_mass`. Refuses
+	/// values not > 0. An elastic model is carried over, which is exact (see `ElasticModes`) and takes no time.
+	Result<std::shared_ptr<const SoftBodyShape>> resized(Real factor, Real total_mass) const;
 
 private:
 	SoftBodyShape() = default;
+	void enlarge(Real factor);
 	Status derive();
 	Status check_derived() const;
 	double largest_rate(Real Spring2D::*coefficient) const;

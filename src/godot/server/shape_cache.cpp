@@ -16,8 +16,9 @@ namespace {
 struct Known {
 	std::vector<Vec2> hull;
 	StructureOptions options;
+	Real size = 1;
 	std::weak_ptr<const SoftBodyShape> shape;
-	std::shared_ptr<const SoftBodyShape> unit = nullptr; ///< of an elastic shape: the shape of mass 1 that it was made from
+	std::shared_ptr<const SoftBodyShape> unit = nullptr; ///< the shape of mass 1 and size 1 that it was made from, or null
 };
 
 struct Cache {
@@ -58,9 +59,10 @@ private:
 	std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-std::uint64_t hash_of(const std::vector<Vec2> &hull, const StructureOptions &options) {
+std::uint64_t hash_of(const std::vector<Vec2> &hull, const StructureOptions &options, Real size) {
 	Hash hash;
 	hash.add(hull);
+	hash.add(double(size));
 	hash.add(double(options.mass));
 	hash.add(double(options.stiffness));
 	hash.add(double(options.damping));
@@ -77,11 +79,11 @@ std::uint64_t hash_of(const std::vector<Vec2> &hull, const StructureOptions &opt
 }
 
 std::shared_ptr<const SoftBodyShape> find_shape(const Cache &all, std::uint64_t hash, const std::vector<Vec2> &hull,
-		const StructureOptions &options) {
+		const StructureOptions &options, Real size) {
 	const auto [begin, end] = all.known.equal_range(hash);
 	for (auto entry = begin; entry != end; ++entry) {
 		const Known &known = entry->second;
-		if (known.hull == hull && known.options == options) {
+		if (known.hull == hull && known.options == options && known.size == size) {
 			if (std::shared_ptr<const SoftBodyShape> shape = known.shape.lock()) {
 				return shape;
 			}
@@ -90,24 +92,26 @@ std::shared_ptr<const SoftBodyShape> find_shape(const Cache &all, std::uint64_t 
 	return nullptr;
 }
 
-// The modes of an outline take some milliseconds and do not depend on its mass. A shape of another mass is always made
-// from that of mass 1, so its bits do not depend on earlier shapes.
-Result<std::shared_ptr<const SoftBodyShape>> find_or_create(Cache &all, const std::vector<Vec2> &hull, const StructureOptions &options) {
-	const std::uint64_t hash = hash_of(hull, options);
-	if (std::shared_ptr<const SoftBodyShape> shape = find_shape(all, hash, hull, options)) {
+// The modes of an outline take some milliseconds and depend neither on its mass nor on its size. A shape of another mass
+// or size is always made from that of mass 1 and size 1, so its bits do not depend on earlier shapes.
+Result<std::shared_ptr<const SoftBodyShape>> find_or_create(Cache &all, const std::vector<Vec2> &hull, const StructureOptions &options,
+		Real size) {
+	const std::uint64_t hash = hash_of(hull, options, size);
+	if (std::shared_ptr<const SoftBodyShape> shape = find_shape(all, hash, hull, options, size)) {
 		return shape;
 	}
-	Known made{ hull, options, {} };
+	Known made{ hull, options, size, {} };
 	Result<std::shared_ptr<const SoftBodyShape>> shape = Error{};
-	if (options.elastic && options.mass != 1) {
+	const bool is_solid = options.elastic || options.elastic_triangles;
+	if (size != 1 || (is_solid && options.mass != 1)) {
 		StructureOptions of_unit = options;
 		of_unit.mass = 1;
-		const auto unit = find_or_create(all, hull, of_unit);
+		const auto unit = find_or_create(all, hull, of_unit, 1);
 		if (!unit) {
 			return unit;
 		}
 		made.unit = unit.value();
-		shape = unit.value()->with_total_mass(options.mass);
+		shape = unit.value()->resized(size, options.mass);
 	} else {
 		++all.built;
 		shape = SoftBodyCreator::create_polygon(hull, options);
@@ -126,10 +130,11 @@ Result<std::shared_ptr<const SoftBodyShape>> find_or_create(Cache &all, const st
 
 } // namespace
 
-Result<std::shared_ptr<const SoftBodyShape>> find_or_create_shape(std::span<const Vec2> hull, const StructureOptions &options) {
+Result<std::shared_ptr<const SoftBodyShape>> find_or_create_shape(std::span<const Vec2> hull, const StructureOptions &options,
+		Real size) {
 	Cache &all = cache();
 	const std::lock_guard lock(all.mutex);
-	return find_or_create(all, std::vector<Vec2>(hull.begin(), hull.end()), options);
+	return find_or_create(all, std::vector<Vec2>(hull.begin(), hull.end()), options, size);
 }
 
 std::int64_t built_shape_count() {
