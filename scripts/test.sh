@@ -58,6 +58,7 @@ test_core() {
 	fi
 	step "Building the tests of the core"
 	run_scons "${programs[@]/#/tests_}" || { problem "the core or its tests do not compile"; return 1; }
+	test_wide_code
 	[[ -z $QUICK ]] || say_slow float
 	for real in "${programs[@]}"; do
 		step "Testing the core, $real"
@@ -66,6 +67,29 @@ test_core() {
 		(cd "$REPO_DIR" && limited $TIME_LIMIT "build/tests/softbody_tests_$real" "${options[@]}") 2>&1 | tee "$log" ||
 			status=$?
 		count_doctest "$status" "$log"
+	done
+}
+
+# Common code must not be what the one file that is compiled for AVX2 holds, in whatever order objects are linked.
+test_wide_code() {
+	local compiler level object
+	step "Names of the code for AVX2"
+	if [[ $(uname -sm) != "Linux x86_64" ]]; then
+		count 0 0 0 1
+		return
+	fi
+	if check_wide_code "$REPO_DIR/build/tests/softbody_tests_float.objects"; then count 0 1 0; else count 0 0 1; fi
+	for compiler in g++ clang++; do
+		for level in O2 O3; do
+			[[ -z $QUICK ]] && command -v $compiler >/dev/null || continue
+			object=$LOG_DIR/wide_$compiler$level.o
+			if $compiler -std=c++20 -ffp-contract=off -fno-math-errno -Wno-psabi -mavx2 -$level -I "$REPO_DIR/src" -c \
+				"$REPO_DIR/src/core/dynamics/lane_stepper_avx2.cpp" -o "$object" && check_wide_object "$object"; then
+				count 0 1 0
+			else
+				count 0 0 1
+			fi
+		done
 	done
 }
 
