@@ -56,7 +56,7 @@ bool BodyStepper::can_use_lanes(const Batch &batch) const {
 std::uint32_t BodyStepper::lanes_solved_alone(const Batch &batch, const TimeSlice &slice) {
 	const bool has_borders = !context_->world.borders().empty();
 	const std::uint32_t all = (1u << batch.count) - 1;
-	std::uint32_t lanes = has_borders && batch.settings->contact_monitor ? all : 0;
+	std::uint32_t lanes = 0;
 	for (std::uint32_t lane = 0; lane < batch.count; ++lane) { // each body has its own memory of bounces
 		const bool bounces = context_->borders_bounce || context_->bodies.has_touch(batch.active_indices[lane]);
 		lanes |= std::uint32_t(bounces) << lane;
@@ -118,16 +118,16 @@ void BodyStepper::advance_lanes(const Batch &batch, const TimeSlice &slice, Stat
 			std::ranges::copy(data.hull(), before(lane).begin());
 			return contacts;
 		}
+		void report(const ContactPoint &contact) override { stepper.log().add(contact); }
 	} contacts(*this, batch, lanes.h);
 	lanes.lone_contacts = &contacts;
-	for (std::size_t lane = 0; lane < batch.count; ++lane) {
-		const std::uint32_t active_index = batch.active_indices[lane];
-		lanes.solver_bodies[lane] = slice.is_coupled ? &context_->bodies.solver_body(active_index) : nullptr;
-		if (lanes.solved_alone != 0) {
-			keep_start(batch, lane);
-			const Vec2 *sweep = sweep_start(active_index, slice);
-			std::copy_n(sweep != nullptr ? sweep : batch.states[lane], hull_count, contacts.before(lane).begin());
-		}
+	for (std::size_t lane = 0; slice.is_coupled && lane < batch.count; ++lane) {
+		lanes.solver_bodies[lane] = &context_->bodies.solver_body(batch.active_indices[lane]);
+	}
+	for (std::size_t lane = 0; lanes.solved_alone != 0 && lane < batch.count; ++lane) {
+		keep_start(batch, lane);
+		const Vec2 *sweep = sweep_start(batch.active_indices[lane], slice);
+		std::copy_n(sweep != nullptr ? sweep : batch.states[lane], hull_count, contacts.before(lane).begin());
 	}
 	const LaneResult result = lanes_for(batch).advance(lanes, prefetch);
 	counts_.substeps += std::uint64_t(lanes.substeps) * batch.count;

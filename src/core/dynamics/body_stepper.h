@@ -68,8 +68,8 @@ private:
 	void advance_lanes(const Batch &batch, const TimeSlice &slice, StatePrefetch &prefetch);
 	bool can_use_lanes(const Batch &batch) const;
 	LaneStepper &lanes_for(const Batch &batch) { return batch.count == WIDE_WIDTH ? *wide_ : *narrow_; }
-	/// Bit mask of the lanes that have more contacts than those with borders that do not bounce: near colliders, a
-	/// touch, or contacts to report.
+	/// Bit mask of the lanes that have more contacts than those with borders that do not bounce: near colliders, or
+	/// a touch.
 	std::uint32_t lanes_solved_alone(const Batch &batch, const TimeSlice &slice);
 	/// Stores the state of a body at the start of a slice.
 	void keep_start(const Batch &batch, std::size_t lane);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/pack.h"
+#include "core/collision/contact_log.h"
 #include "core/collision/pair_constraint.h"
 #include "core/dynamics/batch.h"
 #include "core/dynamics/state_prefetch.h"
@@ -15,12 +16,14 @@
 
 namespace softbody {
 
-/// Solves contacts of a body with the environment outside of the lanes.
+/// Contacts of single bodies with the environment, outside of the lanes.
 class LoneContacts {
 public:
 	/// Solves the contacts of the body in a lane, in the body's own arrays, at the end of a substep. Returns their
 	/// number.
 	virtual std::size_t solve(std::size_t lane) = 0;
+	/// Takes a contact of a monitored body that was solved in a lane.
+	virtual void report(const ContactPoint &contact) = 0;
 
 protected:
 	~LoneContacts() = default;
@@ -36,7 +39,7 @@ struct LaneSlice {
 	bool bears_load = false; ///< see `keep_whole`
 	std::span<const Border> borders; ///< for the lanes that are not solved alone
 	std::uint32_t solved_alone = 0; ///< bit mask of the lanes whose contacts `lone_contacts` solves
-	LoneContacts *lone_contacts = nullptr; ///< may be null if `solved_alone` is 0
+	LoneContacts *lone_contacts = nullptr; ///< may be null if `solved_alone` is 0 and the bodies are not monitored
 	std::span<Vec2> scratch; ///< room for the positions and velocities of one body
 	/// Bodies whose extents are measured at the end (`SolverBody::measure_extent`), or all null.
 	std::array<SolverBody *, WIDE_WIDTH> solver_bodies{};

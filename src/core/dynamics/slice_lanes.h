@@ -5,7 +5,7 @@
 #include "core/collision/extent_lanes.h"
 #include "core/collision/surface_constraint_lanes.h"
 #include "core/dynamics/area_lanes.h"
-#include "core/dynamics/finite_check.h"
+#include "core/dynamics/body_reset.h"
 #include "core/dynamics/forces_lanes.h"
 #include "core/dynamics/integrators/lane_steps.h"
 #include "core/dynamics/lane_stepper.h"
@@ -20,20 +20,6 @@
 #include <vector>
 
 namespace softbody {
-
-/// Solves the contacts with borders, none of which bounces, and applies rolling resistance. Returns the number of
-/// contacts of each lane.
-template <class T>
-T solve_borders(const BodyLanes<T> &bodies, std::span<const Border> borders, Real h) {
-	BasicContactLoad<T> load;
-	for (const Border &border : borders) {
-		if (is_noticed(bodies.model.settings, border.surface)) {
-			solve_border<T>(bodies, border, std::numeric_limits<Real>::infinity(), h, load);
-		}
-	}
-	resist_rolling<T>(bodies, load);
-	return load.contacts;
-}
 
 /// Ends a substep of `h` [s] but for its contacts, which act last and sweep the whole path: area, limits and damping.
 /// Returns for which lanes the forces found before still hold; damping changes none of a body without pins. `scratch`
@@ -68,13 +54,16 @@ private:
 	/// Loads a batch into lanes, in scratch memory that the next call overwrites.
 	BodyLanes<T> load(const Batch &batch, StatePrefetch &prefetch);
 	void store(const BodyLanes<T> &bodies, const Batch &batch) const;
-	T solve_contacts(const BodyLanes<T> &bodies, const LaneSlice &slice) const;
+	/// Solves the contacts of a substep. Returns the number of contacts of each lane.
+	T solve_contacts(const BodyLanes<T> &bodies, const LaneSlice &slice);
+	T solve_borders(const BodyLanes<T> &bodies, const LaneSlice &slice);
 	void hand_out_extents(std::span<const BasicVec2<T>> hull, const LaneSlice &slice) const;
 
 	BasicWorkspace<T> workspace_;
 	std::vector<BasicVec2<T>> positions_;
 	std::vector<BasicVec2<T>> velocities_;
 	std::vector<BasicVec2<T>> before_; ///< hull points at the start
+	std::vector<BasicPointSolution<T>> solutions_; ///< of a border, at the hull points of monitored bodies
 };
 
 template <class T>
@@ -92,9 +81,11 @@ LaneResult BasicLaneStepper<T>::advance(const LaneSlice &slice, StatePrefetch &p
 		workspace_.forces_are_current =
 				both(workspace_.forces_are_current, keep_shape<T>(bodies, slice.h, slice.bears_load, slice.scratch));
 		prefetch.ask(2);
-		const T contacts = solve_contacts(bodies, slice);
-		workspace_.forces_are_current = both(workspace_.forces_are_current, !(contacts > T(0)));
-		all_contacts += contacts;
+		if (slice.solved_alone != 0 || !slice.borders.empty()) {
+			const T contacts = solve_contacts(bodies, slice);
+			workspace_.forces_are_current = both(workspace_.forces_are_current, !(contacts > T(0)));
+			all_contacts += contacts;
+		}
 	}
 	prefetch.ask_all();
 	LaneResult result;
@@ -167,9 +158,9 @@ void BasicLaneStepper<T>::store(const BodyLanes<T> &bodies, const Batch &batch) 
 // Forces and integrators stay in lanes, as they take most of the time. Only contacts with colliders are solved for each
 // body alone.
 template <class T>
-T BasicLaneStepper<T>::solve_contacts(const BodyLanes<T> &bodies, const LaneSlice &slice) const {
+T BasicLaneStepper<T>::solve_contacts(const BodyLanes<T> &bodies, const LaneSlice &slice) {
 	if (slice.solved_alone == 0) {
-		return slice.borders.empty() ? T(0) : solve_borders<T>(bodies, slice.borders, slice.h);
+		return solve_borders(bodies, slice);
 	}
 	store(bodies, *slice.batch);
 	T contacts(0);
@@ -181,6 +172,30 @@ T BasicLaneStepper<T>::solve_contacts(const BodyLanes<T> &bodies, const LaneSlic
 	gather_all<T>(slice.batch->states.data(), bodies.positions);
 	gather_all<T>(velocities_of(*slice.batch).data(), bodies.velocities);
 	return contacts;
+}
+
+template <class T>
+T BasicLaneStepper<T>::solve_borders(const BodyLanes<T> &bodies, const LaneSlice &slice) {
+	BasicContactLoad<T> load;
+	for (std::uint32_t i = 0; i < slice.borders.size(); ++i) {
+		const Border &border = slice.borders[i];
+		if (!is_noticed(bodies.model.settings, border.surface)) {
+			continue;
+		}
+		const T contacts = load.contacts;
+		solutions_.assign(bodies.model.settings.contact_monitor ? bodies.model.shape.hull_count() : 0, {});
+		solve_border<T>(bodies, border, std::numeric_limits<Real>::infinity(), slice.h, load, solutions_); // none bounces
+		for (std::uint32_t point = 0; any(load.contacts > contacts) && point < solutions_.size(); ++point) {
+			for (std::size_t lane = 0; lane < LANES<T>; ++lane) {
+				if (const Real depth = solutions_[point].depth[lane]; depth > 0) {
+					slice.lone_contacts->report({ slice.batch->body_indices[lane], ContactOther::Kind::BORDER, i, point, point, 0,
+							lane_of(bodies.positions[point], lane), border.plane.normal, solutions_[point].normal_impulse[lane], depth });
+				}
+			}
+		}
+	}
+	resist_rolling<T>(bodies, load);
+	return load.contacts;
 }
 
 template <class T>
