@@ -59,6 +59,7 @@ test_core() {
 	test_rooms
 	step "Building the tests of the core"
 	run_scons "${programs[@]/#/tests_}" || { problem "the core or its tests do not compile"; return 1; }
+	test_wide_code
 	[[ -z $QUICK ]] || say_slow float
 	for real in "${programs[@]}"; do
 		step "Testing the core, $real"
@@ -82,6 +83,30 @@ test_rooms() {
 		echo "folders that include one another: $circles" >&2
 		count 1 0 1
 	fi
+}
+
+# Common code must not be what the one file that is compiled for AVX2 holds, in whatever order objects are linked.
+test_wide_code() {
+	local compiler level object
+	step "Names of the code for AVX2"
+	if [[ $(uname -sm) != "Linux x86_64" ]]; then
+		count 0 0 0 1
+		return
+	fi
+	if check_wide_code "$REPO_DIR/build/tests/softbody_tests_float.objects"; then count 0 1 0; else count 0 0 1; fi
+	[[ -z $QUICK ]] || return 0
+	need_packages clang || return 1
+	for compiler in g++ clang++; do
+		for level in O2 O3; do
+			object=$LOG_DIR/wide_$compiler$level.o
+			if $compiler -std=c++20 -ffp-contract=off -fno-math-errno -Wno-psabi -mavx2 -$level -I "$REPO_DIR/src" -c \
+				"$REPO_DIR/src/core/dynamics/lane_stepper_avx2.cpp" -o "$object" && check_wide_object "$object"; then
+				count 0 1 0
+			else
+				count 0 0 1
+			fi
+		done
+	done
 }
 
 # say_slow NAME: the test cases of that program that are left out.

@@ -66,3 +66,27 @@ check_extension() {
 		problem "Godot does not load the extension (see $LOG_DIR/extension.log)"
 	fi
 }
+
+# shared_names OBJECT: the functions and data of an object that other objects may hold, too, and of which the linker keeps one.
+shared_names() {
+	nm -C "$1" | grep -E '^[0-9a-f]* +[VWu] ' || true
+}
+
+# check_wide_object OBJECT: whether whatever the object that is compiled for AVX2 shares is named after packs of eight lanes.
+check_wide_object() {
+	local others
+	others=$(shared_names "$1" | grep -vE 'BasicPack(Mask)?<8ul>') || return 0
+	echo "$others"
+	problem "$1 holds code for AVX2 that linkers may take for common code"
+}
+
+# check_wide_code FOLDER: whether that holds in a folder of objects, and no other of them has such names.
+check_wide_code() {
+	local wide others
+	wide=$(find "$1" -name '*_avx2.o')
+	check_wide_object "$wide" || return 1
+	[[ -n $(shared_names "$wide") ]] || { problem "$wide holds no code for AVX2"; return 1; }
+	others=$(find "$1" -name '*.o' ! -name '*_avx2.o' -exec nm -AC {} + | grep -E 'BasicPack(Mask)?<8ul>') || return 0
+	echo "$others"
+	problem "common code uses packs that only the code for AVX2 may use"
+}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Claims about the forces on a body's points, against energies and formulas evaluated elsewhere.
 #include "core/base/constants.h"
-#include "core/dynamics/forces.h"
+#include "core/dynamics/forces_lanes.h"
 #include "dynamics/replay.h"
 #include "scenes/loose_points.h"
 #include "scenes/thesis_body.h"

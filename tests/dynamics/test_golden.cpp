@@ -2,7 +2,7 @@
 // A scene with nearly everything in it ends in the same bits: on any number of threads, in every run, by every compiler.
 #include "core/base/constants.h"
 #include "core/dynamics/simulator.h"
-#include "core/dynamics/wide_stepper.h"
+#include "core/dynamics/lane_stepper.h"
 #include "scenes/mixed.h"
 #include "support/skip.h"
 #include "support/threads.h"

@@ -2,7 +2,7 @@
 // Claims about contact substeps: a heap takes as many as the one of it that needs most, and what else there is in the world
 // changes nothing about it, to the last bit.
 #include "core/base/constants.h"
-#include "core/dynamics/island_substeps.h"
+#include "core/dynamics/contact_substeps.h"
 #include "core/dynamics/simulator.h"
 #include "scenes/jelly.h"
 #include "support/compare.h"

@@ -2,7 +2,7 @@
 // Damping of a body as a whole, and accelerations that bodies have of their own.
 #include "core/base/constants.h"
 #include "core/dynamics/energy.h"
-#include "core/dynamics/rigid_damping.h"
+#include "core/dynamics/rigid_damping_lanes.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
 #include "core/model/rigid_motion.h"

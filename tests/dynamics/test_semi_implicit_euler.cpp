@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Claims about the integrator: its discrete update, its frequency shift, its order, its stability limit.
 #include "core/dynamics/energy.h"
-#include "core/dynamics/integrators/integrator_step.h"
+#include "core/dynamics/integrators/lane_steps.h"
 #include "core/dynamics/simulator.h"
 #include "dynamics/replay.h"
 #include "scenes/loose_points.h"

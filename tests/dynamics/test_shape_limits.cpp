@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What keeps bodies from being crushed: what it changes, what it leaves alone, and what it bears.
-#include "core/dynamics/shape_limits.h"
+#include "core/dynamics/shape_limits_lanes.h"
 
 #include "core/base/constants.h"
 #include "core/dynamics/energy.h"
@@ -63,7 +63,7 @@ double least_width(const SoftBodyData &body) {
 
 void keep_for(SoftBodyData &body, int substeps) {
 	for (int k = 0; k < substeps; ++k) {
-		keep_whole(body, Real(1) / 240, true);
+		keep_whole(lanes_of(body), Real(1) / 240, true);
 	}
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("a body within its limits is left alone to the bit") {
 	SoftBodyData body = limited_circle({ 30, 40 });
 	stretch(body, Real(1.3), Real(0.75), Real(0.4));
 	const BodyState before = body.save_state();
-	CHECK_FALSE(keep_whole(body, Real(1) / 240, true));
+	CHECK_FALSE(keep_whole(lanes_of(body), Real(1) / 240, true));
 	CHECK(body.save_state() == before);
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("a flattened body comes back within its limits, in any direction") {
 	for (const Real angle : { Real(0), Real(0.7), Real(2.5) }) {
 		SoftBodyData body = limited_circle({ 0, 0 });
 		stretch(body, Real(1.2), Real(0.02), angle);
-		CHECK(keep_whole(body, Real(1) / 240, true));
+		CHECK(keep_whole(lanes_of(body), Real(1) / 240, true));
 		keep_for(body, 40);
 		CAPTURE(angle);
 		CHECK(least_width(body) > 0.98 * double(body.settings().least_stretch));
@@ -139,7 +139,7 @@ TEST_CASE("limits keep momentum, spin and the center of a free body") {
 	}
 	const BodyFrame frame = measure_frame(body);
 	const Momentum before = measure_momentum(body, frame.center);
-	REQUIRE(keep_whole(body, Real(1) / 240, true));
+	REQUIRE(keep_whole(lanes_of(body), Real(1) / 240, true));
 	const Momentum after = measure_momentum(body, frame.center);
 	CHECK(after.linear_x == doctest::Approx(before.linear_x).epsilon(1e-4));
 	CHECK(after.linear_y == doctest::Approx(before.linear_y).epsilon(1e-4));
@@ -150,14 +150,14 @@ TEST_CASE("limits keep momentum, spin and the center of a free body") {
 TEST_CASE("limits that are switched off do nothing") {
 	SoftBodyData body = jelly_circle({ 0, 0 }); // as the core leaves them
 	stretch(body, 1, Real(0.01), 0);
-	CHECK_FALSE(keep_whole(body, Real(1) / 240, true));
+	CHECK_FALSE(keep_whole(lanes_of(body), Real(1) / 240, true));
 }
 
 TEST_CASE("a body that is no longer finite is left to be reset") {
 	SoftBodyData body = limited_circle({ 0, 0 });
 	stretch(body, 1, Real(0.01), 0);
 	body.mutable_positions()[3].x = std::numeric_limits<Real>::quiet_NaN();
-	keep_whole(body, Real(1) / 240, true);
+	keep_whole(lanes_of(body), Real(1) / 240, true);
 	CHECK(std::isfinite(body.positions()[5].x));
 }
 

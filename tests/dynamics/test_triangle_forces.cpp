@@ -6,7 +6,7 @@
 #include "core/creator/hulls.h"
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/energy.h"
-#include "core/dynamics/forces.h"
+#include "core/dynamics/forces_lanes.h"
 #include "core/dynamics/simulator.h"
 #include "core/dynamics/stability_report.h"
 #include "core/geometry/polygon.h"

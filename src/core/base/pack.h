@@ -18,6 +18,10 @@ namespace softbody {
 /// x86 and ARM processor has; a pack of doubles takes two of them.
 inline constexpr std::size_t PACK_WIDTH = 4;
 
+/// How many bodies are stepped side by side in registers of 32 bytes. Only the one file that is compiled for AVX2 may
+/// use a pack of this width: by the width in their names, linkers tell its functions from all others.
+inline constexpr std::size_t WIDE_WIDTH = 2 * PACK_WIDTH;
+
 namespace detail {
 
 #if defined(__GNUC__) || defined(__clang__)

@@ -91,10 +91,12 @@ struct BasicRotation {
 using Rotation = BasicRotation<Real>;
 
 /// Lane `lane` of several vectors side by side. `set_lane` is the reverse.
-inline Vec2 lane_of(const BasicVec2<RealPack> &pack, std::size_t lane) {
+template <std::size_t WIDTH>
+Vec2 lane_of(const BasicVec2<BasicPack<WIDTH>> &pack, std::size_t lane) {
 	return { pack.x[lane], pack.y[lane] };
 }
-inline void set_lane(BasicVec2<RealPack> &pack, std::size_t lane, Vec2 value) {
+template <std::size_t WIDTH>
+void set_lane(BasicVec2<BasicPack<WIDTH>> &pack, std::size_t lane, Vec2 value) {
 	pack.x.set(lane, value.x);
 	pack.y.set(lane, value.y);
 }
@@ -110,7 +112,7 @@ inline std::uint64_t bits_of(const Vec2 &vector) {
 } // namespace detail
 #endif
 
-/// Vector i of every lane: lane l is `lanes[l][i]`. `scatter` is the reverse.
+/// Vector i of every lane: lane l is `lanes[l][i]`.
 template <class V> // `Vec2` or `const Vec2`
 BasicVec2<RealPack> gather(const std::array<V *, PACK_WIDTH> &lanes, std::size_t i) {
 	BasicVec2<RealPack> pack;
@@ -127,20 +129,6 @@ BasicVec2<RealPack> gather(const std::array<V *, PACK_WIDTH> &lanes, std::size_t
 	}
 #endif
 	return pack;
-}
-inline void scatter(const BasicVec2<RealPack> &pack, const std::array<Vec2 *, PACK_WIDTH> &lanes, std::size_t i) {
-#ifdef SOFTBODY_SHUFFLES
-	const auto low = std::bit_cast<detail::VectorPair>(__builtin_shufflevector(pack.x.lanes(), pack.y.lanes(), 0, 4, 1, 5));
-	const auto high = std::bit_cast<detail::VectorPair>(__builtin_shufflevector(pack.x.lanes(), pack.y.lanes(), 2, 6, 3, 7));
-	lanes[0][i] = std::bit_cast<Vec2>(low[0]);
-	lanes[1][i] = std::bit_cast<Vec2>(low[1]);
-	lanes[2][i] = std::bit_cast<Vec2>(high[0]);
-	lanes[3][i] = std::bit_cast<Vec2>(high[1]);
-#else
-	for (std::size_t lane = 0; lane < PACK_WIDTH; ++lane) {
-		lanes[lane][i] = lane_of(pack, lane);
-	}
-#endif
 }
 
 /// The PACK_WIDTH vectors that begin at `first`.

@@ -219,33 +219,6 @@ void EnvironmentContactSolver::handle_borders(SoftBodyData &body) {
 	}
 }
 
-RealPack EnvironmentContactSolver::solve_borders_side_by_side(const BodyLanes<RealPack> &bodies,
-		std::span<const Border> borders, Real h, std::span<const std::uint32_t> body_indices, std::uint32_t monitored) {
-	BasicContactLoad<RealPack> load;
-	for (std::uint32_t i = 0; i < borders.size(); ++i) {
-		if (!is_noticed(bodies.model.settings, borders[i].surface)) {
-			continue;
-		}
-		const RealPack contacts = load.contacts;
-		pack_solutions_.assign(monitored != 0 ? bodies.model.shape.hull_count() : 0, {});
-		solve_border<RealPack>(bodies, borders[i], std::numeric_limits<Real>::infinity(), h, load, pack_solutions_);
-		if (monitored == 0 || !any(load.contacts > contacts)) {
-			continue;
-		}
-		for (std::uint32_t lane = 0; lane < body_indices.size(); ++lane) {
-			for (std::uint32_t point = 0; (monitored >> lane & 1) && point < pack_solutions_.size(); ++point) {
-				if (pack_solutions_[point].depth[lane] > 0) {
-					log_.add({ body_indices[lane], ContactOther::Kind::BORDER, i, point, point, 0,
-							lane_of(bodies.positions[point], lane), borders[i].plane.normal,
-							pack_solutions_[point].normal_impulse[lane], pack_solutions_[point].depth[lane] });
-				}
-			}
-		}
-	}
-	resist_rolling<RealPack>(bodies, load);
-	return load.contacts;
-}
-
 std::uint32_t EnvironmentContactSolver::index_of(const SoftBodyData &body) const {
 	return std::uint32_t(&body - surroundings_->world().soft_bodies().data());
 }

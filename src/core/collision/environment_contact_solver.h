@@ -27,18 +27,13 @@ namespace softbody {
 class EnvironmentContactSolver {
 public:
 	/// Broad phase for one body and the coming `dt` [s], which begins `elapsed` [s] after the start of the step.
-	/// Returns false if no collider is near. Each body of a batch is begun in its own `lane`, < PACK_WIDTH. O(colliders
+	/// Returns false if no collider is near. Each body of a batch is begun in its own `lane`, < WIDE_WIDTH. O(colliders
 	/// near the body).
 	bool begin_body(const ColliderIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt, std::size_t lane = 0);
 	/// Solves every contact of the body begun in `lane`, after a substep of `h` [s] that started at `before` (one
 	/// position for each hull point) under the acceleration `gravity`, and applies rolling resistance. Returns the
 	/// number of contacts solved. O(hull points × colliders nearby).
 	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h, std::size_t lane = 0);
-	/// Solves the contacts of a batch with borders alone. Gives the results of `handle` if nothing bounces and no
-	/// collider is near. `body_indices` are indices into `WorldData::soft_bodies()`. Each bit of `monitored` selects a
-	/// lane for the log. Returns the number of contacts solved in each lane.
-	RealPack solve_borders_side_by_side(const BodyLanes<RealPack> &bodies, std::span<const Border> borders, Real h,
-			std::span<const std::uint32_t> body_indices, std::uint32_t monitored);
 	/// Contacts of monitored bodies since the log was last cleared.
 	ContactLog &log() { return log_; }
 
@@ -70,7 +65,7 @@ private:
 	Near &near() { return near_[lane_]; }
 	const Near &near() const { return near_[lane_]; }
 
-	std::array<Near, PACK_WIDTH> near_;
+	std::array<Near, WIDE_WIDTH> near_;
 	std::size_t lane_ = 0; ///< of the current body
 	// Values of the current body and substep.
 	Real bounce_threshold_ = 0;
@@ -81,7 +76,6 @@ private:
 	std::vector<Vec2> own_hull_; ///< hull in the frame of a one-way collider
 	std::vector<Vec2> starts_; ///< start positions of the hull points, as adjusted for a one-way collider
 	std::vector<BasicPointSolution<Real>> solutions_; ///< of a border, at the hull points
-	std::vector<BasicPointSolution<RealPack>> pack_solutions_;
 };
 
 /// Box that contains the hull for `dt` [s] at its present velocities, with a margin. For a hull that is not finite, a

@@ -78,12 +78,8 @@ void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_t
 	touch = {};
 }
 
-#define SOFTBODY_INSTANTIATE(T)                                                                                      \
-	template void solve_border<T>(const BodyLanes<T> &, const Border &, Real, Real, BasicContactLoad<T> &,          \
-			std::span<BasicPointSolution<T>>);                                                                         \
-	template void resist_rolling<T>(const BodyLanes<T> &, const BasicContactLoad<T> &);
-SOFTBODY_INSTANTIATE(Real)
-SOFTBODY_INSTANTIATE(RealPack)
-#undef SOFTBODY_INSTANTIATE
+template void solve_border<Real>(const BodyLanes<Real> &, const Border &, Real, Real, ContactLoad &,
+		std::span<BasicPointSolution<Real>>);
+template void resist_rolling<Real>(const BodyLanes<Real> &, const ContactLoad &);
 
 } // namespace softbody

@@ -28,30 +28,22 @@ public:
 	std::uint32_t find(const SoftBodyData &body) {
 		const bool single = !can_share_a_batch(body);
 		const std::uint32_t next = std::uint32_t(kinds_.size());
-		if (!single) {
-			const auto [entry, is_new] = of_shape_.try_emplace(&body.shape(), next);
-			std::uint32_t last = entry->second;
-			for (std::uint32_t i = last; !is_new && i != NONE; i = next_of_shape_[i]) {
-				if (*kinds_[i].settings == body.settings()) {
-					return i;
-				}
-				last = i;
-			}
-			if (!is_new) {
-				next_of_shape_[last] = next;
+		const auto [first, last] = of_shape_.equal_range(&body.shape());
+		for (auto entry = first; !single && entry != last; ++entry) {
+			if (*kinds_[entry->second].settings == body.settings()) {
+				return entry->second;
 			}
 		}
+		if (!single) {
+			of_shape_.emplace(&body.shape(), next);
+		}
 		kinds_.push_back({ &body.shape(), &body.settings(), single });
-		next_of_shape_.push_back(NONE);
 		return next;
 	}
 
 private:
-	static constexpr std::uint32_t NONE = UINT32_MAX;
-
 	std::vector<Kind> &kinds_;
-	std::vector<std::uint32_t> next_of_shape_; ///< another kind of the same shape
-	std::unordered_map<const SoftBodyShape *, std::uint32_t> of_shape_;
+	std::unordered_multimap<const SoftBodyShape *, std::uint32_t> of_shape_; ///< kinds that may share a batch
 };
 
 bool ActiveBodies::update(Real dt) {

@@ -7,15 +7,11 @@
 #include "core/model/body_settings.h"
 #include "core/model/soft_body_shape.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace softbody {
-
-/// Number of bodies in a register of 32 bytes.
-inline constexpr std::size_t WIDE_WIDTH = 2 * PACK_WIDTH;
 
 /// Bodies of one shape, equal settings and one plan: WIDE_WIDTH or PACK_WIDTH of them, or a single body. A batch is a
 /// view of the active bodies, made for one call.
@@ -34,15 +30,6 @@ struct Batch {
 	Rotation rotation_memory(std::size_t lane) const {
 		const Vec2 memory = states[lane][2 * shape->point_count()];
 		return { memory.x, memory.y };
-	}
-	/// The PACK_WIDTH lanes from `first` on, of WIDE_WIDTH lanes.
-	Batch half(std::size_t first) const {
-		Batch part = *this;
-		part.count = PACK_WIDTH;
-		std::copy_n(active_indices.begin() + first, PACK_WIDTH, part.active_indices.begin());
-		std::copy_n(body_indices.begin() + first, PACK_WIDTH, part.body_indices.begin());
-		std::copy_n(states.begin() + first, PACK_WIDTH, part.states.begin());
-		return part;
 	}
 };
 

@@ -3,7 +3,6 @@
 #include "core/dynamics/body_reset.h"
 
 #include "core/base/constants.h"
-#include "core/dynamics/finite_check.h"
 #include "core/model/body_frame.h"
 
 #include <cstdint>

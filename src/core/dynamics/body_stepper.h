@@ -2,14 +2,13 @@
 // Advances batches of bodies through a time slice of a step: forces, integration, environment.
 #pragma once
 
-#include "core/base/pack.h"
 #include "core/collision/environment_contact_solver.h"
 #include "core/collision/self_collision.h"
 #include "core/dynamics/batch.h"
 #include "core/dynamics/integrators/integrator_step.h"
+#include "core/dynamics/lane_stepper.h"
 #include "core/dynamics/state_prefetch.h"
 #include "core/dynamics/step_context.h"
-#include "core/dynamics/wide_stepper.h"
 #include "core/model/body_frame.h"
 
 #include <array>
@@ -34,6 +33,8 @@ struct StepCounts {
 class BodyStepper {
 public:
 	void begin_step(const StepContext &context);
+	/// Largest number of bodies in a batch.
+	std::size_t width() const { return wide_ != nullptr ? WIDE_WIDTH : PACK_WIDTH; }
 
 	/// Stores the positions at the start of the step, for interpolation.
 	void begin(const Batch &batch);
@@ -63,24 +64,16 @@ public:
 private:
 	/// Advances the body in one lane by itself.
 	void advance_one(const Batch &batch, std::size_t lane, const TimeSlice &slice);
-	/// Advances PACK_WIDTH bodies together. For the lanes in the bit mask `solved_alone`, contacts with the environment
-	/// are solved for each body alone.
-	void advance_lanes(const Batch &batch, const TimeSlice &slice, std::uint32_t solved_alone);
-	/// Advances WIDE_WIDTH bodies together. Returns false, and changes nothing, if that is not possible.
-	bool advance_wide(const Batch &batch, const TimeSlice &slice, StatePrefetch &prefetch);
+	/// Advances a batch in SIMD lanes.
+	void advance_lanes(const Batch &batch, const TimeSlice &slice, StatePrefetch &prefetch);
 	bool can_use_lanes(const Batch &batch) const;
-	/// Bit mask of the lanes that have more contacts than those with borders that do not bounce: near colliders, or a
-	/// touch.
+	LaneStepper &lanes_for(const Batch &batch) { return batch.count == WIDE_WIDTH ? *wide_ : *narrow_; }
+	/// Bit mask of the lanes that have more contacts than those with borders that do not bounce: near colliders, or
+	/// a touch.
 	std::uint32_t lanes_solved_alone(const Batch &batch, const TimeSlice &slice);
-	/// Loads a batch into SIMD lanes, in scratch memory that the next call overwrites.
-	BodyLanes<RealPack> gather_lanes(const Batch &batch);
-	/// Solves the contacts with the environment for the lanes of `solved_alone`. Returns the number of contacts of each
-	/// lane.
-	RealPack solve_alone(const Batch &batch, std::uint32_t solved_alone, const BodyLanes<RealPack> &lanes, Real h,
-			const std::array<const Vec2 *, PACK_WIDTH> &sweep_start);
-	/// Brings crushed or overstretched bodies back within their limits.
-	void keep_whole_in_lanes(const Batch &batch, std::uint32_t crushed, const BodyLanes<RealPack> &lanes, Real h,
-			bool bears_load);
+	/// Stores the state of a body at the start of a slice.
+	void keep_start(const Batch &batch, std::size_t lane);
+	void restore_start(const Batch &batch, std::size_t lane) const;
 	/// Hull points where the path of a body through the environment starts; null for its present position.
 	const Vec2 *sweep_start(std::uint32_t active_index, const TimeSlice &slice) const;
 	void reset(std::uint32_t body_index, Real dt);
@@ -93,15 +86,12 @@ private:
 	IntegratorWorkspace workspace_;
 	std::vector<Vec2> external_;
 	std::vector<Vec2> load_; ///< external forces with the body's own load, in one substep
-	std::vector<Vec2> start_; ///< positions, then velocities, at the start of a slice
+	std::vector<Vec2> start_; ///< positions and velocities at the start of a slice, one lane after the other
 	std::vector<Vec2> before_; ///< positions at the start of the substep
 	std::vector<Vec2> hull_before_; ///< hull points at the start of the substep, of a body that collides with itself
-	BasicWorkspace<RealPack> pack_workspace_;
-	std::vector<BasicVec2<RealPack>> pack_positions_;
-	std::vector<BasicVec2<RealPack>> pack_velocities_;
-	std::vector<BasicVec2<RealPack>> pack_start_; ///< as `start_`, if the bodies' own arrays do not keep it
-	std::vector<Vec2> limited_; ///< stored state of a body while its limits are kept
-	std::unique_ptr<WideStepper> wide_ = make_wide_stepper();
+	std::vector<Vec2> limited_; ///< state of a body while its limits are kept
+	std::unique_ptr<LaneStepper> narrow_ = make_narrow_stepper();
+	std::unique_ptr<LaneStepper> wide_ = make_wide_stepper(); ///< may be null
 };
 
 } // namespace softbody

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Damping of the rigid part of bodies' motion, for any scalar type: included where it is instantiated.
+// Damping of the motion of a body as a whole, for any scalar type.
 #pragma once
 
-#include "core/dynamics/rigid_damping.h"
 #include "core/model/body_frame.h"
+#include "core/model/body_lanes.h"
 
 #include <cmath>
 
 namespace softbody {
 
+/// Damps velocity and spin of a body as a whole by `linear_damp` and `angular_damp` over `h` [s]: by exp(-damp h),
+/// independent of the number of substeps. Motion relative to the rigid one and pinned points are unchanged. Several
+/// bodies side by side get the bits of each alone. O(points).
 template <class T>
 void damp_rigid_motion(const BodyLanes<T> &body, Real h) {
 	const BodySettings &settings = body.model.settings;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Keeps a body from being crushed flat, drawn out or turned inside out.
-#include "core/dynamics/shape_limits.h"
+#include "core/dynamics/shape_limits_lanes.h"
 
 #include "core/base/constants.h"
-#include "core/dynamics/shape_limits_lanes.h"
 #include "core/model/body_frame.h"
 
 #include <algorithm>
@@ -94,14 +93,14 @@ struct Excess {
 	bool is_far = false; ///< out of bounds by more than LIMIT_FAR
 };
 
-std::optional<Excess> find_excess(const SoftBodyData &body, const BodyFrame &frame) {
-	const SoftBodyShape &shape = body.shape();
+std::optional<Excess> find_excess(const BodyLanes<Real> &body, Vec2 center) {
+	const SoftBodyShape &shape = body.model.shape;
 	Map positions;
 	Map rest;
 	for (std::size_t i = 0; i < shape.point_count(); ++i) {
 		const Vec2 q = shape.rest_positions()[i];
 		const double mass = shape.masses()[i];
-		positions.add(body.positions()[i] - frame.center, q, mass);
+		positions.add(body.positions[i] - center, q, mass);
 		rest.add(q, q, mass);
 	}
 	Excess excess;
@@ -110,7 +109,7 @@ std::optional<Excess> find_excess(const SoftBodyData &body, const BodyFrame &fra
 	if (!std::isfinite(stretches.sizes[0])) {
 		return std::nullopt;
 	}
-	const std::array<double, 2> allowed = allowed_stretches(stretches.sizes, bounds_of(body.settings()));
+	const std::array<double, 2> allowed = allowed_stretches(stretches.sizes, bounds_of(body.model.settings));
 	for (std::size_t k = 0; k < 2; ++k) {
 		const double change = allowed[k] - stretches.sizes[k];
 		excess.is_far |= std::abs(change) > double(LIMIT_FAR);
@@ -129,46 +128,48 @@ void quicken(Vec2 &velocity, Vec2 way, Real h, Real fastest) {
 	}
 }
 
+BodyFrame frame_of(const BodyLanes<Real> &body) {
+	return measure_frame<Real>(body.model.shape, body.model.rotation_memory, body.positions, body.velocities);
+}
+
 // Restores momentum, spin and center after changes.
-void restore_rigid_motion(SoftBodyData &body, const BodyFrame &before) {
-	const BodyFrame after = measure_frame(body);
+void restore_rigid_motion(const BodyLanes<Real> &body, const BodyFrame &before) {
+	const BodyFrame after = frame_of(body);
 	const Real turn = after.inertia > 0 ? before.angular_velocity * before.inertia / after.inertia - after.angular_velocity : Real(0);
 	const Vec2 push = before.velocity - after.velocity;
 	const Vec2 back = before.center - after.center;
-	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		body.mutable_velocities()[i] += push + perpendicular(body.positions()[i] - after.center) * turn;
-		body.mutable_positions()[i] += back;
+	for (std::size_t i = 0; i < body.positions.size(); ++i) {
+		body.velocities[i] += push + perpendicular(body.positions[i] - after.center) * turn;
+		body.positions[i] += back;
 	}
 }
 
 } // namespace
 
-template bool may_break_limits<Real>(const BodyModel<Real> &, std::span<const Vec2>);
-template PackMask may_break_limits<RealPack>(const BodyModel<RealPack> &, std::span<const BasicVec2<RealPack>>);
-
-bool keep_whole(SoftBodyData &body, Real h, bool bears_load) {
-	const BodySettings &settings = body.settings();
-	if (!settings.has_limits() || !may_break_limits<Real>(model_of(body), body.positions())) {
+bool keep_whole(const BodyLanes<Real> &body, Real h, bool bears_load) {
+	const SoftBodyShape &shape = body.model.shape;
+	const BodySettings &settings = body.model.settings;
+	if (!settings.has_limits() || !may_break_limits<Real>(body.model, body.positions)) {
 		return false;
 	}
-	const BodyFrame frame = measure_frame(body);
-	const std::optional<Excess> excess = find_excess(body, frame);
+	const BodyFrame frame = frame_of(body);
+	const std::optional<Excess> excess = find_excess(body, frame.center);
 	if (!excess) {
 		return false; // not finite: it is about to be reset
 	}
 	// Crumpled: area is lost although the whole is not small. Points are drawn to their places in the affine map.
-	const Real area = hull_area<Real>(body.hull()) / body.shape().rest_area();
+	const Real area = hull_area<Real>(body.positions.first(shape.hull_count())) / shape.rest_area();
 	const Real least_area = bounds_of(settings).least_area;
 	const Real onset = least_area * LIMIT_ONSET;
 	const Real smoothing = area < onset ? std::min((onset - area) / (onset - least_area), Real(1)) * LIMIT_SMOOTHING : Real(0);
-	const Real walk = LIMIT_SPEED * body.shape().radius();
-	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		if (body.inverse_masses()[i] == 0) {
+	const Real walk = LIMIT_SPEED * shape.radius();
+	for (std::size_t i = 0; i < body.positions.size(); ++i) {
+		if (body.inverse_masses[i] == 0) {
 			continue;
 		}
-		const Vec2 q = body.shape().rest_positions()[i];
-		Vec2 &position = body.mutable_positions()[i];
-		Vec2 &velocity = body.mutable_velocities()[i];
+		const Vec2 q = shape.rest_positions()[i];
+		Vec2 &position = body.positions[i];
+		Vec2 &velocity = body.velocities[i];
 		const Vec2 home = frame.center + excess->now.apply(q);
 		const Vec2 shift = excess->shift.apply(q);
 		const Vec2 smoothed = (home - position) * smoothing;
@@ -177,7 +178,7 @@ bool keep_whole(SoftBodyData &body, Real h, bool bears_load) {
 		quicken(velocity, shift, h, bears_load && !excess->is_far ? std::numeric_limits<Real>::max() : walk);
 		quicken(velocity, smoothed, h, walk);
 	}
-	if (body.is_free()) {
+	if (std::ranges::find(body.inverse_masses, Real(0)) == body.inverse_masses.end()) {
 		restore_rigid_motion(body, frame);
 	}
 	return true;

@@ -32,7 +32,7 @@ void Simulator::for_batches(std::span<const std::uint32_t> list, const Work &wor
 	run_slices(parallel_for_, units, UNITS_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
 		const std::size_t last = std::min(end * WIDE_WIDTH, list.size());
 		for (std::size_t at = begin * WIDE_WIDTH; at < last;) {
-			const Batch batch = bodies_.batch_at(list.subspan(at, last - at));
+			const Batch batch = bodies_.batch_at(list.subspan(at, std::min(last - at, steppers_[task].width())));
 			StatePrefetch prefetch;
 			if (at + BODIES_AHEAD < last) {
 				bodies_.prefetch(list.subspan(at + BODIES_AHEAD, last - at - BODIES_AHEAD), batch.count, prefetch);

@@ -8,8 +8,6 @@ namespace softbody {
 
 template BodyFrame measure_frame<Real>(const SoftBodyShape &, const Rotation &, std::span<const Vec2>,
 		std::span<const Vec2>);
-template BasicBodyFrame<RealPack> measure_frame<RealPack>(const SoftBodyShape &, const BasicRotation<RealPack> &,
-		std::span<const BasicVec2<RealPack>>, std::span<const BasicVec2<RealPack>>);
 
 BodyFrame measure_frame(const SoftBodyData &body, std::span<const Vec2> positions,
 		std::span<const Vec2> velocities) {

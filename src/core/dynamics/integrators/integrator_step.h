@@ -46,25 +46,12 @@ struct BasicWorkspace {
 using IntegratorWorkspace = BasicWorkspace<Real>;
 
 /// The one seam between a step and its method: a step calls its bodies' method through this pointer, once a substep and batch,
-/// as `integrator_traits` and `lane_step` hand it out. Methods that only charts and teaching use (explicit Euler, midpoint,
+/// as `integrator_traits` and `LANE_STEPS` hold it. Methods that only charts and teaching use (explicit Euler, midpoint,
 /// Heun, Runge-Kutta) cost the others nothing beyond that call.
 /// Advances positions and velocities by one substep, without contacts. Stages evaluate contact-free forces; the caller
 /// solves contacts once, after the substep. A pinned point (inverse mass 0) keeps its velocity, which is 0.
 template <class T>
 using LaneStep = void (*)(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
-
-template <class T>
-void step_explicit_euler(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
-template <class T>
-void step_semi_implicit_euler(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
-template <class T>
-void step_midpoint(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
-template <class T>
-void step_heun(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
-template <class T>
-void step_runge_kutta_4(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
-template <class T>
-void step_velocity_verlet(const BodyLanes<T> &body, const BasicSubstepInput<T> &input, BasicWorkspace<T> &workspace);
 
 /// Advances one body. XPBD exists only in this form, as its passes end at different times for different bodies.
 using IntegratorStep = void (*)(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace);
@@ -84,7 +71,6 @@ struct IntegratorTraits {
 	/// changing a bit. Velocity Verlet passes on its forces, XPBD its energy.
 	bool hands_nothing_on;
 	IntegratorStep step;
-	LaneStep<RealPack> step_side_by_side; ///< for several bodies side by side, with equal bits; null for XPBD
 };
 
 /// Precondition: `integrator` is not AUTOMATIC, which is not a method.

@@ -5,8 +5,8 @@
 #include "core/base/constants.h"
 #include "core/dynamics/elastic_lanes.h"
 #include "core/dynamics/energy.h"
-#include "core/dynamics/forces.h"
-#include "core/dynamics/pressure.h"
+#include "core/dynamics/forces_lanes.h"
+#include "core/dynamics/pressure_lanes.h"
 #include "core/dynamics/triangle_lanes.h"
 #include "core/model/body_frame.h"
 
@@ -50,13 +50,14 @@ void solve_springs(const SoftBodyData &body, std::span<const Vec2> before, Real 
 void solve_pressure(const SoftBodyData &body, Real h, std::span<Vec2> x, std::span<Vec2> gradient) {
 	const SoftBodyShape &shape = body.shape();
 	const std::span<const Real> w = body.inverse_masses();
-	const Real area = area_and_gradient(x.first(shape.hull_count()), gradient);
+	const std::span<const Vec2> hull = x.first(shape.hull_count());
 	Real inverse_mass = 0;
-	for (std::size_t i = 0; i < shape.hull_count(); ++i) {
+	for (std::size_t i = 0; i < hull.size(); ++i) {
+		gradient[i] = area_derivative<Real>(hull, i);
 		inverse_mass += w[i] * length_squared(gradient[i]);
 	}
 	const Real elastic = body.settings().pressure_stiffness / shape.rest_area() * h * h;
-	const Real excess = area - body.settings().inflation * shape.rest_area();
+	const Real excess = hull_area<Real>(hull) - body.settings().inflation * shape.rest_area();
 	const Real impulse = -elastic * excess / (1 + elastic * inverse_mass);
 	for (std::size_t i = 0; i < shape.hull_count(); ++i) {
 		x[i] += gradient[i] * (impulse * w[i]);

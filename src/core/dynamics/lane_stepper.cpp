@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Batches of WIDE_WIDTH bodies, on processors with registers of 32 bytes.
-#include "core/dynamics/wide_stepper.h"
+// Chooses how many SIMD lanes there are.
+#include "core/dynamics/lane_stepper.h"
+
+#include "core/dynamics/slice_lanes.h"
 
 namespace softbody {
 
@@ -18,7 +20,13 @@ bool has_avx2() {
 
 } // namespace
 
-std::unique_ptr<WideStepper> make_wide_stepper() {
+LaneStepper::~LaneStepper() = default;
+
+std::unique_ptr<LaneStepper> make_narrow_stepper() {
+	return std::make_unique<BasicLaneStepper<RealPack>>();
+}
+
+std::unique_ptr<LaneStepper> make_wide_stepper() {
 	return are_allowed && detail::make_avx2_stepper != nullptr && has_avx2() ? detail::make_avx2_stepper() : nullptr;
 }
 
