@@ -138,7 +138,7 @@ TEST_CASE("a network has the values of its springs, and shape matching with the 
 	StructureOptions options;
 	options.stiffness = 1;
 	options.damping = 1;
-	const auto shape = SoftBodyCreator::create_circle(50, 8, options).value(); // nine points
+	const auto shape = testing::circle_shape(50, 8, options).value(); // nine points
 	BodySettings settings;
 	REQUIRE(!apply_network({ 200, 3, 0.5, 0.25 }, 18, *shape, settings));
 	CHECK(settings.spring_stiffness_scale == 200);
