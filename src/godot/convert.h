@@ -94,6 +94,24 @@ inline Pose to_core_pose(const godot::Transform2D &p_transform) {
 }
 
 /// Scale and skew of a transform; its rotation and position are left out.
+/// A scale in two factors: a size, and what is left, which is the identity or a mirror image if the scale is the same in
+/// all directions. Any other scale is left as it is, with a size of 1.
+struct SizedScale {
+	godot::Transform2D rest;
+	Real size = 1;
+
+	explicit SizedScale(const godot::Transform2D &p_scale) : rest(p_scale) {
+		constexpr real_t TOLERANCE = real_t(1e-5);
+		const real_t x = p_scale.columns[0].length();
+		const real_t y = p_scale.columns[1].length();
+		const bool is_uniform = std::abs(x - y) <= TOLERANCE * x && std::abs(p_scale.columns[0].dot(p_scale.columns[1])) <= TOLERANCE * x * y;
+		if (is_uniform) {
+			size = std::abs(x - 1) <= TOLERANCE ? Real(1) : Real(x);
+			rest = godot::Transform2D(1, 0, 0, p_scale.determinant() < 0 ? -1 : 1, 0, 0);
+		}
+	}
+};
+
 inline godot::Transform2D scale_and_skew(const godot::Transform2D &p_transform) {
 	godot::Transform2D scale = godot::Transform2D(-p_transform.get_rotation(), godot::Vector2()) * p_transform;
 	scale.set_origin(godot::Vector2());

@@ -85,12 +85,28 @@ StructureOptions BodyStructure::options(const Transform2D &p_scale) const {
 	return options;
 }
 
-Result<std::shared_ptr<const SoftBodyShape>> BodyStructure::make_shape(std::span<const Vec2> p_hull, StructureOptions &r_options,
-		PackedStringArray &r_problems) {
-	auto shape = find_or_create_shape(p_hull, r_options);
+Transform2D BodyStructure::simulated_scale(const Transform2D &p_scale) const {
+	Rect2 box(values_.polygon.is_empty() ? Vector2() : values_.polygon[0], Vector2());
+	for (const Vector2 &point : values_.polygon) {
+		box.expand_to(point);
+	}
+	Transform2D scale = p_scale;
+	for (int axis = 0; axis < 2; axis++) {
+		const real_t factor = scale.columns[axis].length();
+		const real_t least = MIN(real_t(1), LEAST_WIDTH / box.size[axis]);
+		if (factor > 0 && factor < least) {
+			scale.columns[axis] *= least / factor;
+		}
+	}
+	return scale;
+}
+
+Result<std::shared_ptr<const SoftBodyShape>> BodyStructure::make_shape(std::span<const Vec2> p_hull, Real p_size,
+		StructureOptions &r_options, PackedStringArray &r_problems) {
+	auto shape = find_or_create_shape(p_hull, r_options, p_size);
 	while (!shape && leave_out(r_options, shape.error().name)) {
 		r_problems.push_back(to_godot(shape.error()));
-		shape = find_or_create_shape(p_hull, r_options);
+		shape = find_or_create_shape(p_hull, r_options, p_size);
 	}
 	return shape;
 }

@@ -36,6 +36,9 @@ public:
 		bool center_point = true;
 	};
 
+	/// Least width of a body that has been scaled down [px].
+	static constexpr real_t LEAST_WIDTH = 4;
+
 	const Values &values() const { return values_; }
 	/// Sets one of the values, of any kind, and returns its old one.
 	template <auto VALUE, class Value>
@@ -63,8 +66,12 @@ public:
 
 	/// What the creator takes, at that scale of the node.
 	StructureOptions options(const godot::Transform2D &p_scale) const;
-	/// The shape of these options. Parts that do not fit the rest are removed from the options, and told in `r_problems`.
-	static Result<std::shared_ptr<const SoftBodyShape>> make_shape(std::span<const Vec2> p_hull, StructureOptions &r_options,
+	/// The scale at which a body is simulated for a node of scale `p_scale`: at least LEAST_WIDTH wide, as long as the polygon
+	/// is. So a node may shrink to nothing.
+	godot::Transform2D simulated_scale(const godot::Transform2D &p_scale) const;
+	/// The shape of these options, enlarged by a factor. Parts that do not fit the rest are removed from the options, and told
+	/// in `r_problems`.
+	static Result<std::shared_ptr<const SoftBodyShape>> make_shape(std::span<const Vec2> p_hull, Real p_size, StructureOptions &r_options,
 			godot::PackedStringArray &r_problems);
 	/// One for each inner point outside of the polygon.
 	void append_warnings(godot::PackedStringArray &r_warnings) const;

@@ -196,6 +196,12 @@ Transform2D SoftBody2D::transform_at(const softbody::BodyFrame &p_frame) const {
 	return transform;
 }
 
+// The frame of the designed polygon as it is simulated, for a node at that transform.
+Transform2D SoftBody2D::simulated_frame(const Transform2D &p_transform) const {
+	const Transform2D scale = softbody::scale_and_skew(p_transform);
+	return p_transform * (scale.affine_inverse() * structure_.simulated_scale(scale));
+}
+
 // A transform that differs from the one the body left behind was set by the user: the body follows.
 void SoftBody2D::take_over_transform() {
 	if (space_ == nullptr || body() == nullptr) {
@@ -217,13 +223,14 @@ void SoftBody2D::take_over_transform() {
 		known_transform_ = transform;
 	} else {
 		// Another size is another body: keep how it is deformed and how it moves.
-		const PackedVector2Array deformed = known_transform_.affine_inverse().xform(to_godot(body()->positions()));
+		const PackedVector2Array deformed = simulated_frame(known_transform_).affine_inverse().xform(to_godot(body()->positions()));
 		const std::vector<softbody::Vec2> velocities(body()->velocities().begin(), body()->velocities().end());
 		const bool was_reversed = polygon_reversed_;
 		rebuild_body(false);
+		const Transform2D frame = simulated_frame(transform);
 		if (was_reversed == polygon_reversed_) {
 			for (uint32_t i = 0; i < velocities.size(); i++) {
-				body()->set_point(i, to_core(transform.xform(deformed[i])), velocities[i]);
+				body()->set_point(i, to_core(frame.xform(deformed[i])), velocities[i]);
 			}
 		}
 	}

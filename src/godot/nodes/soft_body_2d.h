@@ -380,6 +380,7 @@ private:
 	void apply_freeze();
 	void apply_exceptions();
 	softbody::Real proxy_inset() const;
+	Transform2D simulated_frame(const Transform2D &p_transform) const;
 	Transform2D transform_at(const softbody::BodyFrame &p_frame) const;
 	void update_topology();
 

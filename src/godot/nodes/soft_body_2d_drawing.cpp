@@ -114,6 +114,13 @@ std::span<const Vec2> SoftBody2D::local_points(double p_fraction) const {
 	const softbody::SoftBodyData &data = *body();
 	points.resize(data.point_count());
 	interpolation_.local_points(known_transform_, p_fraction, data.previous_positions(), data.positions(), points);
+	const Transform2D simulated = structure_.simulated_scale(built_scale_);
+	if (simulated != built_scale_) { // drawn as small as the node is
+		const Transform2D shrink = simulated.affine_inverse() * built_scale_;
+		for (Vec2 &point : points) {
+			point = softbody::to_core(shrink.xform(softbody::to_godot(point)));
+		}
+	}
 	return points;
 }
 

@@ -62,8 +62,9 @@ bool SoftBody2D::take_over_structure(const StringName &p_property, bool p_has_ot
 
 softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &p_transform, bool p_is_draft) const {
 	const Transform2D scale = softbody::scale_and_skew(p_transform);
-	const std::vector<softbody::Vec2> hull = to_core(scale.xform(get_polygon()));
-	const double area = softbody::signed_area(hull);
+	const softbody::SizedScale sized(structure_.simulated_scale(scale));
+	const std::vector<softbody::Vec2> hull = to_core(sized.rest.xform(get_polygon()));
+	const double area = softbody::signed_area(hull) * double(sized.size) * double(sized.size);
 	Design made;
 	made.scale = scale;
 	made.area = std::abs(area);
@@ -72,12 +73,12 @@ softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &
 	made.wanted = choose_model();
 	made.used = made.wanted;
 
-	softbody::StructureOptions options = structure_.options(scale);
+	softbody::StructureOptions options = structure_.options(sized.rest);
 	options.mass = softbody::Real(made.mass);
 	options.elastic = !p_is_draft && made.used.model == ELASTIC_MODEL_MODES;
 	options.elastic_triangles = !p_is_draft && made.used.model == ELASTIC_MODEL_TRIANGLES;
 	for (;;) {
-		auto shape = softbody::BodyStructure::make_shape(hull, options, made.problems);
+		auto shape = softbody::BodyStructure::make_shape(hull, sized.size, options, made.problems);
 		const bool is_solid = options.elastic || options.elastic_triangles;
 		if (!shape && !is_solid) {
 			return shape.error();
