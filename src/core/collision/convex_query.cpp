@@ -31,6 +31,18 @@ Vec2 closest_on_edge(const std::vector<Vec2> &vertices, std::size_t i, Vec2 p) {
 	return a + (b - a) * closest_parameter_on_segment(p, a, b);
 }
 
+// Beside the segment the normal is its own. The direction from the nearest place would be rounding where the point is
+// near and the ends are far. The distance is measured from the nearer end for the same reason.
+SurfaceDistance segment_distance(const std::vector<Vec2> &vertices, Vec2 p, Real radius) {
+	const Vec2 normal = face_normal(vertices, 0);
+	const Real t = closest_parameter_on_segment(p, vertices[0], vertices[1]);
+	if (!(t > 0 && t < 1)) {
+		return distance_from_core(p - vertices[t > 0 ? 1 : 0], normal, radius);
+	}
+	const Real side = dot(normal, p - vertices[t < Real(0.5) ? 0 : 1]);
+	return { std::abs(side) - radius, side < 0 ? -normal : normal };
+}
+
 SurfaceDistance polygon_distance(const Collider &collider, Vec2 p) {
 	SurfaceDistance nearest{ -std::numeric_limits<Real>::max(), {} };
 	for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
@@ -86,7 +98,8 @@ std::optional<PointContact> swept_segment(const Collider &collider, Vec2 from, V
 		return {};
 	}
 	const Vec2 normal = face_normal(collider.vertices, 0) * (side > 0 ? Real(-1) : Real(1));
-	return PointContact{ normal, radius - dot(normal, to - a) };
+	const Vec2 nearer_end = length_squared(to - a) < length_squared(to - b) ? a : b;
+	return PointContact{ normal, radius - dot(normal, to - nearer_end) };
 }
 
 bool is_inner(const Collider &collider, std::size_t edge) {
@@ -227,7 +240,7 @@ SurfaceDistance surface_distance(const Collider &collider, Vec2 p, Real least_ra
 		case 1:
 			return distance_from_core(p - vertices[0], { 0, -1 }, radius);
 		case 2:
-			return distance_from_core(p - closest_on_edge(vertices, 0, p), face_normal(vertices, 0), radius);
+			return segment_distance(vertices, p, radius);
 		default:
 			return collider.concave ? outline_distance(collider, p) : polygon_distance(collider, p);
 	}
