@@ -24,6 +24,7 @@ nlohmann::json table_4_1(const Options &options);
 nlohmann::json pile(const Options &options);
 nlohmann::json scaling(const Options &options);
 nlohmann::json contact_accuracy(const Options &options);
+nlohmann::json contact_books(const Options &options);
 nlohmann::json stress(const Options &options);
 nlohmann::json soak(const Options &options);
 nlohmann::json model(const Options &options);

@@ -19,6 +19,7 @@ const std::map<std::string, bench::Bench> BENCHES = {
 	{ "pile", bench::pile },
 	{ "scaling", bench::scaling },
 	{ "contact-accuracy", bench::contact_accuracy },
+	{ "contact-books", bench::contact_books },
 	{ "stress", bench::stress },
 	{ "soak", bench::soak },
 	{ "model", bench::model },

@@ -303,3 +303,25 @@ TEST_CASE("a point that starts inside leaves by the nearest face") {
 	CHECK(std::abs(double(find_point_contact(rounded, { Real(1.5), 1 }, { Real(1.6), 1 }, SLOP)->depth) - 0.9) <= 8 * EPSILON);
 	CHECK_FALSE(find_point_contact(box, { Real(1.5), 1 }, { 3, 1 }, SLOP).has_value()); // on its way out
 }
+
+// A point close to a long segment had the direction from its nearest place as normal, which is rounding.
+TEST_CASE("beside a segment of any length its own normal counts, on both sides") {
+	for (const Real size : { Real(10), Real(1e4), Real(1e6) }) {
+		for (const Real angle : { Real(0), Real(0.3), Real(-1.2) }) {
+			const Rotation turn = Rotation::from_angle(angle);
+			Collider segment;
+			segment.vertices = { turn.apply({ -size / 2, 0 }), turn.apply({ size / 2, 0 }) };
+			const Vec2 up = turn.apply({ 0, 1 });
+			for (const Real along : { Real(-0.4), Real(0.07), Real(0.33) }) {
+				for (const Real side : { Real(-1), Real(1) }) {
+					const Vec2 p = turn.apply({ along * size, side });
+					const SurfaceDistance found = surface_distance(segment, p, Real(2));
+					CAPTURE(size);
+					CAPTURE(angle);
+					CHECK(double(dot(found.normal, up * side)) >= 1 - 1e-6);
+					CHECK(std::abs(double(found.distance) + 1) <= 4 * double(EPSILON) * double(size));
+				}
+			}
+		}
+	}
+}

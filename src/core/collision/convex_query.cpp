@@ -28,6 +28,18 @@ bool is_inner(const Collider &collider, std::size_t edge) {
 	return edge < 32 && (collider.internal_edges >> edge & 1) != 0;
 }
 
+// Beside the segment the normal is its own. The direction from the nearest place would be rounding where the point is
+// near and the ends are far. The distance is measured from the nearer end for the same reason.
+SurfaceDistance segment_distance(const std::vector<Vec2> &vertices, Vec2 p, Real radius) {
+	const Vec2 normal = face_normal(vertices, 0);
+	const Real t = closest_parameter_on_segment(p, vertices[0], vertices[1]);
+	if (!(t > 0 && t < 1)) {
+		return distance_from_core(p - vertices[t > 0 ? 1 : 0], normal, radius);
+	}
+	const Real side = dot(normal, p - vertices[t < Real(0.5) ? 0 : 1]);
+	return { std::abs(side) - radius, side < 0 ? -normal : normal };
+}
+
 // The largest distance of p to the face lines, or to those of outer faces: negative inside.
 SurfaceDistance face_distance(const Collider &collider, Vec2 p, bool outer_only) {
 	SurfaceDistance nearest{ -std::numeric_limits<Real>::max(), {} };
@@ -80,7 +92,8 @@ std::optional<PointContact> swept_segment(const Collider &collider, Vec2 from, V
 		return {};
 	}
 	const Vec2 normal = face_normal(collider.vertices, 0) * (side > 0 ? Real(-1) : Real(1));
-	return PointContact{ normal, radius - dot(normal, to - a) };
+	const Vec2 nearer_end = length_squared(to - a) < length_squared(to - b) ? a : b;
+	return PointContact{ normal, radius - dot(normal, to - nearer_end) };
 }
 
 // The nearest face that is not internal. If all faces are internal, the nearest face.
@@ -201,10 +214,8 @@ SurfaceDistance surface_distance(const Collider &collider, Vec2 p, Real least_ra
 	switch (vertices.size()) {
 		case 1:
 			return distance_from_core(p - vertices[0], { 0, -1 }, radius);
-		case 2: {
-			const Vec2 along = (vertices[1] - vertices[0]) * closest_parameter_on_segment(p, vertices[0], vertices[1]);
-			return distance_from_core(p - (vertices[0] + along), face_normal(vertices, 0), radius);
-		}
+		case 2:
+			return segment_distance(vertices, p, radius);
 		default:
 			return collider.concave ? outline_distance(collider, p) : polygon_distance(collider, p);
 	}
