@@ -3,11 +3,11 @@
 #include "bench.h"
 #include "bodies.h"
 
-#include "core/creator/soft_body_creator.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
+#include "scenes/jelly.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ SoftBodyData disc(const Disc &of, Vec2 center, Vec2 velocity = {}) {
 	softbody::StructureOptions options;
 	options.stiffness = Real(of.stiffness);
 	options.damping = Real(0.012 * std::sqrt(of.stiffness) * of.damping);
-	const Shape shape = take(softbody::SoftBodyCreator::create_circle(Real(RADIUS), of.points, options));
+	const Shape shape = take(softbody::testing::circle_shape(Real(RADIUS), of.points, options));
 	BodySettings settings;
 	set_shape_matching(settings, *shape, 0.4 * of.stiffness);
 	settings.shape_damping *= Real(of.damping);
@@ -390,7 +390,7 @@ json collapsed(int count) {
 		of.rolling_resistance = 0.03;
 		SoftBodyData body = disc(of, { Real(i % 2), Real(-60 - 145 * i) });
 		BodySettings settings = body.settings();
-		softbody::set_default_limits(settings);
+		softbody::testing::set_default_limits(settings);
 		settings.linear_damp = Real(0.1);
 		settings.angular_damp = 1;
 		check(body.set_settings(settings));
