@@ -13,6 +13,7 @@ from typing import Callable
 
 import machine
 import tables_b
+import tables_books
 import tables_c
 import tables_editor
 import tables_engine
@@ -59,6 +60,7 @@ BENCHES = {
     "pile": Bench(("float",), per_precision(tables_c.summarize_pile), tables_c.print_pile, timed=True),
     "scaling": Bench(("float",), per_precision(tables_c.summarize_scaling), tables_c.print_scaling, timed=True),
     "contact-accuracy": Bench(("float",), per_precision(tables_c.summarize_contacts), tables_c.print_contacts, timed=True),
+    "contact-books": Bench(("float",), per_precision(tables_books.summarize), tables_books.print_table),
     "model": Bench(("float",), per_precision(tables_model.summarize), tables_model.print_table, timed=True),
     "heap": Bench(("float",), per_precision(tables_heap.summarize), tables_heap.print_table, timed=True),
     "peers": Bench(

@@ -12,6 +12,7 @@
 #   pile            piles between walls: time, penetration, folded bodies, rest
 #   scaling         step time from 100 to 100,000 bodies, by phase, and what a second thread saves
 #   contact-accuracy friction, restitution and momentum against theory; penetration against time
+#   contact-books   where contacts gain or lose energy, height, way or rest, against theory; most of it fails today
 #   stress          scenes made to break bodies, under every method at 30 to 240 ticks a second
 #   soak            ten simulated hours: drift at rest, memory, bodies lost; with --quick, a third of an hour
 #   model           outlines under every elastic model against finite elements, and what they cost; independence of the mesh
@@ -26,7 +27,7 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/bench.sh"
 
-names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy stress soak model heap peers engine editor)
+names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy contact-books stress soak model heap peers engine editor)
 name=
 for argument in "$@"; do
 	case $argument in

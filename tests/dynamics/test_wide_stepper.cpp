@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <vector>
@@ -191,5 +192,76 @@ TEST_CASE("a body of two batches that is ruined is reset, and the other seven mo
 	for (std::size_t i = 0; i < WIDE_WIDTH; ++i) {
 		const bool same = std::ranges::equal(world.soft_bodies()[i].positions(), sane.soft_bodies()[i].positions());
 		CHECK(same == (i != RUINED));
+	}
+}
+
+TEST_CASE("a body whose points define no rotation turns by its own memory, side by side as alone") {
+	BodySettings settings;
+	settings.shape_stiffness = 120;
+	const auto shape = thesis_shape_with_ratio(300, Real(0.05));
+	const auto collapsed = [&](std::size_t i) {
+		SoftBodyData body = thesis_body(shape, settings, { { Real(3 * i), 0 }, {} });
+		for (std::uint32_t point = 0; point < body.point_count(); ++point) {
+			body.set_point(point, { Real(3 * i), 0 }, {});
+		}
+		body.set_rotation_memory(Rotation::from_angle(Real(0.7) * Real(i)));
+		return body;
+	};
+	WorldData together;
+	for (std::size_t i = 0; i < WIDE_WIDTH; ++i) {
+		together.add_soft_body(collapsed(i));
+	}
+	Simulator(together).simulate(H);
+	for (std::size_t i = 0; i < WIDE_WIDTH; ++i) {
+		CAPTURE(i);
+		WorldData alone;
+		alone.add_soft_body(collapsed(i));
+		Simulator(alone).simulate(H);
+		const SoftBodyData &one = alone.soft_bodies()[0];
+		const SoftBodyData &other = together.soft_bodies()[i];
+		CHECK(std::ranges::equal(one.positions(), other.positions()));
+		CHECK(std::ranges::equal(one.velocities(), other.velocities()));
+		// Each point is pulled to its place in a shape turned by that angle.
+		const Vec2 pulled = other.velocities()[0];
+		const Vec2 place = Rotation::from_angle(Real(0.7) * Real(i)).apply(shape->rest_positions()[0]);
+		CHECK(length(pulled) > 0);
+		CHECK(dot(pulled, place) >= Real(0.999) * length(pulled) * length(place));
+	}
+}
+
+TEST_CASE("monitored bodies side by side on a border tell of the contacts that each has alone") {
+	BodySettings settings;
+	settings.contact_monitor = true;
+	const auto shape = thesis_shape_with_ratio(300, Real(0.05));
+	const auto on_ground = [&](std::size_t i) {
+		// Turned by different angles, so that other points touch, some of them deeper.
+		return thesis_body(shape, settings, { { Real(3 * i), Real(0.45) + Real(0.005) * Real(i) }, Rotation::from_angle(Real(i)) });
+	};
+	const auto add_ground = [](WorldData &world) { world.add_border({ { { 0, 0 }, { 0, 1 } }, {} }); };
+	WorldData together;
+	add_ground(together);
+	for (std::size_t i = 0; i < WIDE_WIDTH; ++i) {
+		together.add_soft_body(on_ground(i));
+	}
+	Simulator all(together);
+	all.simulate(H);
+	for (std::size_t i = 0; i < WIDE_WIDTH; ++i) {
+		CAPTURE(i);
+		WorldData alone;
+		add_ground(alone);
+		alone.add_soft_body(on_ground(i));
+		Simulator single(alone);
+		single.simulate(H);
+		std::vector<Contact> told;
+		std::ranges::copy_if(all.contacts(), std::back_inserter(told),
+				[&](const Contact &contact) { return contact.body == together.id_at(i); });
+		REQUIRE(told.size() == single.contacts().size());
+		CHECK(told.size() >= 1);
+		for (std::size_t k = 0; k < told.size(); ++k) {
+			CHECK(told[k].hull_point == single.contacts()[k].hull_point);
+			CHECK(told[k].point == single.contacts()[k].point);
+			CHECK(told[k].depth == single.contacts()[k].depth);
+			CHECK(told[k].normal_impulse == single.contacts()[k].normal_impulse);
+		}
 	}
 }
