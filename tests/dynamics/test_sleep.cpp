@@ -426,3 +426,63 @@ TEST_CASE("who is put to sleep sleeps on in the first step of a world with borde
 	simulator.simulate(Real(1) / 60);
 	CHECK_FALSE(world.find(id)->is_asleep());
 }
+
+TEST_CASE("a body that nothing holds falls as theory says, however faint the pull, at any rate") {
+	for (const Real pull : { Real(0.05), Real(0.2), Real(0.4) }) { // 5 to 40 px/s² at 100 px to the meter
+		for (const int rate : { 30, 60, 240 }) {
+			for (const bool is_wind : { false, true }) {
+				CAPTURE(pull);
+				CAPTURE(rate);
+				CAPTURE(is_wind);
+				WorldData world;
+				world.add_border({ { { 0, -100 }, { 0, 1 } }, {} });
+				world.set_gravity({ 0, is_wind ? Real(0) : -pull });
+				SoftBodyData &body = *world.find(world.add_soft_body(ball({ 0, 0 })));
+				if (is_wind) {
+					REQUIRE(!body.set_acceleration({ 0, -pull }));
+				}
+				const Real start = measure_frame(body).center.y;
+				Simulator simulator(world);
+				for (int i = 0; i < 4 * rate; ++i) {
+					REQUIRE(simulator.simulate(1 / Real(rate)).sleeping_bodies == 0);
+				}
+				const Real way = start - measure_frame(world.soft_bodies()[0]).center.y;
+				CHECK(way == doctest::Approx(double(pull * 8)).epsilon(0.02)); // a t²/2
+			}
+		}
+	}
+}
+
+TEST_CASE("what holds a body against a faint pull lets it sleep: ground, collider, pin, joint, frozen body") {
+	for (const int hold : { 0, 1, 2, 3, 4 }) {
+		CAPTURE(hold);
+		WorldData world;
+		world.set_gravity({ 0, Real(-0.4) });
+		const BodyId id = world.add_soft_body(ball({ 0, 0 }));
+		const Real low = bounding_box(world.find(id)->hull()).min.y;
+		if (hold == 0) {
+			world.add_border({ { { 0, low }, { 0, 1 } }, {} });
+		} else if (hold == 1) {
+			Collider floor;
+			floor.vertices = { { 5, low }, { -5, low } };
+			REQUIRE(!world.add_collider(floor));
+		} else if (hold == 2) {
+			REQUIRE(!world.find(id)->set_pinned(0, true));
+		} else if (hold == 3) {
+			Joint joint;
+			joint.first = JointAnchor::on_point(id, 0);
+			joint.second = JointAnchor::at_place(world.find(id)->positions()[0]);
+			REQUIRE(world.add_joint(joint));
+		} else {
+			const BodyId below = world.add_soft_body(ball({ 0, 2 * low }));
+			world.find(below)->set_frozen(true);
+		}
+		Simulator simulator(world);
+		bool sleeps = false;
+		for (int i = 0; i < 1200 && !sleeps; ++i) {
+			simulator.simulate(FRAME);
+			sleeps = world.find(id)->is_asleep();
+		}
+		CHECK(sleeps);
+	}
+}

@@ -51,6 +51,10 @@ inline constexpr Real SLEEP_SPEED_WEIGHTLESS = Real(0.02);
 inline constexpr Real DROWSY_TIME = Real(0.1);
 inline constexpr Real DROWSY_DECAY = Real(0.1);
 
+/// Acceleration [length/s², times WorldData::length_unit] from which a body that nothing holds is about to move, however
+/// slow it is. Larger: bodies in low gravity hang asleep in the air. Smaller: what is meant to float never sleeps.
+inline constexpr Real FREE_PULL = Real(0.01);
+
 /// Time [s] that a contact island must have been at rest before it falls asleep.
 inline constexpr Real SLEEP_TIME = Real(0.5);
 

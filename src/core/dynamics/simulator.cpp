@@ -75,7 +75,7 @@ StepReport Simulator::simulate(Real dt) {
 		report_contacts(dt);
 	}
 	if (world_.has_sleeping()) {
-		let_sleep();
+		let_sleep(dt);
 	}
 	collect(report);
 	timer_.lap(profile_.end);
@@ -311,10 +311,10 @@ void Simulator::list_awake(std::vector<BodyId> &ids) {
 	}
 }
 
-void Simulator::let_sleep() {
+void Simulator::let_sleep(Real dt) {
 	joined_.assign(joint_solver_.joined().begin(), joint_solver_.joined().end());
 	rigid_neighbors_.add_linked(joined_);
-	sleep_.let_sleep(pair_contacts_.pairs(), pair_contacts_.touched(), joined_, rigid_neighbors_.restless());
+	sleep_.let_sleep(pair_contacts_.pairs(), pair_contacts_.touched(), joined_, rigid_neighbors_.restless(), dt);
 }
 
 // Before any body falls asleep or wakes: a body that slept during the step has no contacts, but keeps its touches.

@@ -85,7 +85,7 @@ private:
 	void step_free(Real dt);
 	void step_coupled(Real dt);
 	void report_contacts(Real dt);
-	void let_sleep();
+	void let_sleep(Real dt);
 	void collect(StepReport &report);
 
 	/// Calls `work(stepper, batch, prefetch)` for the bodies of a list, ordered as `ActiveBodies::awake`, divided among

@@ -121,6 +121,7 @@ Aabb SleepWatch::rest_box(std::uint32_t active_index) const {
 
 void SleepWatch::join(BodyPair pair) {
 	const auto [a, b] = pair;
+	touching_[a] = touching_[b] = 1;
 	const auto is_frozen = [&](std::uint32_t i) { return bodies_.is_resting(i) && bodies_.data(i).is_frozen(); };
 	if (is_frozen(a) || is_frozen(b)) {
 		return; // bodies that rest on one frozen body are no island
@@ -131,12 +132,37 @@ void SleepWatch::join(BodyPair pair) {
 	islands_.join(a, b);
 }
 
+// What is near its box counts as a hold, as it does for waking.
+bool SleepWatch::is_pulled_freely(std::uint32_t active_index) {
+	const SoftBodyData &body = bodies_.data(active_index);
+	if (length(body.total_acceleration(world_.gravity())) < FREE_PULL * world_.length_unit() || body.has_pins() ||
+			joints_.holds(active_index)) {
+		return false;
+	}
+	const Aabb box = rest_box(active_index);
+	const Vec2 center = (box.min + box.max) * Real(0.5);
+	const Vec2 half = (box.max - box.min) * Real(0.5);
+	for (const Border &border : world_.borders()) {
+		const Vec2 normal = border.plane.normal;
+		if (signed_distance(border.plane, center) <= std::abs(normal.x) * half.x + std::abs(normal.y) * half.y) {
+			return false;
+		}
+	}
+	surroundings_.collect(box, near_);
+	if (!near_.empty()) {
+		return false;
+	}
+	surroundings_.collect_dynamic(box, near_);
+	return near_.empty();
+}
+
 void SleepWatch::let_sleep(std::span<const BodyPair> pairs, std::span<const char> touched, std::span<const BodyPair> joined,
-		std::span<const char> restless) {
+		std::span<const char> restless, Real dt) {
 	if (bodies_.awake().empty()) {
 		return;
 	}
 	islands_.reset(bodies_.count());
+	touching_.assign(bodies_.count(), 0);
 	for (std::size_t i = 0; i < pairs.size(); ++i) {
 		if (touched[i]) {
 			join(pairs[i]);
@@ -144,6 +170,14 @@ void SleepWatch::let_sleep(std::span<const BodyPair> pairs, std::span<const char
 	}
 	for (const BodyPair pair : joined) {
 		join(pair);
+	}
+	for (const std::uint32_t i : bodies_.awake()) {
+		RestState &rest = bodies_.data(i).rest_state();
+		// Asked once each time that it begins to move slowly, before it would be slowed.
+		const bool will_be_drowsy = rest.rest_time <= DROWSY_TIME && rest.rest_time + dt > DROWSY_TIME;
+		if (will_be_drowsy && !touching_[i] && is_pulled_freely(i)) {
+			rest.rest_time = 0;
+		}
 	}
 	least_rest_.assign(bodies_.count(), std::numeric_limits<Real>::max());
 	bool any_may_sleep = false;
