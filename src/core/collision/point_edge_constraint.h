@@ -24,7 +24,7 @@ inline std::uint32_t nearest_point(const HullPlace &place) {
 	return std::uint32_t(place.t < Real(0.5) ? place.a : place.b);
 }
 
-/// A place on a hull, ready for impulses. The ends of the edge share an impulse by their nearness to the place.
+/// A place on a hull, ready for impulses. The ends of the edge share an impulse by how near they are to the place.
 struct PointOnEdge {
 	std::size_t a = 0;
 	std::size_t b = 0;
