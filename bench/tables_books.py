@@ -41,4 +41,4 @@ def print_table(summary):
     print("\nThe worst of each kind")
     for name in (*WORST, "slow_start_least_way", "stack_20_stands_s", "collapsed_awake"):
         print(f"  {name:<28} {summary[name]}")
-        print_targets(summary)
+    print_targets(summary)

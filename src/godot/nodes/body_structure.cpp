@@ -86,6 +86,9 @@ StructureOptions BodyStructure::options(const Transform2D &p_scale) const {
 }
 
 Transform2D BodyStructure::simulated_scale(const Transform2D &p_scale) const {
+	if (p_scale.columns[0].length() >= 1 && p_scale.columns[1].length() >= 1) {
+		return p_scale; // as nearly always, and asked for in every frame
+	}
 	Rect2 box(values_.polygon.is_empty() ? Vector2() : values_.polygon[0], Vector2());
 	for (const Vector2 &point : values_.polygon) {
 		box.expand_to(point);
