@@ -5,7 +5,6 @@
 #include "godot/convert.h"
 #include "godot/server/step_signals.h"
 #include "godot/surroundings/hull_proxy.h"
-#include "godot/surroundings/rigid_reactions.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/classes/time.hpp>
@@ -52,16 +51,6 @@ std::span<const Record> of_body(std::span<const Record> p_list, BodyId p_body) {
 }
 
 } // namespace
-
-TickProfile &TickProfile::operator+=(const TickProfile &p_other) {
-	nodes += p_other.nodes;
-	prepare += p_other.prepare;
-	surroundings += p_other.surroundings;
-	simulate += p_other.simulate;
-	finish += p_other.finish;
-	proxies += p_other.proxies;
-	return *this;
-}
 
 SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for) :
 		space_(p_space), simulator_(world_, std::move(p_parallel_for)), reader_(p_space) {
@@ -181,19 +170,19 @@ void SoftBodySpace2D::read_environment(double p_delta) {
 	tell_proxies();
 }
 
-void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals) {
+void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals, TickProfile &r_profile) {
 	Stopwatch watch;
 	read_gravity();
 	busy_.for_each([](SteppedNode &r_node) { r_node.prepare_step(); });
 	prepare_joints();
 	feel_areas();
-	profile_.prepare = watch.lap();
-	profile_.nodes = double(busy_.count());
+	r_profile.prepare += watch.lap();
+	r_profile.nodes += double(busy_.count());
 	read_environment(p_delta);
-	profile_.surroundings = watch.lap();
+	r_profile.surroundings += watch.lap();
 	const StepReport report = simulator_.simulate(Real(p_delta));
-	give_back_impulses(reader_.rigid_bodies(), world_, p_delta);
-	profile_.simulate = watch.lap();
+	reader_.give_back_impulses(world_, p_delta);
+	r_profile.simulate += watch.lap();
 	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
 	simulator_.list_awake(awake_);
 	for (const BodyId body : awake_) {
@@ -207,16 +196,16 @@ void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals) {
 		}
 	}
 	busy_.for_each([](SteppedNode &r_node) { r_node.finish_step(); });
-	profile_.finish = watch.lap();
+	r_profile.finish += watch.lap();
 	move_proxies();
-	keep_rigid_bodies_asleep(reader_.rigid_bodies());
-	profile_.proxies = watch.lap();
+	reader_.keep_rigid_bodies_asleep();
+	r_profile.proxies += watch.lap();
 	if (!report.broken_joints.empty()) {
 		collect_broken_joints(report, r_signals);
 	}
 	collect_signals(r_signals);
 	let_idle();
-	profile_.finish += watch.lap();
+	r_profile.finish += watch.lap();
 }
 
 // A proxy is told of moving bodies near it while there are any, and once more after that, of none.
