@@ -46,13 +46,11 @@ constexpr Real SIDEWAYS_TOLERANCE = Real(0.2); // of BALANCE_TOLERANCE, for load
 // Angular acceleration by soft bodies [rad/s²] below which a support against turning is not estimated.
 constexpr Real LEAST_TURN = Real(0.1);
 
+// Largest change of a scale for which shapes are not translated anew, over its size.
+constexpr double SCALE_TOLERANCE = 1e-5;
+
 // Farther than anything [px]: where the bounds of a border end.
 constexpr Real EVERYWHERE = Real(1e15);
-
-bool is_same_scale(const Transform2D &p_a, const Transform2D &p_b) {
-	const real_t size = p_a.columns[0].length() + p_a.columns[1].length();
-	return p_a.columns[0].distance_to(p_b.columns[0]) <= 1e-5 * size && p_a.columns[1].distance_to(p_b.columns[1]) <= 1e-5 * size;
-}
 
 // The part of a load that a support does not bear. `p_support` is the direction of its push, as long as the share of the
 // load against it that it bears.
@@ -247,7 +245,7 @@ bool BodyRecord::reread(int64_t p_since) {
 bool BodyRecord::take_transform(const Transform2D &p_transform) {
 	transform_ = p_transform;
 	const Transform2D scale = scale_and_skew(p_transform);
-	if (is_same_scale(scale, scale_) && has_rigid_body()) {
+	if (is_same_scale(scale, scale_, SCALE_TOLERANCE) && has_rigid_body()) {
 		return false;
 	}
 	scale_ = scale;
