@@ -85,15 +85,14 @@ void SoftBodySpace2D::remove(SteppedNode &r_node) {
 BodyId SoftBodySpace2D::add_body(SteppedNode &r_node, SoftBodyData p_body) {
 	const BodyId body = world_.add_soft_body(std::move(p_body));
 	owners_.resize(std::max<std::size_t>(owners_.size(), body.index + 1));
-	owners_[body.index] = { body, &r_node, r_node.instance_id() };
+	owners_[body.index] = { body, &r_node };
 	busy_.add(r_node);
 	return body;
 }
 
-// Null if the body has left the world.
-const SoftBodySpace2D::Owner *SoftBodySpace2D::owner_of(BodyId p_body) const {
+SteppedNode *SoftBodySpace2D::node_of(BodyId p_body) const {
 	const bool is_there = p_body.index < owners_.size() && owners_[p_body.index].body == p_body && world_.find(p_body) != nullptr;
-	return is_there ? &owners_[p_body.index] : nullptr;
+	return is_there ? owners_[p_body.index].node : nullptr;
 }
 
 void SoftBodySpace2D::prepare_joints() {
@@ -126,13 +125,13 @@ void SoftBodySpace2D::read_gravity() {
 void SoftBodySpace2D::feel_areas() {
 	busy_.for_each([&](SteppedNode &r_node) { r_node.feel_areas(space_effects_); });
 	for (const BodyId body : stirred_) {
-		const Owner *owner = owner_of(body);
-		if (owner == nullptr || busy_.contains(*owner->node)) {
+		SteppedNode *node = node_of(body);
+		if (node == nullptr || busy_.contains(*node)) {
 			continue;
 		}
-		owner->node->feel_areas(space_effects_);
+		node->feel_areas(space_effects_);
 		if (!world_.find(body)->is_asleep()) { // something has changed, perhaps not only here
-			busy_.add(*owner->node);
+			busy_.add(*node);
 			urgent_looks_ = nodes_.count();
 		}
 	}
@@ -186,13 +185,13 @@ void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals, TickProfile &
 	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
 	simulator_.list_awake(awake_);
 	for (const BodyId body : awake_) {
-		if (const Owner *owner = owner_of(body)) {
-			busy_.add(*owner->node);
+		if (SteppedNode *node = node_of(body)) {
+			busy_.add(*node);
 		}
 	}
 	for (const BodyId body : report.reset_bodies) {
-		if (const Owner *owner = owner_of(body)) {
-			owner->node->note_failure(r_signals);
+		if (SteppedNode *node = node_of(body)) {
+			node->note_failure(r_signals);
 		}
 	}
 	busy_.for_each([](SteppedNode &r_node) { r_node.finish_step(); });
@@ -211,8 +210,8 @@ void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals, TickProfile &
 // A proxy is told of moving bodies near it while there are any, and once more after that, of none.
 void SoftBodySpace2D::tell_proxies() {
 	for (const uint32_t row : reader_.rows_near_moving()) {
-		if (const Owner *owner = owner_of(world_.id_at(row))) {
-			near_moving_.add(*owner->node);
+		if (SteppedNode *node = node_of(world_.id_at(row))) {
+			near_moving_.add(*node);
 		}
 	}
 	const SoftBodyData *first = world_.soft_bodies().data();
@@ -260,8 +259,8 @@ void SoftBodySpace2D::collect_signals(StepSignals &r_signals) {
 		if (p_other.kind != ContactOther::Kind::SOFT_BODY) {
 			return p_other.tag;
 		}
-		const Owner *owner = owner_of(p_other.body);
-		return owner != nullptr ? owner->id : 0;
+		const SteppedNode *node = node_of(p_other.body);
+		return node != nullptr ? node->instance_id() : 0;
 	};
 	busy_.for_each([&](SteppedNode &r_node) {
 		r_node.take_sleep(r_signals);

@@ -65,7 +65,6 @@ private:
 	struct Owner {
 		BodyId body;
 		SteppedNode *node = nullptr;
-		uint64_t id = 0; ///< instance id of the node
 	};
 
 	void prepare_joints();
@@ -77,7 +76,8 @@ private:
 	void tell_proxies();
 	void move_proxies();
 	void let_idle();
-	const Owner *owner_of(BodyId p_body) const;
+	/// The node of a body; null if the body has left the world.
+	SteppedNode *node_of(BodyId p_body) const;
 
 	godot::RID space_;
 	WorldData world_;
