@@ -99,7 +99,7 @@ func test_areas_wake_all_bodies_at_rest() -> void:
 
 
 ## By turns of 64 a tick it would take them 24 ticks.
-func test_a_change_that_one_body_finds_hurries_the_others() -> void:
+func test_a_change_that_one_body_finds_hurries_the_others_once() -> void:
 	var area := _add_large_area()
 	var bodies := _add_sleepers(1500)
 	await ticks(60)
@@ -107,6 +107,14 @@ func test_a_change_that_one_body_finds_hurries_the_others() -> void:
 	await ticks(12)
 	var asleep := bodies.filter(func(body: SoftBody2D) -> bool: return body.sleeping)
 	check_equal(asleep.size(), 0, "bodies asleep 12 ticks after the area's gravity was switched on")
+	for body in bodies:
+		body.sleeping = true
+	await ticks(8)
+	var asked := 0
+	for i in 16:
+		await ticks(1)
+		asked += 0 if PhysicsServer2D.body_get_state(bodies[0].get_rid(), PhysicsServer2D.BODY_STATE_SLEEPING) else 1
+	check_below(asked, 2, "ticks of 16 in which a body was asked about areas when nothing changes anymore")
 
 
 ## In the core alone: nobody has told the node.
