@@ -67,15 +67,7 @@ void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
 	}
 }
 
-void SoftBodySpace2D::add(SteppedNode &r_node) {
-	nodes_.add(r_node);
-	busy_.add(r_node);
-}
-
 void SoftBodySpace2D::remove(SteppedNode &r_node) {
-	if (!nodes_.contains(r_node)) {
-		return; // of another space
-	}
 	nodes_.remove(r_node);
 	busy_.remove(r_node);
 	near_moving_.remove(r_node);

@@ -48,7 +48,9 @@ public:
 	/// Contacts solved in the last step, counted in every substep.
 	int64_t contact_count() const { return contact_count_; }
 
-	void add(SteppedNode &r_node);
+	/// Adds a node, which takes part in ticks once it has a body.
+	void add(SteppedNode &r_node) { nodes_.add(r_node); }
+	/// Removes the node from all lists. Its body must have left the world.
 	void remove(SteppedNode &r_node);
 	/// Puts a node's body into the world.
 	BodyId add_body(SteppedNode &r_node, SoftBodyData p_body);
