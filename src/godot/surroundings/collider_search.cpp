@@ -8,7 +8,6 @@
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
-#include <godot_cpp/variant/typed_array.hpp>
 
 #include <algorithm>
 
@@ -223,13 +222,9 @@ bool ColliderSearch::is_list_due(int64_t p_known) const {
 	return !is_list_valid_ || NEEDLESS_COST * needless_ > size || (changes > 8 && changes * 8 > size);
 }
 
-void ColliderSearch::exclude(const std::vector<RID> &p_known) {
-	TypedArray<RID> list;
-	for (const RID &body : p_known) {
-		list.push_back(body);
-	}
-	append_hull_proxies(list);
-	query_->set_exclude(list);
+void ColliderSearch::exclude(TypedArray<RID> p_known) {
+	append_hull_proxies(p_known);
+	query_->set_exclude(p_known);
 	is_list_valid_ = true;
 	needless_ = 0;
 	listed_proxies_ = hull_proxies_made();

@@ -64,13 +64,13 @@ void EnvironmentReader::read(PhysicsDirectSpaceState2D *p_state, std::span<const
 }
 
 void EnvironmentReader::list_known() {
-	known_.clear();
+	TypedArray<RID> known;
 	for (const auto &[id, body] : bodies_) {
 		if (body.is_told_by_node()) {
-			known_.push_back(body.rid());
+			known.push_back(body.rid());
 		}
 	}
-	search_.exclude(known_);
+	search_.exclude(known);
 	missing_.clear();
 }
 

@@ -92,7 +92,6 @@ private:
 	std::vector<godot::RID> missing_; ///< gone, but on the list of known bodies: they may come back
 	std::vector<Collider> colliders_; ///< as handed over
 	std::vector<FoundShape> found_;
-	std::vector<godot::RID> known_;
 	std::vector<Moving> moving_;
 	std::vector<std::vector<uint32_t>> moving_near_; ///< for each group of soft bodies
 	std::vector<uint32_t> rows_near_moving_;
