@@ -6,8 +6,8 @@
 
 #include "core/base/constants.h"
 #include "core/dynamics/energy.h"
-#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
+#include "scenes/integrator_facts.h"
 #include "scenes/jelly.h"
 
 #include <algorithm>
@@ -222,7 +222,7 @@ json safety(Integrator integrator, double least_damping, int bodies) {
 		failed_near_rest += int(!run(body, { nudged }, integrator, 0, Until::FAILURE).is_safe());
 		failed_crumpled += int(!run(body, { crumpled }, integrator, 0, Until::FAILURE).is_safe());
 	}
-	return { { "integrator", softbody::integrator_traits(integrator).name }, { "least_damping", least_damping },
+	return { { "integrator", softbody::integrator_facts(integrator).name }, { "least_damping", least_damping },
 		{ "bodies", bodies }, { "seed", seed }, { "called_safe", safe }, { "failed_near_rest", failed_near_rest },
 		{ "failed_crumpled", failed_crumpled } };
 }
@@ -292,7 +292,7 @@ json rest(Integrator integrator) {
 			}
 		}
 	}
-	return { { "integrator", softbody::integrator_traits(integrator).name }, { "bodies", bodies }, { "at_rest", at_rest },
+	return { { "integrator", softbody::integrator_facts(integrator).name }, { "bodies", bodies }, { "at_rest", at_rest },
 		{ "mean_time", time / bodies }, { "mean_speed", speed / bodies } };
 }
 

@@ -4,9 +4,9 @@
 #include "bodies.h"
 
 #include "core/dynamics/energy.h"
-#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
+#include "scenes/integrator_facts.h"
 #include "scenes/jelly.h"
 
 #include <algorithm>
@@ -145,7 +145,7 @@ json closed_box(double stiffness, Integrator integrator, double seconds, int see
 		world.add_soft_body(disc(of, at, Vec2{ Real(std::cos(angle)), Real(std::sin(angle)) } * Real(300)));
 	}
 	json row = row_of(count == 1 ? "one_in_a_box" : "closed_box", run_account(world, seconds, 60));
-	row.update({ { "k", stiffness }, { "integrator", softbody::integrator_traits(integrator).name }, { "seed", seed } });
+	row.update({ { "k", stiffness }, { "integrator", softbody::integrator_facts(integrator).name }, { "seed", seed } });
 	return row;
 }
 

@@ -7,10 +7,10 @@
 
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/energy.h"
-#include "core/dynamics/integrators/integrator_step.h"
 #include "thesis/separation_force.h"
 #include "thesis/damping_ratio.h"
 #include "scenes/circle.h"
+#include "scenes/integrator_facts.h"
 
 #include <algorithm>
 #include <array>
@@ -284,7 +284,7 @@ json penetration_run(Integrator integrator, int substeps, std::size_t count, int
 	}
 	const StepTimes settled = times_of(std::span(times).last(std::size_t(RATE)));
 	const PileQuality end = pile.quality();
-	return { { "integrator", softbody::integrator_traits(integrator).name }, { "asked_substeps", substeps },
+	return { { "integrator", softbody::integrator_facts(integrator).name }, { "asked_substeps", substeps },
 		{ "contact_substeps", pile.contact_substeps() }, { "bodies", count }, { "ms_per_step", 1e3 * settled.cpu.median },
 		{ "least_ms", 1e3 * settled.cpu.least }, { "mean_penetration", mean / samples }, { "worst_penetration", worst },
 		{ "folded_ever", folded }, { "overlapping_ever", overlapping }, { "mean_penetration_at_end", end.mean_penetration },

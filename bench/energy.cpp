@@ -4,8 +4,8 @@
 #include "bodies.h"
 
 #include "core/dynamics/energy.h"
-#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
+#include "scenes/integrator_facts.h"
 
 #include <algorithm>
 #include <array>
@@ -75,7 +75,7 @@ json run(Integrator integrator, bool damped, double stiffness, int rate, int sec
 			next++;
 		}
 	}
-	return { { "integrator", softbody::integrator_traits(integrator).name }, { "damped", damped }, { "dt", 1.0 / rate },
+	return { { "integrator", softbody::integrator_facts(integrator).name }, { "damped", damped }, { "dt", 1.0 / rate },
 		{ "k", stiffness }, { "series", series }, { "highest", highest }, { "blown_up", blown_up } };
 }
 

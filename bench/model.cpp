@@ -5,11 +5,11 @@
 #include "elastic_bodies.h"
 #include "soft_pile.h"
 
-#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
 #include "core/geometry/aabb.h"
 #include "core/geometry/polygon.h"
 #include "core/model/model_choice.h"
+#include "scenes/integrator_facts.h"
 
 #include <algorithm>
 #include <array>
@@ -207,7 +207,7 @@ json Stage::row(int timed_ticks) {
 	}
 	const softbody::SubstepPlan plan = simulator_.plan(body(), Real(TICK));
 	json row = { { "outlines", outlines }, { "rest_area", body().shape().rest_area() }, { "speed", speed },
-		{ "resets", resets_ }, { "integrator", softbody::integrator_traits(plan.integrator).name },
+		{ "resets", resets_ }, { "integrator", softbody::integrator_facts(plan.integrator).name },
 		{ "substeps", plan.substeps } };
 	row["us_per_tick"] = us_per_tick(timed_ticks);
 	return row;

@@ -6,9 +6,9 @@
 
 #include "core/base/constants.h"
 #include "core/base/error.h"
-#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
 #include "thesis/damping_ratio.h"
+#include "scenes/integrator_facts.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -87,7 +87,7 @@ std::unique_ptr<PileEngine> make_softbody_pile(const PileScene &scene, const Sof
 std::string softbody_pile_settings(const PileScene &scene, const SoftBodySettings &settings) {
 	const bool is_automatic = settings.integrator == softbody::Integrator::AUTOMATIC;
 	return settings.name + ": k " + softbody::number_text(stiffness(scene, settings)) + " N/m, shape matching 0.4 k, " +
-			(is_automatic ? "automatic method and substeps" : std::string(softbody::integrator_traits(settings.integrator).name) +
+			(is_automatic ? "automatic method and substeps" : std::string(softbody::integrator_facts(settings.integrator).name) +
 									" with " + std::to_string(settings.substeps) + " substeps");
 }
 

@@ -5,11 +5,11 @@
 #include "bodies.h"
 #include "task_clock.h"
 
-#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/substep_plan.h"
 #include "thesis/separation_force.h"
 #include "thesis/damping_ratio.h"
 #include "scenes/circle.h"
+#include "scenes/integrator_facts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -225,7 +225,7 @@ nlohmann::json to_json(const PileQuality &quality) {
 }
 
 nlohmann::json to_json(const SoftPileSettings &settings) {
-	return { { "integrator", softbody::integrator_traits(settings.integrator).name }, { "substeps", settings.substeps },
+	return { { "integrator", softbody::integrator_facts(settings.integrator).name }, { "substeps", settings.substeps },
 		{ "contact_substeps", settings.contact_substeps }, { "k", settings.stiffness }, { "c", settings.damping },
 		{ "shape_k", settings.shape_stiffness }, { "shape_c", settings.shape_damping } };
 }

@@ -4,8 +4,8 @@
 #include "bodies.h"
 
 #include "core/base/constants.h"
-#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
+#include "scenes/integrator_facts.h"
 
 #include <algorithm>
 #include <array>
@@ -291,7 +291,7 @@ json stability(const Options &options) {
 	constexpr double h = 1.0 / 240;
 	json result = { { "map", json::array() }, { "theory", json::array() }, { "limits", json::array() } };
 	for (const Integrator integrator : INTEGRATORS) {
-		const char *name = softbody::integrator_traits(integrator).name;
+		const char *name = softbody::integrator_facts(integrator).name;
 		for (const double zeta : ratios) {
 			for (int i = 1; i <= cells; ++i) {
 				const double z = 3 * (i - 0.5) / cells; // never a limit itself, where rounding decides

@@ -3,7 +3,7 @@
 // in which bodies start ruined or tangled.
 #include "bench.h"
 
-#include "core/dynamics/integrators/integrator_step.h"
+#include "scenes/integrator_facts.h"
 #include "scenes/stress/stress.h"
 
 #include <array>
@@ -34,7 +34,7 @@ void run_all(const StressSetup &setup, json &rows) {
 			const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
 			rows.push_back({ { "name", outcome.name }, { "scene", name }, { "rate", setup.rate },
 					{ "bodies", setup.elastic ? "default_material" : "springs" },
-					{ "integrator", setup.integrator == Integrator::AUTOMATIC ? "automatic" : softbody::integrator_traits(setup.integrator).name },
+					{ "integrator", softbody::integrator_facts(setup.integrator).name },
 					{ "promised", outcome.expectation == StressExpectation::PASSES }, { "passed", outcome.passed },
 					{ "met_all", outcome.met_all }, { "problems", outcome.problems }, { "seconds", took.count() } });
 		}

@@ -7,6 +7,7 @@
 #include "core/dynamics/simulator.h"
 #include "thesis/damping_ratio.h"
 #include "scenes/circle.h"
+#include "scenes/integrator_facts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -184,8 +185,8 @@ public:
 		for (const std::vector<Vec2> &sample : samples_) {
 			states.push_back(pairs(sample));
 		}
-		return { { "integrator", integrator_traits(run_.integrator).name },
-			{ "method", integrator_traits(chosen.integrator).name }, { "steps", steps },
+		return { { "integrator", integrator_facts(run_.integrator).name },
+			{ "method", integrator_facts(chosen.integrator).name }, { "steps", steps },
 			// The first substep of a call finds no forces to begin with.
 			{ "evaluations", steps * integrator_traits(chosen.integrator).evaluations + (verlet ? run_.calls : 0) },
 			{ "cpu_us", times[times.size() / 2] * 1e6 }, { "cpu_us_least", times.front() * 1e6 },
@@ -247,7 +248,7 @@ json run_case(const Model &model, Real stiffness, const Effort &effort) {
 	tracks.back()->observe();
 	for (const Integrator method : METHODS) {
 		int past_convergence = 0;
-		const int finest = integrator_traits(method).order == 4 ? effort.finest_of_order_4 : effort.finest;
+		const int finest = integrator_facts(method).order == 4 ? effort.finest_of_order_4 : effort.finest;
 		for (int level = 0; level <= finest && past_convergence < 2; ++level) {
 			tracks.push_back(std::make_unique<Track>(start, run_of(method, level)));
 			tracks.back()->observe();

@@ -73,16 +73,20 @@ func test_a_parent_moves_bodies_at_rest() -> void:
 		check_near(bodies[i].get_center_of_mass_position(), Vector2(150.0 * i + 35, 0), 0.1, "center of a body that its parent moved")
 
 
-## Both ways: what holds while they rest, and what changes.
-func test_areas_wake_all_bodies_at_rest() -> void:
+## An area around all of them, which changes nothing yet.
+func _add_large_area() -> Area2D:
 	var area := Area2D.new()
 	var collision := CollisionShape2D.new()
-	var shape := RectangleShape2D.new()
-	shape.size = Vector2(20000, 20000)
-	collision.shape = shape
+	collision.shape = rectangle(20000, 20000)
 	area.add_child(collision)
 	area.gravity_direction = Vector2.RIGHT
 	stage.add_child(area)
+	return area
+
+
+## Both ways: what holds while they rest, and what changes.
+func test_areas_wake_all_bodies_at_rest() -> void:
+	var area := _add_large_area()
 	var bodies := _add_sleepers(200)
 	await ticks(60)
 	check_equal(await _nodes_a_tick(), 0.0, "nodes a tick in an area that changes nothing")
@@ -92,6 +96,52 @@ func test_areas_wake_all_bodies_at_rest() -> void:
 	for body in bodies:
 		awake += 0 if body.sleeping else 1
 	check_equal(awake, 200, "bodies awake 40 ticks after the area's gravity was switched on")
+
+
+## By turns of 64 a tick it would take them 24 ticks.
+func test_a_change_that_one_body_finds_hurries_the_others_once() -> void:
+	var area := _add_large_area()
+	var bodies := _add_sleepers(1500)
+	await ticks(60)
+	area.gravity_space_override = Area2D.SPACE_OVERRIDE_REPLACE
+	await ticks(12)
+	var asleep := bodies.filter(func(body: SoftBody2D) -> bool: return body.sleeping)
+	check_equal(asleep.size(), 0, "bodies asleep 12 ticks after the area's gravity was switched on")
+	for body in bodies:
+		body.sleeping = true
+	await ticks(8)
+	var asked := 0
+	for i in 16:
+		await ticks(1)
+		asked += 0 if PhysicsServer2D.body_get_state(bodies[0].get_rid(), PhysicsServer2D.BODY_STATE_SLEEPING) else 1
+	check_below(asked, 2, "ticks of 16 in which a body was asked about areas when nothing changes anymore")
+
+
+## In the core alone: nobody has told the node.
+func test_a_node_at_rest_goes_along_when_another_body_pushes_it() -> void:
+	var sleeper := add_weightless_body(Vector2.ZERO, { "sleeping": true })
+	await ticks(10)
+	var pusher := add_weightless_body(Vector2(-150, 0))
+	pusher.apply_central_impulse(Vector2(600, 0) * pusher.mass)
+	await ticks(60)
+	check_above(sleeper.global_position.x, 20, "x of the node that was hit")
+	check_near(sleeper.global_position, sleeper.get_center_of_mass_position(), 5, "place of the node, whose body is there")
+
+
+func test_a_listener_may_free_a_body_whose_signal_is_still_to_come() -> void:
+	var bodies := _add_sleepers(2)
+	await ticks(10)
+	var told: Array[int] = [0]
+	for i in 2:
+		var other := bodies[1 - i]
+		bodies[i].sleeping_state_changed.connect(func() -> void:
+			told[0] += 1
+			other.free())
+	for body in bodies: # both wake in one tick
+		body.apply_central_impulse(Vector2(10, 0))
+	await ticks(3)
+	check_equal(told[0], 1, "signals, as the first listener has freed the other body")
+	check_equal(SoftBodySimulation2D.get_body_count(), 1, "bodies of the simulation")
 
 
 func test_a_pause_brings_no_body_at_rest_back_for_long() -> void:

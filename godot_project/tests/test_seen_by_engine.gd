@@ -100,20 +100,68 @@ func test_rays_find_a_squashed_body_at_its_polygon() -> void:
 	_check_rays(body, 0.6, "at rest on the floor")
 
 
-func test_rays_see_a_deep_dent_and_a_body_smooth_again() -> void:
-	var body := add_weightless_body(Vector2.ZERO, {"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK}) # dents more than modes
+func _add_body_that_dents(x: float) -> SoftBody2D:
+	return add_weightless_body(Vector2(x, 0), {"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK}) # dents more than modes
+
+
+## Pinches bodies between the topmost and the lowest point.
+func _pinch(bodies: Array[SoftBody2D]) -> void:
 	await ticks(2)
-	for i in 20: # pinched between the topmost and the lowest point
-		body.apply_point_force(12, Vector2(0, 3000))
-		body.apply_point_force(4, Vector2(0, -3000))
+	for i in 20:
+		for body in bodies:
+			body.apply_point_force(12, Vector2(0, 3000))
+			body.apply_point_force(4, Vector2(0, -3000))
 		await ticks(1)
-	var top := polygon_of(body)[12].y
-	check_above(top, bounds_of(polygon_of(body)).position.y + 8, "y of the bottom of the dent")
-	var hit := _ray(Vector2(polygon_of(body)[12].x, -300), Vector2(polygon_of(body)[12].x, 0))
-	if check(not hit.is_empty(), "the ray into the dent finds nothing"):
-		check_near(hit["position"].y, top, 1, "what a ray finds in the dent")
+
+
+func _check_dent_is_seen(body: SoftBody2D, what: String) -> void:
+	var bottom := polygon_of(body)[12]
+	check_above(bottom.y, bounds_of(polygon_of(body)).position.y + 8, what + ": y of the bottom of the dent")
+	var hit := _ray(Vector2(bottom.x, -300), Vector2(bottom.x, 0))
+	if check(not hit.is_empty(), what + ": the ray into the dent finds nothing"):
+		check_near(hit["position"].y, bottom.y, 1, what + ": what a ray finds in the dent")
+
+
+func test_rays_see_a_deep_dent_and_a_body_smooth_again() -> void:
+	var body := _add_body_that_dents(0)
+	await _pinch([body])
+	_check_dent_is_seen(body, "pinched")
 	await seconds(5)
 	_check_rays(body, 0.3, "five seconds later")
+
+
+## As many dents are shown as the engine can bear; those of bodies that have left leave room for others.
+func test_dents_of_bodies_that_are_gone_do_not_count() -> void:
+	add_weightless_body(Vector2(0, 9000)) # so that their space stays
+	var bodies: Array[SoftBody2D] = []
+	for i in 16:
+		bodies.append(_add_body_that_dents(300.0 * i))
+	await _pinch(bodies)
+	_check_dent_is_seen(bodies[15], "the last of 16")
+	for body in bodies:
+		body.free()
+	var late := _add_body_that_dents(0)
+	await _pinch([late])
+	_check_dent_is_seen(late, "one after them")
+
+
+## It rests all the time, so only the character has it looked at.
+func test_a_frozen_body_draws_its_outline_in_only_while_a_character_is_near() -> void:
+	var body := add_body(Vector2.ZERO, { "freeze": true, "collision_proxy_margin": 8.0 })
+	await ticks(20)
+	_check_rays(body, 0.1, "alone")
+	var character := CharacterBody2D.new()
+	var collision := CollisionShape2D.new()
+	collision.shape = circle(10)
+	character.add_child(collision)
+	character.position = Vector2(-75, 0)
+	stage.add_child(character)
+	await ticks(4)
+	var hit := _ray(Vector2(400, 0), Vector2.ZERO)
+	check_near(hit["position"], Vector2(42, 0), 0.5, "what a ray from the other side finds beside a character")
+	character.position.x = -9000
+	await ticks(4)
+	_check_rays(body, 0.1, "alone again")
 
 
 func test_concave_and_long_bodies_are_seen_as_they_are() -> void:

@@ -419,6 +419,29 @@ func test_a_sleeping_body_wakes_for_what_comes() -> void:
 	check_above(soft.get_center_of_mass_position().x, rest.x + 40, "x after something came and pushed")
 
 
+func test_a_body_that_was_asleep_meets_what_it_is_thrown_at() -> void:
+	var soft := add_weightless_body(Vector2.ZERO, { "sleeping": true })
+	add_solid(rectangle(100, 400), Transform2D(0, Vector2(1500, 0)))
+	await ticks(20)
+	check(soft.sleeping, "it sleeps far from the wall")
+	soft.apply_central_impulse(Vector2(1200, 0) * soft.mass)
+	await seconds(2)
+	check_below(soft.get_center_of_mass_position().x, 1450, "x after two seconds, which the wall stopped")
+
+
+## In every second tick the engine is asked what is near a sleeping body.
+func test_a_sleeping_body_notices_within_two_ticks_what_appears() -> void:
+	for phase in 6:
+		var soft := add_weightless_body(Vector2.ZERO, { "sleeping": true })
+		await ticks(30 + phase)
+		check(soft.sleeping, "it sleeps")
+		var solid := add_solid(rectangle(40, 40), Transform2D(0, Vector2(60, 0)))
+		await ticks(2)
+		check(not soft.sleeping, "it sleeps on two ticks after a solid appeared in it, at phase %d" % phase)
+		soft.free()
+		solid.free()
+
+
 func test_freeing_during_a_tick_leaves_nothing_behind() -> void:
 	for i in 20:
 		var solid := add_floor(100)

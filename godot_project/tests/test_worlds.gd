@@ -56,6 +56,35 @@ func test_a_body_may_change_worlds() -> void:
 	check_near(bounds_of(polygon_of(body)).end.y, 100.0, 1, "lowest point")
 
 
+func _add_character(parent: Node, position: Vector2) -> void:
+	var character := CharacterBody2D.new()
+	var collision := CollisionShape2D.new()
+	collision.shape = circle(10)
+	character.add_child(collision)
+	character.position = position
+	parent.add_child(character)
+
+
+## What is near the first body of one world is told to no body that has become the first of another.
+func test_a_body_that_changes_worlds_has_no_neighbors_in_the_one_it_left() -> void:
+	var first := _add_viewport()
+	var second := _add_viewport()
+	var bodies: Array[SoftBody2D] = []
+	for i in 2:
+		var body := _add_body(first)
+		body.position.x = 1000.0 * i
+		body.freeze = true
+		body.collision_proxy_margin = 8.0
+		bodies.append(body)
+		_add_character(first, Vector2(1000.0 * i - 75, 0))
+	await ticks(4)
+	bodies[1].reparent(second)
+	await ticks(4)
+	var query := PhysicsRayQueryParameters2D.create(Vector2(1400, 0), Vector2(1000, 0))
+	var hit := second.world_2d.direct_space_state.intersect_ray(query)
+	check_near(hit["position"], Vector2(1050, 0), 0.5, "what a ray finds where no character is")
+
+
 func test_a_viewport_may_get_another_world() -> void:
 	var viewport := _add_viewport()
 	var body := _add_body(viewport)

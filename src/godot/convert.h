@@ -94,6 +94,26 @@ inline Pose to_core_pose(const godot::Transform2D &p_transform) {
 }
 
 /// Scale and skew of a transform; its rotation and position are left out.
+inline godot::Transform2D scale_and_skew(const godot::Transform2D &p_transform) {
+	godot::Transform2D scale = godot::Transform2D(-p_transform.get_rotation(), godot::Vector2()) * p_transform;
+	scale.set_origin(godot::Vector2());
+	return scale;
+}
+
+/// Whether two scales are alike up to this part of their size. A rotation read back from a matrix differs in the last
+/// digits; that is no change of scale.
+inline bool is_same_scale(const godot::Transform2D &p_a, const godot::Transform2D &p_b, double p_tolerance) {
+	const double most = p_tolerance * double(p_a.columns[0].length() + p_a.columns[1].length());
+	return p_a.columns[0].distance_to(p_b.columns[0]) <= most && p_a.columns[1].distance_to(p_b.columns[1]) <= most;
+}
+
+/// Whether a transform scales alike in all directions, up to this part.
+inline bool is_uniform_scale(const godot::Transform2D &p_transform, double p_tolerance) {
+	const double x = p_transform.columns[0].length();
+	const double y = p_transform.columns[1].length();
+	return std::abs(x - y) <= p_tolerance * x && std::abs(p_transform.columns[0].dot(p_transform.columns[1])) <= p_tolerance * x * y;
+}
+
 /// A scale in two factors: a size, and what is left, which is the identity or a mirror image if the scale is the same in
 /// all directions. Any other scale is left as it is, with a size of 1.
 struct SizedScale {
@@ -101,21 +121,13 @@ struct SizedScale {
 	Real size = 1;
 
 	explicit SizedScale(const godot::Transform2D &p_scale) : rest(p_scale) {
-		constexpr real_t TOLERANCE = real_t(1e-5);
-		const real_t x = p_scale.columns[0].length();
-		const real_t y = p_scale.columns[1].length();
-		const bool is_uniform = std::abs(x - y) <= TOLERANCE * x && std::abs(p_scale.columns[0].dot(p_scale.columns[1])) <= TOLERANCE * x * y;
-		if (is_uniform) {
-			size = std::abs(x - 1) <= TOLERANCE ? Real(1) : Real(x);
+		constexpr double TOLERANCE = 1e-5;
+		if (is_uniform_scale(p_scale, TOLERANCE)) {
+			const real_t length = p_scale.columns[0].length();
+			size = std::abs(length - 1) <= TOLERANCE ? Real(1) : Real(length);
 			rest = godot::Transform2D(1, 0, 0, p_scale.determinant() < 0 ? -1 : 1, 0, 0);
 		}
 	}
 };
-
-inline godot::Transform2D scale_and_skew(const godot::Transform2D &p_transform) {
-	godot::Transform2D scale = godot::Transform2D(-p_transform.get_rotation(), godot::Vector2()) * p_transform;
-	scale.set_origin(godot::Vector2());
-	return scale;
-}
 
 } // namespace softbody

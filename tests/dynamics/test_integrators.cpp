@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Claims about the integrators: their order, their limits, what they conserve, and their exact updates.
 #include "core/dynamics/energy.h"
-#include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/simulator.h"
 #include "scenes/deformations.h"
+#include "scenes/integrator_facts.h"
 #include "scenes/loose_points.h"
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
@@ -63,17 +63,17 @@ TEST_CASE("halving the step divides an integrator's error by 2 to its order") {
 	// Float rounds at about 1e-7 of the length; there only the low orders can be seen.
 	const bool is_double = sizeof(Real) == 8;
 	for (const Integrator integrator : ALL) {
-		const IntegratorTraits &traits = integrator_traits(integrator);
-		if ((!is_double && traits.order > 1) || integrator == Integrator::XPBD) {
+		const IntegratorFacts &facts = integrator_facts(integrator);
+		if ((!is_double && facts.order > 1) || integrator == Integrator::XPBD) {
 			continue; // XPBD reaches its order only at tiny steps; see the next case
 		}
-		CAPTURE(std::string(traits.name));
+		CAPTURE(std::string(facts.name));
 		const double exact = exact_stretch(50, 0.3, 0.1, 1);
 		// Fine enough for the leading error term, coarse enough to stand above rounding.
-		const int steps = traits.order == 4 ? 100 : 2000;
+		const int steps = facts.order == 4 ? 100 : 2000;
 		const double coarse = std::abs(stretch_after(integrator, 50, 0.3, 0.1, 1, steps) - exact);
 		const double fine = std::abs(stretch_after(integrator, 50, 0.3, 0.1, 1, 2 * steps) - exact);
-		CHECK(std::log2(coarse / fine) == doctest::Approx(traits.order).epsilon(0.05));
+		CHECK(std::log2(coarse / fine) == doctest::Approx(facts.order).epsilon(0.05));
 	}
 }
 
@@ -94,12 +94,12 @@ TEST_CASE("XPBD converges to the same motion, at order 1") {
 TEST_CASE("an undamped oscillator stays bounded just inside its limit and explodes just outside") {
 	for (const Integrator integrator :
 			{ Integrator::SEMI_IMPLICIT_EULER, Integrator::VELOCITY_VERLET, Integrator::RUNGE_KUTTA_4 }) {
-		const IntegratorTraits &traits = integrator_traits(integrator);
-		CAPTURE(std::string(traits.name));
+		const IntegratorFacts &facts = integrator_facts(integrator);
+		CAPTURE(std::string(facts.name));
 		for (const double factor : { 0.99, 1.01 }) {
 			CAPTURE(factor);
 			// h = 1/60, so ω = limit · 60 and k = ω²/2. Small amplitude keeps the spring away from zero length.
-			const double omega = traits.undamped_limit * factor * 60;
+			const double omega = facts.undamped_limit * factor * 60;
 			WorldData world = oscillator(integrator, omega * omega / 2, 0, 1e-3);
 			Simulator simulator(world);
 			double largest = 0;
@@ -124,7 +124,7 @@ TEST_CASE("explicit Euler, midpoint and Heun gain energy without damping at the 
 	};
 	for (const Row &row : { Row{ Integrator::EXPLICIT_EULER, 1 + 0.04 }, Row{ Integrator::MIDPOINT, 1 + 0.0016 / 4 },
 				 Row{ Integrator::HEUN, 1 + 0.0016 / 4 } }) {
-		CAPTURE(std::string(integrator_traits(row.integrator).name));
+		CAPTURE(std::string(integrator_facts(row.integrator).name));
 		const double omega = 0.2 * 60;
 		const int steps = 157; // five periods
 		WorldData world = oscillator(row.integrator, omega * omega / 2, 0, 1e-3);
@@ -146,7 +146,7 @@ TEST_CASE("every update is the one its formula says") {
 	const double h = 0.01;
 	const auto slope = [&](double s, double u) { return -2 * k * s - 2 * c * u; };
 	for (const Integrator integrator : ALL) {
-		CAPTURE(std::string(integrator_traits(integrator).name));
+		CAPTURE(std::string(integrator_facts(integrator).name));
 		double s = 0.1;
 		double u = 0;
 		double a = slope(s, u); // Verlet's last acceleration
@@ -211,7 +211,7 @@ TEST_CASE("every update is the one its formula says") {
 TEST_CASE("every integrator keeps the momentum of a free body to rounding") {
 	Random random(11);
 	for (const Integrator integrator : ALL) {
-		CAPTURE(std::string(integrator_traits(integrator).name));
+		CAPTURE(std::string(integrator_facts(integrator).name));
 		BodySettings settings = stepped_by(integrator, 8);
 		settings.shape_stiffness = 40;
 		settings.shape_damping = Real(0.3);
@@ -240,7 +240,7 @@ TEST_CASE("the symplectic methods keep angular momentum to rounding") {
 	// The others keep it to their order only: x × (v + h a) is not what the new x is crossed with.
 	Random random(12);
 	for (const Integrator integrator : { Integrator::SEMI_IMPLICIT_EULER, Integrator::VELOCITY_VERLET }) {
-		CAPTURE(std::string(integrator_traits(integrator).name));
+		CAPTURE(std::string(integrator_facts(integrator).name));
 		WorldData world;
 		SoftBodyData body = thesis_body(thesis_shape(100), stepped_by(integrator, 8));
 		deform(body, Deformation::PUSHED_THROUGH, random);
@@ -260,7 +260,7 @@ TEST_CASE("the symplectic methods keep angular momentum to rounding") {
 TEST_CASE("a damped body loses energy with every integrator that is stable for it") {
 	Random random(13);
 	for (const Integrator integrator : ALL) {
-		CAPTURE(std::string(integrator_traits(integrator).name));
+		CAPTURE(std::string(integrator_facts(integrator).name));
 		WorldData world;
 		SoftBodyData body = thesis_body(thesis_shape_with_ratio(100, Real(0.3)), stepped_by(integrator, 64));
 		deform(body, Deformation::FLATTENED, random);

@@ -11,12 +11,23 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace softbody {
 
 namespace {
+
+// Factors on the values of each spring.
+struct SpringScales {
+	const char *name;
+	std::vector<Real> StructureOptions::*values;
+	bool may_be_zero;
+};
+constexpr SpringScales ALL_SCALES[] = {
+	{ "spring_stiffness_scales", &StructureOptions::spring_stiffness_scales, true },
+	{ "spring_damping_scales", &StructureOptions::spring_damping_scales, true },
+	{ "spring_length_scales", &StructureOptions::spring_length_scales, false },
+};
 
 Status check_options(const StructureOptions &options) {
 	if (options.elastic && options.elastic_triangles) {
@@ -28,17 +39,15 @@ Status check_options(const StructureOptions &options) {
 }
 
 Status check_scales(const StructureOptions &options, std::size_t spring_count) {
-	for (const auto &[name, scales, may_be_zero] : {
-				 std::tuple(std::string("spring_stiffness_scales"), std::span(options.spring_stiffness_scales), true),
-				 std::tuple(std::string("spring_damping_scales"), std::span(options.spring_damping_scales), true),
-				 std::tuple(std::string("spring_length_scales"), std::span(options.spring_length_scales), false) }) {
+	for (const auto &[name, values, may_be_zero] : ALL_SCALES) {
+		const std::vector<Real> &scales = options.*values;
 		if (!scales.empty() && scales.size() != spring_count) {
 			return Error{ name, std::to_string(scales.size()) + " entries",
 				"must have " + std::to_string(spring_count) + " entries, one a spring",
 				"add or remove entries, or leave it empty" };
 		}
 		for (std::size_t i = 0; i < scales.size(); ++i) {
-			const std::string entry = name + "[" + std::to_string(i) + "]";
+			const std::string entry = std::string(name) + "[" + std::to_string(i) + "]";
 			if (Status status = may_be_zero ? check_at_least(entry, scales[i], 0, "") : check_above(entry, scales[i], 0, "")) {
 				return status;
 			}
@@ -183,19 +192,16 @@ Status check_spring_pairs(const std::string &name, std::span<const std::int32_t>
 }
 
 bool leave_out(StructureOptions &options, const std::string &refused) {
-	using Scales = std::vector<Real> StructureOptions::*;
-	const std::pair<const char *, Scales> all_scales[] = { { "spring_stiffness_scales", &StructureOptions::spring_stiffness_scales },
-		{ "spring_damping_scales", &StructureOptions::spring_damping_scales }, { "spring_length_scales", &StructureOptions::spring_length_scales } };
-	for (const auto &[name, scales] : all_scales) {
-		if (refused.starts_with(name)) {
-			return !std::exchange(options.*scales, {}).empty();
+	for (const SpringScales &scales : ALL_SCALES) {
+		if (refused.starts_with(scales.name)) {
+			return !std::exchange(options.*scales.values, {}).empty();
 		}
 	}
 	if (!refused.starts_with("springs") || refused.ends_with("stiffness") || refused.ends_with("damping")) {
 		return false;
 	}
-	for (const auto &[name, scales] : all_scales) {
-		(options.*scales).clear(); // factors belong to these springs
+	for (const SpringScales &scales : ALL_SCALES) {
+		(options.*scales.values).clear(); // factors belong to these springs
 	}
 	return !std::exchange(options.springs, {}).empty();
 }

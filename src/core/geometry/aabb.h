@@ -26,12 +26,19 @@ struct Aabb {
 		min = { std::min(min.x, p.x), std::min(min.y, p.y) };
 		max = { std::max(max.x, p.x), std::max(max.y, p.y) };
 	}
+	/// The other box must not be empty.
+	void include(const Aabb &other) {
+		include(other.min);
+		include(other.max);
+	}
 	Aabb grown(Real margin) const {
 		return { { min.x - margin, min.y - margin }, { max.x + margin, max.y + margin } };
 	}
 	/// The longer side [length].
 	Real extent() const { return std::max(max.x - min.x, max.y - min.y); }
 	Vec2 center() const { return (min + max) * Real(0.5); }
+	/// From the center to the corner `max`.
+	Vec2 half_size() const { return (max - min) * Real(0.5); }
 	bool overlaps(const Aabb &other) const {
 		return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y && other.min.y <= max.y;
 	}

@@ -290,11 +290,8 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 	if (is_other && is_frozen()) {
 		disturb();
 	}
-	if (changes_) {
-		++changes_->arrangement;
-		++changes_->forces;
-		++changes_->pin_targets;
-		++changes_->restores;
+	for (const auto changes : { &ChangeCounts::arrangement, &ChangeCounts::forces, &ChangeCounts::pin_targets, &ChangeCounts::restores }) {
+		count(changes);
 	}
 	return {};
 }

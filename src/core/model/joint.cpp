@@ -2,7 +2,7 @@
 // Validator of joints, and anchors on bodies.
 #include "core/model/joint.h"
 
-#include "core/geometry/segment.h"
+#include "core/geometry/polygon.h"
 #include "core/model/soft_body_data.h"
 
 #include <cmath>
@@ -46,20 +46,10 @@ Status check_joint(const Joint &joint) {
 }
 
 JointAnchor nearest_anchor(const SoftBodyData &body, BodyId id, Vec2 place) {
-	const auto hull = body.hull();
-	Real nearest = std::numeric_limits<Real>::infinity();
-	JointAnchor anchor;
-	for (std::uint32_t i = 0; i < hull.size(); ++i) {
-		const Vec2 a = hull[i];
-		const Vec2 b = hull[(i + 1) % hull.size()];
-		const Real fraction = closest_parameter_on_segment(place, a, b);
-		const Real distance = length_squared(place - a - (b - a) * fraction);
-		if (distance < nearest) {
-			nearest = distance;
-			anchor = JointAnchor::on_edge(id, i, fraction);
-		}
-	}
-	for (std::uint32_t i = std::uint32_t(hull.size()); i < body.point_count(); ++i) {
+	const OutlinePlace border = nearest_place(body.hull(), place);
+	Real nearest = border.distance_squared;
+	JointAnchor anchor = JointAnchor::on_edge(id, std::uint32_t(border.edge), border.t);
+	for (std::uint32_t i = std::uint32_t(body.hull().size()); i < body.point_count(); ++i) {
 		const Real distance = length_squared(place - body.positions()[i]);
 		if (distance < nearest) {
 			nearest = distance;

@@ -73,9 +73,7 @@ void SoftBodyData::put_to_sleep() {
 void SoftBodyData::note_change() {
 	memory_.last_valid_hull.clear();
 	disturb();
-	if (changes_) {
-		++changes_->arrangement;
-	}
+	count(&ChangeCounts::arrangement);
 }
 
 void SoftBodyData::set_frozen(bool frozen) {
@@ -163,9 +161,7 @@ Status SoftBodyData::add_external_force(std::uint32_t point, Vec2 force) {
 	}
 	wake();
 	memory_.external_forces.push_back({ point, force });
-	if (changes_) {
-		++changes_->forces;
-	}
+	count(&ChangeCounts::forces);
 	return {};
 }
 
@@ -176,9 +172,7 @@ Status SoftBodyData::set_acceleration(Vec2 acceleration) {
 	if (acceleration != memory_.acceleration) {
 		memory_.acceleration = acceleration;
 		wake();
-		if (changes_) {
-			++changes_->forces;
-		}
+		count(&ChangeCounts::forces);
 	}
 	return {};
 }
@@ -200,9 +194,7 @@ void SoftBodyData::queue_load(const RigidLoad &load) {
 	wake();
 	memory_.load.force += load.force;
 	memory_.load.torque += load.torque;
-	if (changes_) {
-		++changes_->forces;
-	}
+	count(&ChangeCounts::forces);
 }
 
 Status SoftBodyData::apply_impulse(std::uint32_t point, Vec2 impulse) {
@@ -267,9 +259,7 @@ Status SoftBodyData::set_pin_target(std::uint32_t point, Vec2 position) {
 	}
 	wake();
 	memory_.pin_targets.push_back({ point, position });
-	if (changes_) {
-		++changes_->pin_targets;
-	}
+	count(&ChangeCounts::pin_targets);
 	return {};
 }
 

@@ -184,6 +184,12 @@ private:
 	SoftBodyData() = default;
 	Status check_point(std::uint32_t point, const char *what, Vec2 value) const;
 	void note_change();
+	/// Counts a change, if the body is in a world.
+	void count(std::uint64_t ChangeCounts::*changes) const {
+		if (changes_) {
+			++(*changes_.*changes);
+		}
+	}
 
 	std::shared_ptr<const SoftBodyShape> shape_;
 	BodySettings settings_;

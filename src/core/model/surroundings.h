@@ -35,6 +35,8 @@ struct Surface {
 		const BasicVec2<T> arm = p - in_all_lanes<T>(velocity_origin);
 		return in_all_lanes<T>(linear_velocity) + perpendicular(arm) * T(angular_velocity);
 	}
+
+	friend bool operator==(const Surface &, const Surface &) = default;
 };
 
 /// A border of the world: everything behind the plane is solid (thesis 4.4.2, "borders").

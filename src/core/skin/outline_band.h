@@ -35,10 +35,8 @@ public:
 
 	std::size_t vertex_count() const { return vertex_count_; }
 	const std::vector<Triangle> &triangles() const { return triangles_; }
-	const std::vector<Rail> &rails() const { return rails_; }
-	std::size_t corner_count() const { return corner_count_; }
 
-	/// Calls `visit(vertex, corner, rail)` for every vertex. Corner `corner_count()` is the first corner again, where
+	/// Calls `visit(vertex, corner, rail)` for every vertex. The corner after the last is the first corner again, where
 	/// the band closes, so that a texture can end and begin there.
 	template <class Visit>
 	void for_vertices(const Visit &visit) const {
@@ -52,7 +50,7 @@ public:
 		}
 	}
 
-	/// Writes the places of the vertices for an outline of `corner_count()` points. `side` is 1 for positive winding,
+	/// Writes the places of the vertices for an outline of this object's number of corners. `side` is 1 for positive winding,
 	/// -1 for negative. Neighboring points may coincide. O(vertices), no allocation.
 	void place(std::span<const Vec2> outline, Real side, std::span<Vec2> vertices) const;
 

@@ -25,13 +25,7 @@ namespace {
 
 constexpr double DEFAULT_RADIUS = 50; // px
 constexpr int DEFAULT_POINTS = 16;
-
-// A rotation read back from a matrix differs in the last digits; that is no change of scale.
-bool same_scale(const Transform2D &p_a, const Transform2D &p_b) {
-	const real_t size = p_a.columns[0].length() + p_a.columns[1].length();
-	return p_a.columns[0].distance_to(p_b.columns[0]) <= 1e-4 * size &&
-			p_a.columns[1].distance_to(p_b.columns[1]) <= 1e-4 * size;
-}
+constexpr double SCALE_TOLERANCE = 1e-4; // largest change of its scale for which the body is moved, not made anew
 
 } // namespace
 
@@ -217,7 +211,7 @@ void SoftBody2D::take_over_transform() {
 		set_global_transform(known_transform_);
 		return;
 	}
-	if (same_scale(softbody::scale_and_skew(transform), built_scale_)) {
+	if (softbody::is_same_scale(softbody::scale_and_skew(transform), built_scale_, SCALE_TOLERANCE)) {
 		body()->teleport(softbody::to_core_pose(known_transform_), softbody::to_core_pose(transform));
 		note_move_by_user(known_transform_, transform);
 		known_transform_ = transform;

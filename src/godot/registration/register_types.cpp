@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Registers the extension's classes and its singleton with Godot.
-#include "godot/registration/register_types.h"
-
 #include "godot/editor/soft_body_preview_2d.h"
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_attachment_2d.h"
@@ -12,13 +10,14 @@
 
 #include <gdextension_interface.h>
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/godot.hpp>
 
 using namespace godot;
 
 static SoftBodySimulation2D *simulation = nullptr;
 
-void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
+static void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	if (p_level != MODULE_INITIALIZATION_LEVEL_SCENE) {
 		return;
 	}
@@ -41,7 +40,7 @@ static void count_lowest_level() {
 	count = MAX(count, 1);
 }
 
-void uninitialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
+static void uninitialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_CORE) {
 		count_lowest_level();
 	}

@@ -16,10 +16,8 @@ namespace softbody {
 template <std::size_t SteppedNode::Places::*PLACE>
 class NodeList {
 public:
-	bool contains(const SteppedNode &p_node) const {
-		const std::size_t place = p_node.places.*PLACE;
-		return place < nodes_.size() && nodes_[place] == &p_node; // it may be in the list of another space
-	}
+	/// A node is in the lists of one space at a time.
+	bool contains(const SteppedNode &p_node) const { return p_node.places.*PLACE != SIZE_MAX; }
 
 	/// A node that is in the list already stays where it is.
 	void add(SteppedNode &r_node) {

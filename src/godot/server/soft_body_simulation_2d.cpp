@@ -131,9 +131,7 @@ void SoftBodySimulation2D::step_spaces(double p_delta) {
 	stepping_ = true;
 	const size_t count = spaces_.size(); // spaces added meanwhile wait for the next tick
 	for (size_t i = 0; i < count; i++) {
-		softbody::SoftBodySpace2D &content = *spaces_[i].content;
-		content.step(p_delta, signals_);
-		profile_ += content.profile();
+		spaces_[i].content->step(p_delta, signals_, profile_);
 	}
 	threads_.end_step();
 	stepping_ = false;
@@ -160,40 +158,30 @@ void SoftBodySimulation2D::draw_idle_frame() {
 	}
 }
 
-int64_t SoftBodySimulation2D::get_body_count() const {
+// The sum of `p_count(space)` over all spaces.
+template <class Count>
+int64_t SoftBodySimulation2D::count_in_spaces(const Count &p_count) const {
 	int64_t count = 0;
 	for (const Space &space : spaces_) {
-		count += int64_t(space.content->nodes().count());
+		count += int64_t(p_count(*space.content));
 	}
 	return count;
 }
 
-int64_t SoftBodySimulation2D::get_tick_count() const {
-	return tick_count_;
+int64_t SoftBodySimulation2D::get_body_count() const {
+	return count_in_spaces([](softbody::SoftBodySpace2D &r_space) { return r_space.nodes().count(); });
 }
 
 int64_t SoftBodySimulation2D::get_awake_body_count() const {
-	int64_t count = 0;
-	for (const Space &space : spaces_) {
-		count += space.content->awake_body_count();
-	}
-	return count;
+	return count_in_spaces([](const softbody::SoftBodySpace2D &p_space) { return p_space.awake_body_count(); });
 }
 
 int64_t SoftBodySimulation2D::get_contact_count() const {
-	int64_t count = 0;
-	for (const Space &space : spaces_) {
-		count += space.content->contact_count();
-	}
-	return count;
+	return count_in_spaces([](const softbody::SoftBodySpace2D &p_space) { return p_space.contact_count(); });
 }
 
 int64_t SoftBodySimulation2D::get_built_shape_count() const {
 	return softbody::built_shape_count();
-}
-
-int SoftBodySimulation2D::get_thread_count() const {
-	return threads_.get_thread_count();
 }
 
 // Means since the last reset [µs a tick].
@@ -207,10 +195,6 @@ Dictionary SoftBodySimulation2D::get_step_profile() const {
 	result["finish"] = profile_.finish / steps;
 	result["proxies"] = profile_.proxies / steps;
 	return result;
-}
-
-double SoftBodySimulation2D::get_last_step_usec() const {
-	return last_step_usec_;
 }
 
 double SoftBodySimulation2D::get_mean_step_usec() const {

@@ -47,9 +47,9 @@ public:
 	int64_t get_awake_body_count() const;
 	int64_t get_contact_count() const;
 	int64_t get_built_shape_count() const;
-	int get_thread_count() const;
-	int64_t get_tick_count() const;
-	double get_last_step_usec() const;
+	int get_thread_count() const { return threads_.get_thread_count(); }
+	int64_t get_tick_count() const { return tick_count_; }
+	double get_last_step_usec() const { return last_step_usec_; }
 	double get_mean_step_usec() const;
 	double get_last_drawing_usec() const { return last_drawing_usec_; }
 	int64_t get_last_drawn_count() const { return last_drawn_count_; }
@@ -66,6 +66,8 @@ private:
 		std::unique_ptr<softbody::SoftBodySpace2D> content;
 	};
 
+	template <class Count>
+	int64_t count_in_spaces(const Count &p_count) const;
 	void step();
 	void step_spaces(double p_delta);
 	void draw_frame();

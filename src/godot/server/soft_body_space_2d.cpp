@@ -5,7 +5,6 @@
 #include "godot/convert.h"
 #include "godot/server/step_signals.h"
 #include "godot/surroundings/hull_proxy.h"
-#include "godot/surroundings/rigid_reactions.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/classes/time.hpp>
@@ -53,16 +52,6 @@ std::span<const Record> of_body(std::span<const Record> p_list, BodyId p_body) {
 
 } // namespace
 
-TickProfile &TickProfile::operator+=(const TickProfile &p_other) {
-	nodes += p_other.nodes;
-	prepare += p_other.prepare;
-	surroundings += p_other.surroundings;
-	simulate += p_other.simulate;
-	finish += p_other.finish;
-	proxies += p_other.proxies;
-	return *this;
-}
-
 SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for) :
 		space_(p_space), simulator_(world_, std::move(p_parallel_for)), reader_(p_space) {
 	world_.set_length_unit(PIXELS_PER_METER); // tolerances of the core scale with it
@@ -78,15 +67,7 @@ void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
 	}
 }
 
-void SoftBodySpace2D::add(SteppedNode &r_node) {
-	nodes_.add(r_node);
-	busy_.add(r_node);
-}
-
 void SoftBodySpace2D::remove(SteppedNode &r_node) {
-	if (!nodes_.contains(r_node)) {
-		return; // of another space
-	}
 	nodes_.remove(r_node);
 	busy_.remove(r_node);
 	near_moving_.remove(r_node);
@@ -96,15 +77,14 @@ void SoftBodySpace2D::remove(SteppedNode &r_node) {
 BodyId SoftBodySpace2D::add_body(SteppedNode &r_node, SoftBodyData p_body) {
 	const BodyId body = world_.add_soft_body(std::move(p_body));
 	owners_.resize(std::max<std::size_t>(owners_.size(), body.index + 1));
-	owners_[body.index] = { body, &r_node, r_node.instance_id() };
+	owners_[body.index] = { body, &r_node };
 	busy_.add(r_node);
 	return body;
 }
 
-// Null if the body has left the world.
-const SoftBodySpace2D::Owner *SoftBodySpace2D::owner_of(BodyId p_body) const {
+SteppedNode *SoftBodySpace2D::node_of(BodyId p_body) const {
 	const bool is_there = p_body.index < owners_.size() && owners_[p_body.index].body == p_body && world_.find(p_body) != nullptr;
-	return is_there ? &owners_[p_body.index] : nullptr;
+	return is_there ? owners_[p_body.index].node : nullptr;
 }
 
 void SoftBodySpace2D::prepare_joints() {
@@ -137,13 +117,13 @@ void SoftBodySpace2D::read_gravity() {
 void SoftBodySpace2D::feel_areas() {
 	busy_.for_each([&](SteppedNode &r_node) { r_node.feel_areas(space_effects_); });
 	for (const BodyId body : stirred_) {
-		const Owner *owner = owner_of(body);
-		if (owner == nullptr || busy_.contains(*owner->node)) {
+		SteppedNode *node = node_of(body);
+		if (node == nullptr || busy_.contains(*node)) {
 			continue;
 		}
-		owner->node->feel_areas(space_effects_);
+		node->feel_areas(space_effects_);
 		if (!world_.find(body)->is_asleep()) { // something has changed, perhaps not only here
-			busy_.add(*owner->node);
+			busy_.add(*node);
 			urgent_looks_ = nodes_.count();
 		}
 	}
@@ -181,49 +161,49 @@ void SoftBodySpace2D::read_environment(double p_delta) {
 	tell_proxies();
 }
 
-void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals) {
+void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals, TickProfile &r_profile) {
 	Stopwatch watch;
 	read_gravity();
 	busy_.for_each([](SteppedNode &r_node) { r_node.prepare_step(); });
 	prepare_joints();
 	feel_areas();
-	profile_.prepare = watch.lap();
-	profile_.nodes = double(busy_.count());
+	r_profile.prepare += watch.lap();
+	r_profile.nodes += double(busy_.count());
 	read_environment(p_delta);
-	profile_.surroundings = watch.lap();
+	r_profile.surroundings += watch.lap();
 	const StepReport report = simulator_.simulate(Real(p_delta));
-	give_back_impulses(reader_.rigid_bodies(), world_, p_delta);
-	profile_.simulate = watch.lap();
+	reader_.give_back_impulses(world_, p_delta);
+	r_profile.simulate += watch.lap();
 	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
 	simulator_.list_awake(awake_);
 	for (const BodyId body : awake_) {
-		if (const Owner *owner = owner_of(body)) {
-			busy_.add(*owner->node);
+		if (SteppedNode *node = node_of(body)) {
+			busy_.add(*node);
 		}
 	}
 	for (const BodyId body : report.reset_bodies) {
-		if (const Owner *owner = owner_of(body)) {
-			owner->node->note_failure(r_signals);
+		if (SteppedNode *node = node_of(body)) {
+			node->note_failure(r_signals);
 		}
 	}
 	busy_.for_each([](SteppedNode &r_node) { r_node.finish_step(); });
-	profile_.finish = watch.lap();
+	r_profile.finish += watch.lap();
 	move_proxies();
-	keep_rigid_bodies_asleep(reader_.rigid_bodies());
-	profile_.proxies = watch.lap();
+	reader_.keep_rigid_bodies_asleep();
+	r_profile.proxies += watch.lap();
 	if (!report.broken_joints.empty()) {
 		collect_broken_joints(report, r_signals);
 	}
 	collect_signals(r_signals);
 	let_idle();
-	profile_.finish += watch.lap();
+	r_profile.finish += watch.lap();
 }
 
 // A proxy is told of moving bodies near it while there are any, and once more after that, of none.
 void SoftBodySpace2D::tell_proxies() {
 	for (const uint32_t row : reader_.rows_near_moving()) {
-		if (const Owner *owner = owner_of(world_.id_at(row))) {
-			near_moving_.add(*owner->node);
+		if (SteppedNode *node = node_of(world_.id_at(row))) {
+			near_moving_.add(*node);
 		}
 	}
 	const SoftBodyData *first = world_.soft_bodies().data();
@@ -271,8 +251,8 @@ void SoftBodySpace2D::collect_signals(StepSignals &r_signals) {
 		if (p_other.kind != ContactOther::Kind::SOFT_BODY) {
 			return p_other.tag;
 		}
-		const Owner *owner = owner_of(p_other.body);
-		return owner != nullptr ? owner->id : 0;
+		const SteppedNode *node = node_of(p_other.body);
+		return node != nullptr ? node->instance_id() : 0;
 	};
 	busy_.for_each([&](SteppedNode &r_node) {
 		r_node.take_sleep(r_signals);

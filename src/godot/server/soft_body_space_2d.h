@@ -18,7 +18,7 @@ namespace softbody {
 
 class StepSignals;
 
-/// Time of the parts of a step [µs].
+/// Time of the parts of steps [µs].
 struct TickProfile {
 	double nodes = 0; ///< number of nodes gone through
 	double prepare = 0; ///< taking over changes of users
@@ -26,8 +26,6 @@ struct TickProfile {
 	double simulate = 0; ///< in the core
 	double finish = 0; ///< moving nodes along
 	double proxies = 0; ///< showing the hulls to the engine
-
-	TickProfile &operator+=(const TickProfile &p_other);
 };
 
 /// Joins the core's world of one `World2D` with the nodes of its bodies. A tick goes through busy nodes only: those
@@ -49,10 +47,10 @@ public:
 	int64_t awake_body_count() const { return int64_t(awake_.size()); }
 	/// Contacts solved in the last step, counted in every substep.
 	int64_t contact_count() const { return contact_count_; }
-	/// Times of the last step.
-	const TickProfile &profile() const { return profile_; }
 
-	void add(SteppedNode &r_node);
+	/// Adds a node, which takes part in ticks once it has a body.
+	void add(SteppedNode &r_node) { nodes_.add(r_node); }
+	/// Removes the node from all lists. Its body must have left the world.
 	void remove(SteppedNode &r_node);
 	/// Puts a node's body into the world.
 	BodyId add_body(SteppedNode &r_node, SoftBodyData p_body);
@@ -62,14 +60,13 @@ public:
 	void add_joint(SteppedJoint &r_joint) { joints_.push_back(&r_joint); }
 	void remove_joint(SteppedJoint &r_joint) { std::erase(joints_, &r_joint); }
 	/// Reads gravity and environment, steps the core by `p_delta` [s], and hands the result to the nodes and to the
-	/// rigid bodies of the engine. Adds the signals of the step to `r_signals`.
-	void step(double p_delta, StepSignals &r_signals);
+	/// rigid bodies of the engine. Adds the signals of the step to `r_signals`, and its times to `r_profile`.
+	void step(double p_delta, StepSignals &r_signals, TickProfile &r_profile);
 
 private:
 	struct Owner {
 		BodyId body;
 		SteppedNode *node = nullptr;
-		uint64_t id = 0; ///< instance id of the node
 	};
 
 	void prepare_joints();
@@ -81,7 +78,8 @@ private:
 	void tell_proxies();
 	void move_proxies();
 	void let_idle();
-	const Owner *owner_of(BodyId p_body) const;
+	/// The node of a body; null if the body has left the world.
+	SteppedNode *node_of(BodyId p_body) const;
 
 	godot::RID space_;
 	WorldData world_;
@@ -103,7 +101,6 @@ private:
 	int default_substeps_ = 0; ///< as the nodes know it
 	int detailed_count_ = 0; ///< proxies that show dents
 	int64_t contact_count_ = 0;
-	TickProfile profile_;
 };
 
 } // namespace softbody

@@ -20,16 +20,12 @@ constexpr int MAX_AUTOMATIC = 8;
 
 } // namespace
 
-struct StepThreads::Shared {
-	TaskScheduler team;
-};
-
-StepThreads::StepThreads() : shared_(std::make_shared<Shared>()) {
+StepThreads::StepThreads() : scheduler_(std::make_shared<TaskScheduler>()) {
 	set_thread_count(0);
 }
 
 StepThreads::~StepThreads() {
-	shared_->team.close();
+	scheduler_->close();
 	forget_finished(true);
 }
 
@@ -47,7 +43,7 @@ void StepThreads::set_thread_count(int p_count) {
 ParallelFor StepThreads::parallel_for() {
 	return [this](std::size_t p_count, const std::function<void(std::size_t)> &p_task) {
 		ask_for_helpers();
-		shared_->team.run(p_count, p_task);
+		scheduler_->run(p_count, p_task);
 	};
 }
 
@@ -56,15 +52,15 @@ void StepThreads::ask_for_helpers() {
 		return;
 	}
 	asked_ = true;
-	shared_->team.open();
+	scheduler_->open();
 	forget_finished(false);
 	// Helpers of earlier steps that have not begun yet are still queued.
 	while (int(tasks_.size()) < thread_count_ - 1) {
-		auto *lent = new std::shared_ptr<Shared>(shared_);
+		auto *lent = new std::shared_ptr<TaskScheduler>(scheduler_);
 		tasks_.push_back(WorkerThreadPool::get_singleton()->add_native_task(
 				[](void *p_lent) {
-					const std::unique_ptr<std::shared_ptr<Shared>> shared(static_cast<std::shared_ptr<Shared> *>(p_lent));
-					(*shared)->team.help();
+					const std::unique_ptr<std::shared_ptr<TaskScheduler>> scheduler(static_cast<std::shared_ptr<TaskScheduler> *>(p_lent));
+					(*scheduler)->help();
 				},
 				lent, true, "SoftBody2D step"));
 	}
@@ -72,7 +68,7 @@ void StepThreads::ask_for_helpers() {
 
 void StepThreads::end_step() {
 	if (asked_) {
-		shared_->team.close();
+		scheduler_->close();
 		asked_ = false;
 	}
 }

@@ -30,12 +30,10 @@ public:
 	void end_step();
 
 private:
-	struct Shared; ///< the scheduler; late helpers keep it alive
-
 	void ask_for_helpers();
 	void forget_finished(bool p_wait);
 
-	std::shared_ptr<Shared> shared_;
+	std::shared_ptr<TaskScheduler> scheduler_; ///< late helpers keep it alive
 	std::vector<int64_t> tasks_; ///< of the pool, not known to have ended
 	int thread_count_ = 1;
 	bool asked_ = false; ///< whether this step has requested helpers

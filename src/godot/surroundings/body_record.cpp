@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace godot;
 
@@ -45,18 +46,21 @@ constexpr Real SIDEWAYS_TOLERANCE = Real(0.2); // of BALANCE_TOLERANCE, for load
 // Angular acceleration by soft bodies [rad/s²] below which a support against turning is not estimated.
 constexpr Real LEAST_TURN = Real(0.1);
 
+// Largest change of a scale for which shapes are not translated anew, over its size.
+constexpr double SCALE_TOLERANCE = 1e-5;
+
 // Farther than anything [px]: where the bounds of a border end.
 constexpr Real EVERYWHERE = Real(1e15);
 
-bool is_same_scale(const Transform2D &p_a, const Transform2D &p_b) {
-	const real_t size = p_a.columns[0].length() + p_a.columns[1].length();
-	return p_a.columns[0].distance_to(p_b.columns[0]) <= 1e-5 * size && p_a.columns[1].distance_to(p_b.columns[1]) <= 1e-5 * size;
+// The part of a load that a support does not bear. `p_support` is the direction of its push, as long as the share of the
+// load against it that it bears.
+Vec2 unsupported(Vec2 p_load, Vec2 p_support) {
+	const Real share = length(p_support);
+	return share > 0 ? p_load - p_support * (std::min(dot(p_load, p_support), Real(0)) / share) : p_load;
 }
 
-bool is_same_surface(const Surface &p_a, const Surface &p_b) {
-	return p_a.friction == p_b.friction && p_a.rough == p_b.rough && p_a.restitution == p_b.restitution &&
-			p_a.absorbent == p_b.absorbent && p_a.linear_velocity == p_b.linear_velocity &&
-			p_a.angular_velocity == p_b.angular_velocity && p_a.layer == p_b.layer;
+bool is_touch(const Reaction &p_reaction) {
+	return p_reaction.impulse != Vec2{} || p_reaction.angular_impulse != 0;
 }
 
 } // namespace
@@ -69,7 +73,6 @@ BodyRecord::BodyRecord(const RID &p_rid, const RID &p_space, int64_t p_tick) : r
 	is_told_by_node_ = is_tile_ || Object::cast_to<CollisionObject2D>(node) != nullptr;
 	surface_.tag = object_id_;
 	mode_ = server->body_get_mode(rid_);
-	is_rigid_ = mode_ >= PhysicsServer2D::BODY_MODE_RIGID;
 	transform_ = server->body_get_state(rid_, PhysicsServer2D::BODY_STATE_TRANSFORM);
 	scale_ = scale_and_skew(transform_);
 	rigid_body_.pose = to_core_pose(transform_);
@@ -86,7 +89,7 @@ Border BodyRecord::border_in_world(const Plane &p_border, double p_delta) const 
 	if (!has_rigid_body()) {
 		return { p_border, surface_ };
 	}
-	const Pose end = is_rigid_ ? rigid_body_.pose : rigid_body_.pose_after(Real(p_delta));
+	const Pose end = is_rigid() ? rigid_body_.pose : rigid_body_.pose_after(Real(p_delta));
 	return { { end.apply(p_border.position), end.rotation.apply(p_border.normal) }, surface_in_motion(surface_, rigid_body_, end) };
 }
 
@@ -98,8 +101,8 @@ Aabb BodyRecord::bounds() const {
 		return bounds_;
 	}
 	const Transform2D to_world = frame();
-	const Vector2 middle = to_world.xform(to_godot((bounds_.min + bounds_.max) * Real(0.5)));
-	const Vector2 half = to_godot((bounds_.max - bounds_.min) * Real(0.5));
+	const Vector2 middle = to_world.xform(to_godot(bounds_.center()));
+	const Vector2 half = to_godot(bounds_.half_size());
 	const Vector2 extent = to_world.columns[0].abs() * half.x + to_world.columns[1].abs() * half.y;
 	return { to_core(middle - extent), to_core(middle + extent) };
 }
@@ -110,9 +113,7 @@ void BodyRecord::measure_bounds() {
 	for (const ShapeRecord &shape : shapes_) {
 		has_border_ |= shape.translated.border.has_value();
 		for (const Collider &collider : shape.translated.colliders) {
-			const Aabb box = collider.bounds();
-			bounds_.include(box.min);
-			bounds_.include(box.max);
+			bounds_.include(collider.bounds());
 		}
 	}
 }
@@ -139,9 +140,7 @@ bool BodyRecord::read_surface() {
 		surface.linear_velocity = to_core(Vector2(server->body_get_state(rid_, PhysicsServer2D::BODY_STATE_LINEAR_VELOCITY)));
 		surface.angular_velocity = Real(double(server->body_get_state(rid_, PhysicsServer2D::BODY_STATE_ANGULAR_VELOCITY)));
 	}
-	const bool is_different = !is_same_surface(surface, surface_);
-	surface_ = surface;
-	return is_different;
+	return std::exchange(surface_, surface) != surface;
 }
 
 bool BodyRecord::is_enabled(const ShapeRecord &p_shape, int64_t p_since) const {
@@ -179,8 +178,7 @@ void BodyRecord::read_shape(int32_t p_index, const ShapeTraits &p_traits, ShapeR
 	}
 	translate(r_shape);
 	if (is_tile_ && !r_shape.translated.colliders.empty()) {
-		const Aabb box = r_shape.translated.colliders.front().bounds();
-		const Vector2 middle = frame().xform(to_godot((box.min + box.max) * Real(0.5)));
+		const Vector2 middle = frame().xform(to_godot(r_shape.translated.colliders.front().bounds().center()));
 		r_shape.traits.one_way_margin = find_tile_margin(ObjectDB::get_instance(object_id_), rid_, middle);
 		if (r_shape.traits.one_way_margin) {
 			translate(r_shape);
@@ -194,9 +192,9 @@ void BodyRecord::note_seen(int32_t p_shape, int64_t p_tick) {
 	}
 }
 
-bool BodyRecord::is_there() const {
+bool BodyRecord::is_in_space(const RID &p_body, const RID &p_space) {
 	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
-	return server->body_get_direct_state(rid_) != nullptr && server->body_get_space(rid_) == space_;
+	return server->body_get_direct_state(p_body) != nullptr && server->body_get_space(p_body) == p_space;
 }
 
 bool BodyRecord::has_other_shapes(int64_t p_since) const {
@@ -247,7 +245,7 @@ bool BodyRecord::reread(int64_t p_since) {
 bool BodyRecord::take_transform(const Transform2D &p_transform) {
 	transform_ = p_transform;
 	const Transform2D scale = scale_and_skew(p_transform);
-	if (is_same_scale(scale, scale_) && has_rigid_body()) {
+	if (is_same_scale(scale, scale_, SCALE_TOLERANCE) && has_rigid_body()) {
 		return false;
 	}
 	scale_ = scale;
@@ -269,10 +267,9 @@ BodyChange BodyRecord::poll(double p_delta) {
 	}
 	const PhysicsServer2D::BodyMode mode = server->body_get_mode(rid_);
 	if (mode != mode_) {
-		mode_ = mode;
 		const bool had_rigid_body = has_rigid_body();
-		is_rigid_ = mode >= PhysicsServer2D::BODY_MODE_RIGID;
-		is_mover_ = !is_rigid_ && had_rigid_body; // a body frozen in flight may be moved on
+		mode_ = mode;
+		is_mover_ = !is_rigid() && had_rigid_body; // a body frozen in flight may be moved on
 		still_ticks_ = 0;
 		last_reaction_ = {};
 		was_rigid_ = false;
@@ -280,7 +277,7 @@ BodyChange BodyRecord::poll(double p_delta) {
 		change = BodyChange::REBUILT;
 	}
 	const Transform2D transform = state->get_transform();
-	if (!is_rigid_) {
+	if (!is_rigid()) {
 		change = std::max(change, transform == transform_ ? settle() : poll_driven(transform, p_delta));
 	} else {
 		if (transform != transform_ && take_transform(transform)) {
@@ -339,7 +336,6 @@ void BodyRecord::poll_rigid(PhysicsDirectBodyState2D *p_state, double p_delta) {
 	body.inverse_mass = Real(p_state->get_inverse_mass());
 	body.inverse_inertia = Real(p_state->get_inverse_inertia());
 	weight_ = to_core(p_state->get_total_gravity() + p_state->get_constant_force() * p_state->get_inverse_mass());
-	body.acceleration = weight_;
 	is_sleeping_ = p_state->is_sleeping();
 	body.asleep = is_sleeping_;
 	if (is_sleeping_ && was_rigid_) { // its support is the one with which it fell asleep
@@ -356,17 +352,12 @@ void BodyRecord::poll_rigid(PhysicsDirectBodyState2D *p_state, double p_delta) {
 			estimate_support(p_state, p_delta, body);
 		}
 	}
-	// The support's share of its weight; the rest makes it fall.
-	const Real share = length(body.support);
-	if (share > 0) {
-		body.acceleration -= body.support * (std::min(dot(body.acceleration, body.support), Real(0)) / share);
-	}
+	body.acceleration = unsupported(weight_, body.support); // which makes it fall
 	rigid_body_ = body;
 	was_rigid_ = true;
 }
 
 Reaction BodyRecord::take_reaction(const Reaction &p_reaction, double p_delta) {
-	const auto is_touch = [](const Reaction &p_any) { return p_any.impulse != Vec2{} || p_any.angular_impulse != 0; };
 	const bool has_touched = is_touch(p_reaction) || is_touch(last_reaction_) || is_touch(withheld_) || last_reaction_.beside_sleeper;
 	last_reaction_ = p_reaction;
 	if (!is_sleeping_ || !(rigid_body_.inverse_mass > 0)) {
@@ -376,11 +367,7 @@ Reaction BodyRecord::take_reaction(const Reaction &p_reaction, double p_delta) {
 	if (p_reaction.beside_sleeper || !has_touched) {
 		return {};
 	}
-	Vec2 load = p_reaction.impulse + weight_ * (Real(p_delta) / rigid_body_.inverse_mass);
-	const Real share = length(rigid_body_.support);
-	if (share > 0) {
-		load -= rigid_body_.support * (std::min(dot(load, rigid_body_.support), Real(0)) / share);
-	}
+	Vec2 load = unsupported(p_reaction.impulse + weight_ * (Real(p_delta) / rigid_body_.inverse_mass), rigid_body_.support);
 	Real turn = p_reaction.angular_impulse * (1 - rigid_body_.turn_support);
 	// It fell asleep slow, not in perfect balance.
 	const Real tolerance = BALANCE_TOLERANCE * length(weight_) * Real(p_delta) / rigid_body_.inverse_mass;
@@ -416,7 +403,7 @@ void BodyRecord::keep_asleep() {
 }
 
 void BodyRecord::let_go() {
-	const bool is_held = last_reaction_.beside_sleeper || last_reaction_.impulse != Vec2{} || last_reaction_.angular_impulse != 0;
+	const bool is_held = last_reaction_.beside_sleeper || is_touch(last_reaction_);
 	if (is_sleeping_ && is_held && is_there()) {
 		PhysicsServer2D::get_singleton()->body_set_state(rid_, PhysicsServer2D::BODY_STATE_SLEEPING, false);
 	}
@@ -428,7 +415,7 @@ void BodyRecord::let_go() {
 // of one that lies on a soft body presses too, and is no support.
 void BodyRecord::estimate_support(PhysicsDirectBodyState2D *p_state, double p_delta, RigidBody &r_body) const {
 	const Real delta = Real(p_delta);
-	const Vec2 weight = r_body.acceleration * delta;
+	const Vec2 weight = weight_ * delta;
 	const Vec2 load = weight + last_reaction_.impulse * r_body.inverse_mass;
 	const Real kept = std::max(Real(0), 1 - delta * Real(p_state->get_total_linear_damp()));
 	const Vec2 free = (rigid_body_.linear_velocity + last_reaction_.impulse * r_body.inverse_mass) * kept + weight;

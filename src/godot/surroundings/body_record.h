@@ -51,14 +51,14 @@ public:
 	uint64_t object_id() const { return object_id_; }
 	/// Whether it is one of the bodies of a TileMapLayer, which all move together.
 	bool is_tile() const { return is_tile_; }
-	bool is_rigid() const { return is_rigid_; }
+	bool is_rigid() const { return mode_ >= godot::PhysicsServer2D::BODY_MODE_RIGID; }
 	godot::PhysicsServer2D::BodyMode mode() const { return mode_; }
 	/// Whether its node tells which shapes are disabled. The server does not: of other bodies shapes count that queries
 	/// find.
 	bool is_told_by_node() const { return is_told_by_node_; }
 	/// Box around all its shapes, in the world.
 	Aabb bounds() const;
-	bool has_rigid_body() const { return is_rigid_ || is_mover_; }
+	bool has_rigid_body() const { return is_rigid() || is_mover_; }
 	const Surface &surface() const { return surface_; }
 	/// The core's rigid body at the beginning of the coming step.
 	const RigidBody &rigid_body() const { return rigid_body_; }
@@ -81,7 +81,9 @@ public:
 	/// Whether shapes were added, removed, enabled or disabled since they were read. O(shape owners).
 	bool has_other_shapes(int64_t p_since) const;
 	/// Whether it is still a body of the space. Cheap.
-	bool is_there() const;
+	bool is_there() const { return is_in_space(rid_, space_); }
+	/// Whether this body exists and is in this space.
+	static bool is_in_space(const godot::RID &p_body, const godot::RID &p_space);
 
 	/// Index of its rigid body in the core's list, as long as that list is not made anew.
 	uint32_t rigid_index = NO_RIGID_BODY;
@@ -113,7 +115,6 @@ private:
 	bool is_told_by_node_ = false;
 	bool is_tile_ = false;
 	godot::PhysicsServer2D::BodyMode mode_ = godot::PhysicsServer2D::BODY_MODE_STATIC;
-	bool is_rigid_ = false;
 	bool is_mover_ = false; ///< moved by the game, not by forces, in recent ticks
 	int still_ticks_ = 0;
 	godot::Transform2D transform_;

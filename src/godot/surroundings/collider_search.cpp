@@ -8,7 +8,6 @@
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
-#include <godot_cpp/variant/typed_array.hpp>
 
 #include <algorithm>
 
@@ -139,7 +138,7 @@ void ColliderSearch::regroup() {
 		Followed &followed = followed_[i];
 		followed.group = NO_GROUP;
 		if (followed.mask != 0) {
-			order_.emplace_back((followed.reach.min + followed.reach.max) * Real(0.5), uint32_t(i));
+			order_.emplace_back(followed.reach.center(), uint32_t(i));
 		}
 	}
 	divide(0, order_.size());
@@ -188,8 +187,7 @@ void ColliderSearch::measure_groups() {
 			group.asleep = true;
 			for (std::size_t i = group.begin; i < group.end; i++) {
 				const Followed &followed = followed_[order_[i].second];
-				group.box.include(followed.reach.min);
-				group.box.include(followed.reach.max);
+				group.box.include(followed.reach);
 				group.mask |= followed.mask;
 				group.asleep &= followed.asleep;
 			}
@@ -224,13 +222,9 @@ bool ColliderSearch::is_list_due(int64_t p_known) const {
 	return !is_list_valid_ || NEEDLESS_COST * needless_ > size || (changes > 8 && changes * 8 > size);
 }
 
-void ColliderSearch::exclude(const std::vector<RID> &p_known) {
-	TypedArray<RID> list;
-	for (const RID &body : p_known) {
-		list.push_back(body);
-	}
-	append_hull_proxies(list);
-	query_->set_exclude(list);
+void ColliderSearch::exclude(TypedArray<RID> p_known) {
+	append_hull_proxies(p_known);
+	query_->set_exclude(p_known);
 	is_list_valid_ = true;
 	needless_ = 0;
 	listed_proxies_ = hull_proxies_made();
@@ -238,10 +232,10 @@ void ColliderSearch::exclude(const std::vector<RID> &p_known) {
 
 void ColliderSearch::query(PhysicsDirectSpaceState2D *p_state, const Aabb &p_box, int p_splits, int p_depth,
 		std::vector<FoundShape> &r_found) {
-	const Vector2 middle = to_godot((p_box.max + p_box.min) * Real(0.5));
+	const Vec2 center = p_box.center();
 	if (p_splits == 0) {
-		PhysicsServer2D::get_singleton()->shape_set_data(query_shape_, to_godot((p_box.max - p_box.min) * Real(0.5)));
-		query_->set_transform(Transform2D(0, middle));
+		PhysicsServer2D::get_singleton()->shape_set_data(query_shape_, to_godot(p_box.half_size()));
+		query_->set_transform(Transform2D(0, to_godot(center)));
 		TypedArray<Dictionary> hits = p_state->intersect_shape(query_, FEW_RESULTS);
 		if (hits.size() >= FEW_RESULTS) {
 			hits = p_state->intersect_shape(query_, MANY_RESULTS);
@@ -254,7 +248,6 @@ void ColliderSearch::query(PhysicsDirectSpaceState2D *p_state, const Aabb &p_box
 			return;
 		}
 	}
-	const Vec2 center = to_core(middle);
 	const int splits = std::max(0, p_splits - 1);
 	query(p_state, { p_box.min, center }, splits, p_depth + 1, r_found);
 	query(p_state, { { center.x, p_box.min.y }, { p_box.max.x, center.y } }, splits, p_depth + 1, r_found);
@@ -273,8 +266,7 @@ std::size_t ColliderSearch::end_of_run(std::size_t p_begin, Aabb &r_box) const {
 	std::size_t end = p_begin + 1;
 	for (; groups_[p_begin].asleep && end < groups_.size() && groups_[end].asleep; end++) {
 		Aabb box = r_box;
-		box.include(groups_[end].box.min);
-		box.include(groups_[end].box.max);
+		box.include(groups_[end].box);
 		covered += area(groups_[end].box);
 		if (area(box) > WASTE * covered || groups_[end].end - groups_[p_begin].begin > ASLEEP_A_TICK) {
 			break;

@@ -8,6 +8,7 @@
 #include <godot_cpp/classes/physics_direct_space_state2d.hpp>
 #include <godot_cpp/classes/physics_shape_query_parameters2d.hpp>
 #include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -49,7 +50,7 @@ public:
 	/// Whether it is time to call `exclude`, with `p_known` bodies known.
 	bool is_list_due(int64_t p_known) const;
 	/// The known bodies, to which all proxies are added.
-	void exclude(const std::vector<godot::RID> &p_known);
+	void exclude(godot::TypedArray<godot::RID> p_known);
 	/// Marks some known bodies as unknown: they must be found again.
 	void forget_list() { is_list_valid_ = false; }
 

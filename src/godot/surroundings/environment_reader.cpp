@@ -18,7 +18,7 @@ namespace softbody {
 
 namespace {
 
-// Shapes that are read again each tick, to notice that one of them, or a material, was changed. More: changes
+// Shapes that are read again each tick, a body counting as one more, to notice that one of them, or a material, was changed. More: changes
 // are noticed sooner, for about a microsecond each.
 constexpr int REREAD_SHAPES = 16;
 
@@ -55,8 +55,7 @@ void EnvironmentReader::read(PhysicsDirectSpaceState2D *p_state, std::span<const
 	if (tick_ % FORGET_INTERVAL == 0) {
 		forget_far(p_joined);
 	}
-	look_at_some();
-	reread_some();
+	check_some();
 	poll(p_delta, r_world);
 	if (!is_handed_over_) {
 		hand_over(p_delta, r_world);
@@ -65,13 +64,13 @@ void EnvironmentReader::read(PhysicsDirectSpaceState2D *p_state, std::span<const
 }
 
 void EnvironmentReader::list_known() {
-	known_.clear();
+	TypedArray<RID> known;
 	for (const auto &[id, body] : bodies_) {
 		if (body.is_told_by_node()) {
-			known_.push_back(body.rid());
+			known.push_back(body.rid());
 		}
 	}
-	search_.exclude(known_);
+	search_.exclude(known);
 	missing_.clear();
 }
 
@@ -80,9 +79,18 @@ bool EnvironmentReader::add(const RID &p_body) {
 	if (!bodies_.try_emplace(p_body.get_id(), p_body, space_, tick_).second) {
 		return false;
 	}
-	are_bodies_listed_ = false;
-	is_handed_over_ = false;
+	note_other_bodies();
 	return true;
+}
+
+// Bodies came or went.
+void EnvironmentReader::note_other_bodies() {
+	are_bodies_listed_ = false;
+	is_handed_over_ = false; // `movers_` is then made anew
+}
+
+void EnvironmentReader::reread(BodyRecord &r_body) {
+	is_handed_over_ &= !r_body.reread(seen_since());
 }
 
 void EnvironmentReader::take_new(PhysicsDirectSpaceState2D *p_state) {
@@ -105,8 +113,7 @@ void EnvironmentReader::take_new(PhysicsDirectSpaceState2D *p_state) {
 		needless += int64_t(!is_new && body.is_told_by_node());
 		body.note_seen(found.shape, tick_);
 		if (!body.is_told_by_node() && body.has_other_shapes(seen_since())) {
-			body.reread(seen_since());
-			is_handed_over_ = false;
+			reread(body);
 		}
 	}
 	search_.note_needless(needless);
@@ -114,23 +121,18 @@ void EnvironmentReader::take_new(PhysicsDirectSpaceState2D *p_state) {
 
 // A body on the list of known bodies is not found. A body that left the space may come back before the list is renewed.
 void EnvironmentReader::take_back() {
-	for (std::size_t i = 0; i < missing_.size();) {
-		PhysicsServer2D *server = PhysicsServer2D::get_singleton();
-		const bool is_alive = server->body_get_direct_state(missing_[i]) != nullptr;
-		if (is_alive && server->body_get_space(missing_[i]) == space_) {
-			add(missing_[i]);
-			missing_[i] = missing_.back();
-			missing_.pop_back();
-		} else {
-			i++;
+	std::erase_if(missing_, [&](const RID &p_body) {
+		const bool is_back = BodyRecord::is_in_space(p_body, space_);
+		if (is_back) {
+			add(p_body);
 		}
-	}
+		return is_back;
+	});
 }
 
 void EnvironmentReader::take_joined(const std::vector<RID> &p_joined) {
-	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
 	for (const RID &body : p_joined) {
-		if (!bodies_.contains(body.get_id()) && server->body_get_direct_state(body) != nullptr && server->body_get_space(body) == space_) {
+		if (!bodies_.contains(body.get_id()) && BodyRecord::is_in_space(body, space_)) {
 			add(body);
 		}
 	}
@@ -143,8 +145,7 @@ void EnvironmentReader::forget_far(const std::vector<RID> &p_joined) {
 		return !search_.is_near(body.bounds()) && std::ranges::find(p_joined, body.rid()) == p_joined.end();
 	});
 	if (bodies_.size() != count) {
-		are_bodies_listed_ = false;
-		is_handed_over_ = false;
+		note_other_bodies();
 		search_.forget_list();
 	}
 }
@@ -172,32 +173,46 @@ void EnvironmentReader::list_bodies() {
 	are_bodies_listed_ = true;
 }
 
-// Bodies of one TileMapLayer usually come and go together.
-void EnvironmentReader::look_at_some() {
-	const std::size_t count = std::min<std::size_t>(bodies_.size(), LOOKS);
-	auto next = bodies_.lower_bound(look_from_);
-	for (std::size_t i = 0; i < count; i++, ++next) {
+// Drops bodies that are gone and calls `p_check(body)` for those that are not, from the id `r_from` on and after the last
+// body from the first, until they have cost `p_budget`. The check returns its cost.
+template <class Check>
+void EnvironmentReader::check_in_turn(int64_t &r_from, int p_budget, const Check &p_check) {
+	auto next = bodies_.lower_bound(r_from);
+	for (std::size_t i = 0; i < bodies_.size() && p_budget > 0; i++, ++next) {
 		if (next == bodies_.end()) {
 			next = bodies_.begin();
 		}
-		BodyRecord &body = next->second;
-		if (!body.is_there()) {
-			gone_.push_back(body.rid());
-		} else if (body.has_other_shapes(seen_since())) {
-			body.reread(seen_since());
-			is_handed_over_ = false;
+		if (next->second.is_there()) {
+			p_budget -= p_check(next->second);
+		} else {
+			p_budget--;
+			gone_.push_back(next->second.rid());
 		}
 	}
-	look_from_ = next == bodies_.end() ? 0 : next->first;
+	r_from = next == bodies_.end() ? 0 : next->first;
 	drop_gone();
+}
+
+// Many bodies are asked for what is cheap to ask, as those of one TileMapLayer usually come and go together; few are read
+// again.
+void EnvironmentReader::check_some() {
+	check_in_turn(look_from_, LOOKS, [&](BodyRecord &r_body) {
+		if (r_body.has_other_shapes(seen_since())) {
+			reread(r_body);
+		}
+		return 1;
+	});
+	check_in_turn(reread_from_, REREAD_SHAPES, [&](BodyRecord &r_body) {
+		reread(r_body);
+		return 1 + int(r_body.shapes().size());
+	});
 }
 
 void EnvironmentReader::drop_gone() {
 	for (const RID &body : gone_) {
 		bodies_.erase(body.get_id());
 		missing_.push_back(body);
-		are_bodies_listed_ = false;
-		is_handed_over_ = false; // `movers_` is then made anew
+		note_other_bodies();
 	}
 	gone_.clear();
 	if (missing_.size() > MAX_MISSING) {
@@ -205,32 +220,13 @@ void EnvironmentReader::drop_gone() {
 	}
 }
 
-void EnvironmentReader::reread_some() {
-	int count = 0;
-	for (std::size_t i = 0; i < bodies_.size() && count < REREAD_SHAPES; i++) {
-		auto next = bodies_.lower_bound(reread_from_);
-		if (next == bodies_.end()) {
-			next = bodies_.begin();
-		}
-		BodyRecord &body = next->second;
-		reread_from_ = next->first + 1;
-		count += 1 + int(body.shapes().size());
-		if (!body.is_there()) {
-			gone_.push_back(body.rid());
-		} else if (body.reread(seen_since())) {
-			is_handed_over_ = false;
-		}
-	}
-	drop_gone();
-}
-
-void EnvironmentReader::poll(BodyRecord &r_body, double p_delta, bool &r_has_moved) {
+BodyChange EnvironmentReader::poll(BodyRecord &r_body, double p_delta) {
 	const BodyChange change = r_body.poll(p_delta);
-	r_has_moved |= change != BodyChange::NONE;
 	is_handed_over_ &= change != BodyChange::REBUILT && change != BodyChange::GONE;
 	if (change == BodyChange::GONE) {
 		gone_.push_back(r_body.rid());
 	}
+	return change;
 }
 
 void EnvironmentReader::poll(double p_delta, WorldData &r_world) {
@@ -238,13 +234,11 @@ void EnvironmentReader::poll(double p_delta, WorldData &r_world) {
 		list_bodies();
 	}
 	for (std::size_t i = 0; i < leaders_.size(); i++) {
-		bool has_moved = false;
-		poll(*leaders_[i], p_delta, has_moved);
-		if (!has_moved) {
+		if (poll(*leaders_[i], p_delta) == BodyChange::NONE) {
 			continue;
 		}
 		for (BodyRecord *follower : followers_[i]) {
-			poll(*follower, p_delta, has_moved);
+			poll(*follower, p_delta);
 		}
 	}
 	drop_gone();
@@ -263,7 +257,7 @@ void EnvironmentReader::list_moving() {
 	moving_.clear();
 	for (const BodyRecord *body : leaders_) {
 		if (body->mode() != PhysicsServer2D::BODY_MODE_STATIC) {
-			moving_.push_back({ body->rid(), body->mode(), body->bounds(), body->surface().layer });
+			moving_.push_back({ body, body->bounds() });
 		}
 	}
 	moving_near_.resize(search_.group_count());
@@ -277,6 +271,30 @@ void EnvironmentReader::list_moving() {
 		}
 		if (!moving_near_[group].empty()) {
 			search_.append_rows(group, rows_near_moving_);
+		}
+	}
+}
+
+void EnvironmentReader::give_back_impulses(const WorldData &p_world, double p_delta) {
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	for (BodyRecord *body : movers_) {
+		if (!body->is_rigid()) {
+			continue;
+		}
+		const Reaction reaction = body->take_reaction(p_world.reactions()[body->rigid_index], p_delta);
+		if (reaction.impulse != Vec2{}) {
+			server->body_apply_central_impulse(body->rid(), to_godot(reaction.impulse));
+		}
+		if (reaction.angular_impulse != 0) {
+			server->body_apply_torque_impulse(body->rid(), reaction.angular_impulse);
+		}
+	}
+}
+
+void EnvironmentReader::keep_rigid_bodies_asleep() {
+	for (BodyRecord *body : movers_) {
+		if (body->is_rigid()) {
+			body->keep_asleep();
 		}
 	}
 }

@@ -42,21 +42,22 @@ public:
 		}
 		for (const uint32_t i : moving_near_[group]) {
 			const Moving &moving = moving_[i];
-			if ((moving.layer & search_.mask(p_row)) != 0 && moving.box.overlaps(search_.reach(p_row))) {
-				p_work(moving.body, moving.mode);
+			if ((moving.body->surface().layer & search_.mask(p_row)) != 0 && moving.box.overlaps(search_.reach(p_row))) {
+				p_work(moving.body->rid(), moving.body->mode());
 			}
 		}
 	}
-	/// Bodies that are rigid bodies of the core (`BodyRecord::rigid_index`) in this tick.
-	std::span<BodyRecord *const> rigid_bodies() const { return movers_; }
+	/// Hands impulses of soft bodies in the step of `p_delta` [s] to the physics server. Bodies without impulses are not
+	/// touched, so that they can sleep.
+	void give_back_impulses(const WorldData &p_world, double p_delta);
+	/// Puts bodies that slept to sleep again, as proxies wake bodies near them when they move. Called after they have.
+	void keep_rigid_bodies_asleep();
 
 private:
 	/// A body of the engine that moves, or may.
 	struct Moving {
-		godot::RID body;
-		godot::PhysicsServer2D::BodyMode mode;
+		const BodyRecord *body;
 		Aabb box; ///< in the world [px]
-		uint32_t layer = 0;
 	};
 
 	/// The tick since when a query has found every shape there is.
@@ -68,11 +69,14 @@ private:
 	void take_back();
 	void forget_far(const std::vector<godot::RID> &p_joined);
 	void drop_gone();
+	void note_other_bodies();
 	void list_bodies();
 	void poll(double p_delta, WorldData &r_world);
-	void poll(BodyRecord &r_body, double p_delta, bool &r_has_moved);
-	void look_at_some();
-	void reread_some();
+	BodyChange poll(BodyRecord &r_body, double p_delta);
+	void check_some();
+	template <class Check>
+	void check_in_turn(int64_t &r_from, int p_budget, const Check &p_check);
+	void reread(BodyRecord &r_body);
 	void count_shapes();
 	void list_moving();
 	void hand_over(double p_delta, WorldData &r_world);
@@ -88,7 +92,6 @@ private:
 	std::vector<godot::RID> missing_; ///< gone, but on the list of known bodies: they may come back
 	std::vector<Collider> colliders_; ///< as handed over
 	std::vector<FoundShape> found_;
-	std::vector<godot::RID> known_;
 	std::vector<Moving> moving_;
 	std::vector<std::vector<uint32_t>> moving_near_; ///< for each group of soft bodies
 	std::vector<uint32_t> rows_near_moving_;

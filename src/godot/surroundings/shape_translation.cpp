@@ -25,6 +25,9 @@ namespace {
 // Points of a half circle, where a circle is squeezed by a scale that differs along x and y.
 constexpr int ARC_POINTS = 16;
 
+// Largest difference of the scales along x and y at which a circle stays round, over the scale.
+constexpr double ROUND_TOLERANCE = 1e-4;
+
 void add_outline(const std::vector<Vector2> &p_points, const Transform2D &p_to_frame, Real p_radius, TranslatedShape &r_shape) {
 	Collider collider;
 	collider.radius = p_radius;
@@ -52,16 +55,9 @@ void add_outline(const std::vector<Vector2> &p_points, const Transform2D &p_to_f
 	r_shape.colliders.push_back(std::move(collider));
 }
 
-bool has_uniform_scale(const Transform2D &p_transform) {
-	const real_t along = p_transform.columns[0].length();
-	const real_t across = p_transform.columns[1].length();
-	const real_t skew = Math::abs(p_transform.columns[0].dot(p_transform.columns[1]));
-	return Math::abs(along - across) <= 1e-4 * along && skew <= 1e-4 * along * across;
-}
-
 // Circle and capsule are one shape: a core segment of half length `p_half` along y, rounded.
 void add_round(real_t p_radius, real_t p_half, const Transform2D &p_to_frame, TranslatedShape &r_shape) {
-	if (has_uniform_scale(p_to_frame)) {
+	if (is_uniform_scale(p_to_frame, ROUND_TOLERANCE)) {
 		std::vector<Vector2> core = { Vector2(0, -p_half) };
 		if (p_half > 0) {
 			core.push_back(Vector2(0, p_half));

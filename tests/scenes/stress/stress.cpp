@@ -3,7 +3,7 @@
 #include "scenes/stress/stress.h"
 
 #include "core/dynamics/energy.h"
-#include "core/dynamics/integrators/integrator_step.h"
+#include "scenes/integrator_facts.h"
 #include "support/compare.h"
 
 #include <algorithm>
@@ -37,10 +37,6 @@ Energies energies_of(const WorldData &world) {
 
 bool lives_on_damping(Integrator integrator) {
 	return integrator == Integrator::EXPLICIT_EULER || integrator == Integrator::MIDPOINT || integrator == Integrator::HEUN;
-}
-
-const char *name_of(Integrator integrator) {
-	return integrator == Integrator::AUTOMATIC ? "automatic" : integrator_traits(integrator).name;
 }
 
 } // namespace
@@ -120,7 +116,7 @@ StressResult run_stress(StressScene scene, const StressSetup &setup) {
 	}
 	StressResult result;
 	result.name = scene.name;
-	result.name.append(" ").append(name_of(setup.integrator)).append(" ").append(std::to_string(setup.rate));
+	result.name.append(" ").append(integrator_facts(setup.integrator).name).append(" ").append(std::to_string(setup.rate));
 	result.met_all = verdict.passed();
 	result.problems = verdict.problems();
 	const bool is_bound = setup.integrator == Integrator::AUTOMATIC || (log.was_safe && !(scene.is_violent && lives_on_damping(setup.integrator)));

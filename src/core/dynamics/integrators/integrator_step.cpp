@@ -5,8 +5,6 @@
 #include "core/dynamics/integrators/lane_steps.h"
 
 #include <array>
-#include <limits>
-#include <numbers>
 
 namespace softbody {
 
@@ -20,18 +18,15 @@ void step_one(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace
 } // namespace
 
 const IntegratorTraits &integrator_traits(Integrator integrator) {
-	static constexpr double NONE = 0;
-	static constexpr double SQRT_8 = 2 * std::numbers::sqrt2;
-	static constexpr double INFINITE = std::numeric_limits<double>::infinity();
 	static const std::array<IntegratorTraits, INTEGRATOR_COUNT> table = { {
-			{ "automatic", 0, 0, NONE, false, true, nullptr },
-			{ "explicit_euler", 1, 1, NONE, true, true, step_one<step_explicit_euler<Real>> },
-			{ "semi_implicit_euler", 1, 1, 2, false, true, step_one<step_semi_implicit_euler<Real>> },
-			{ "midpoint", 2, 2, NONE, true, true, step_one<step_midpoint<Real>> },
-			{ "heun", 2, 2, NONE, true, true, step_one<step_heun<Real>> },
-			{ "runge_kutta_4", 4, 4, SQRT_8, true, true, step_one<step_runge_kutta_4<Real>> },
-			{ "velocity_verlet", 2, 1, 2, true, false, step_one<step_velocity_verlet<Real>> },
-			{ "xpbd", 1, 1, INFINITE, false, false, step_xpbd },
+			{ 0, false, nullptr }, // AUTOMATIC
+			{ 1, true, step_one<step_explicit_euler<Real>> },
+			{ 1, false, step_one<step_semi_implicit_euler<Real>> },
+			{ 2, true, step_one<step_midpoint<Real>> },
+			{ 2, true, step_one<step_heun<Real>> },
+			{ 4, true, step_one<step_runge_kutta_4<Real>> },
+			{ 1, true, step_one<step_velocity_verlet<Real>> },
+			{ 1, false, step_xpbd },
 	} };
 	return table[std::size_t(integrator)];
 }

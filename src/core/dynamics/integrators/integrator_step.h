@@ -59,17 +59,10 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 
 /// Properties of an integrator.
 struct IntegratorTraits {
-	const char *name; ///< name in benches and charts
-	int order; ///< of the error over a fixed time as h goes to 0
 	int evaluations; ///< force evaluations a substep
-	/// Largest stable hω of the undamped oscillator; 0 when every step gains energy, infinite for XPBD.
-	double undamped_limit;
 	/// Whether the velocity after a substep is ahead of the way just gone: it holds the forces of the whole substep,
 	/// the way only those of a part, or none.
 	bool velocity_leads;
-	/// Whether a substep depends on nothing but the state at its start, so that a step may be divided anywhere without
-	/// changing a bit. Velocity Verlet passes on its forces, XPBD its energy.
-	bool hands_nothing_on;
 	IntegratorStep step;
 };
 
