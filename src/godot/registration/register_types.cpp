@@ -3,6 +3,7 @@
 #include "godot/registration/register_types.h"
 
 #include "godot/editor/soft_body_preview_2d.h"
+#include "godot/nodes/body_picker.h"
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_attachment_2d.h"
 #include "godot/nodes/soft_body_joint_2d.h"
@@ -24,6 +25,7 @@ void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	}
 	GDREGISTER_CLASS(SoftBodySimulation2D);
 	GDREGISTER_CLASS(SoftBodyMaterial2D);
+	GDREGISTER_INTERNAL_CLASS(SoftBodyPicker);
 	GDREGISTER_CLASS(SoftBody2D);
 	GDREGISTER_CLASS(SoftBodyAttachment2D);
 	GDREGISTER_CLASS(SoftBodyJoint2D);
