@@ -6,6 +6,7 @@
 #include "core/model/body_frame.h"
 #include "core/model/rigid_motion.h"
 #include "godot/convert.h"
+#include "godot/nodes/engine_joints.h"
 #include "godot/server/soft_body_simulation_2d.h"
 #include "godot/server/soft_body_space_2d.h"
 
@@ -103,6 +104,9 @@ void SoftBody2D::enter_space() {
 	if (Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
+#ifdef DEBUG_ENABLED
+	softbody::watch_engine_joints(get_tree());
+#endif
 	space_ = &SoftBodySimulation2D::get_singleton()->space_of(this);
 	space_->add(*this);
 	view_ = SoftBodySimulation2D::get_singleton()->drawing().add(get_viewport());

@@ -93,7 +93,7 @@ void SoftBody2D::bind_properties() {
 	ADD_GROUP("Deactivation", "");
 	bind_property("sleeping", &SoftBody2D::set_sleeping, &SoftBody2D::is_sleeping, PROPERTY_HINT_NONE, "", "is_sleeping");
 	bind_value<&Values::can_sleep>({ "can_sleep", {}, &SoftBody2D::apply_settings }, PROPERTY_HINT_NONE, "", "is_able_to_sleep");
-	bind_value<&Values::lock_rotation>({ "lock_rotation", {}, &SoftBody2D::lock_rotation }, PROPERTY_HINT_NONE, "", "is_rotation_locked", "set_lock_rotation_enabled");
+	bind_value<&Values::lock_rotation>({ "lock_rotation", {}, &SoftBody2D::lock_rotation }, PROPERTY_HINT_NONE, "", "is_lock_rotation_enabled", "set_lock_rotation_enabled");
 	bind_property("freeze", &SoftBody2D::set_freeze_enabled, &SoftBody2D::is_freeze_enabled, PROPERTY_HINT_NONE, "", "is_freeze_enabled", "set_freeze_enabled");
 	bind_value<&Values::disable_mode>({ "disable_mode", Range::between(DISABLE_MODE_REMOVE, DISABLE_MODE_KEEP_ACTIVE), &SoftBody2D::note_enabled }, PROPERTY_HINT_ENUM, "Remove,Make Static,Keep Active");
 	bind_value<&Values::simulate_off_screen>({ "simulate_off_screen" }, PROPERTY_HINT_NONE, "", "is_simulating_off_screen");
