@@ -75,7 +75,7 @@ void SoftBody2D::bind_body_methods() {
 
 	// Motion.
 	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse", "position"), &SoftBody2D::apply_impulse, DEFVAL(Vector2()));
-	ClassDB::bind_method(D_METHOD("apply_central_impulse", "impulse"), &SoftBody2D::apply_central_impulse);
+	ClassDB::bind_method(D_METHOD("apply_central_impulse", "impulse"), &SoftBody2D::apply_central_impulse, DEFVAL(Vector2()));
 	ClassDB::bind_method(D_METHOD("apply_torque_impulse", "torque"), &SoftBody2D::apply_torque_impulse);
 	ClassDB::bind_method(D_METHOD("apply_force", "force", "position"), &SoftBody2D::apply_force, DEFVAL(Vector2()));
 	ClassDB::bind_method(D_METHOD("apply_central_force", "force"), &SoftBody2D::apply_central_force);
