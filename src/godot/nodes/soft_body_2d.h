@@ -428,6 +428,8 @@ private:
 	double locked_rotation_ = 0; ///< that the node was given last
 	bool enabled_ = true; ///< whether its process mode, or the one that it inherits, is another than disabled
 	bool freeze_ = false;
+	int64_t unsaid_failures_ = 0; ///< since the last error about one
+	uint64_t last_said_failure_ = 0; ///< physics frame of the last error about a failure; 0 for none
 	softbody::UnfitValues unfit_;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
 	uint64_t rest_version_ = 0;

@@ -9,6 +9,13 @@
 
 namespace godot {
 
+namespace {
+
+// Largest damping [1/s], far beyond that which stops a body within one step. Together with that of areas it stays a number.
+constexpr double MOST_DAMP = 1e9;
+
+} // namespace
+
 template <auto VALUE>
 void SoftBody2D::bind_value(const ValueRule &p_rule, PropertyHint p_hint, const char *p_hint_string, const char *p_getter_name, const char *p_setter_name) {
 	using Owner = softbody::OwnerOf<VALUE>;
@@ -81,11 +88,11 @@ void SoftBody2D::bind_properties() {
 	ADD_SUBGROUP("Linear", "linear_");
 	bind_property("linear_velocity", &SoftBody2D::set_linear_velocity, &SoftBody2D::get_linear_velocity, PROPERTY_HINT_NONE, "suffix:px/s");
 	bind_value<&Values::linear_damp_mode>({ "linear_damp_mode", Range::between(DAMP_MODE_COMBINE, DAMP_MODE_REPLACE) }, PROPERTY_HINT_ENUM, "Combine,Replace");
-	bind_value<&Values::linear_damp>({ "linear_damp", Range::at_least(0, "1/s") }, PROPERTY_HINT_RANGE, "0,100,0.001,or_greater,suffix:1/s");
+	bind_value<&Values::linear_damp>({ "linear_damp", { .minimum = 0, .maximum = MOST_DAMP, .unit = "1/s" } }, PROPERTY_HINT_RANGE, "0,100,0.001,or_greater,suffix:1/s");
 	ADD_SUBGROUP("Angular", "angular_");
 	bind_property("angular_velocity", &SoftBody2D::set_angular_velocity, &SoftBody2D::get_angular_velocity, PROPERTY_HINT_NONE, "radians_as_degrees,suffix:°/s");
 	bind_value<&Values::angular_damp_mode>({ "angular_damp_mode", Range::between(DAMP_MODE_COMBINE, DAMP_MODE_REPLACE) }, PROPERTY_HINT_ENUM, "Combine,Replace");
-	bind_value<&Values::angular_damp>({ "angular_damp", Range::at_least(0, "1/s") }, PROPERTY_HINT_RANGE, "0,100,0.001,or_greater,suffix:1/s");
+	bind_value<&Values::angular_damp>({ "angular_damp", { .minimum = 0, .maximum = MOST_DAMP, .unit = "1/s" } }, PROPERTY_HINT_RANGE, "0,100,0.001,or_greater,suffix:1/s");
 	ADD_SUBGROUP("Constant Forces", "constant_");
 	bind_property("constant_force", &SoftBody2D::set_constant_force, &SoftBody2D::get_constant_force, PROPERTY_HINT_NONE, "suffix:kg⋅px/s²");
 	bind_property("constant_torque", &SoftBody2D::set_constant_torque, &SoftBody2D::get_constant_torque, PROPERTY_HINT_NONE, "suffix:kg⋅px²/s²/rad");
