@@ -354,3 +354,28 @@ func test_a_body_that_fails_is_named_and_reset_or_frozen_and_no_other_moves_diff
 				child.free()
 			await ticks(1)
 		check(ways[0] == ways[1], "another body moves in the same bits beside one that fails")
+
+
+## One error a second, with a count, whatever fails in each tick.
+func test_a_body_that_fails_in_every_tick_says_so_once_a_second() -> void:
+	var body := add_weightless_body()
+	var failures := [0]
+	body.failed.connect(func() -> void: failures[0] += 1)
+	await ticks(2)
+	take_errors()
+	for i in 150:
+		body.set_point_velocity(0, Vector2(1e37, -1e37))
+		await ticks(1)
+	check_above(failures[0], 100, "failures")
+	var errors := take_errors()
+	check(errors.size() >= 2 and errors.size() <= 4, "%d errors in two and a half seconds" % errors.size())
+	check("times since" in errors[1], "the second error has no count: %s" % errors[1])
+
+
+func test_a_damping_beyond_the_range_of_numbers_is_refused_by_name() -> void:
+	var body := add_weightless_body()
+	for property: String in ["linear_damp", "angular_damp"]:
+		body.set(property, 3.0)
+		check_refused(func() -> void: body.set(property, 1e300), [property, "1e"], "a huge " + property)
+		check_equal(body.get(property), 3.0, property)
+	await ticks(3)

@@ -78,3 +78,72 @@ func test_a_new_polygon_takes_the_attachment_along() -> void:
 	body.polygon = SoftBody2D.make_circle_polygon(30, 24)
 	await ticks(2)
 	check_near(eye.position, Vector2(10, 0), 0.05, "place on the new polygon")
+
+
+## A squashed body with an eye on its top, which has moved and turned with the flesh.
+func _squashed_body() -> SoftBody2D:
+	add_floor(0)
+	var body := add_body(Vector2(0, -51), {"youngs_modulus": 40.0})
+	body.name = "Body"
+	var eye := attach(body, Vector2(40, -25))
+	eye.name = "Eye"
+	eye.rotation = 0.25
+	eye.owner = body
+	await seconds(2)
+	check_above(eye.position.distance_to(Vector2(40, -25)), 2, "way of the eye on the squashed body [px]")
+	check_above(absf(eye.rotation - 0.25), 0.02, "turn of the eye on the squashed body")
+	return body
+
+
+func _check_at_rest_place(copy: SoftBody2D, what: String) -> void:
+	var eye: SoftBodyAttachment2D = copy.get_node("Eye")
+	check_near(eye.position, Vector2(40, -25), 1e-3, "place of the eye of " + what)
+	check_near(eye.rotation, 0.25, 1e-5, "rotation of the eye of " + what)
+	copy.gravity_scale = 0
+	copy.position = Vector2(500, -500)
+	stage.add_child(copy)
+	await ticks(3)
+	check_near(eye.position, Vector2(40, -25), 0.5, "place on the body in its rest shape, of " + what)
+	check_near(eye.rotation, 0.25, 0.02, "rotation on the body in its rest shape, of " + what)
+	check_equal(eye.get_rest_position(), Vector2(40, -25), "rest position of " + what)
+	check_near(eye.get_rest_rotation(), 0.25, 1e-5, "rest rotation of " + what)
+
+
+func test_a_duplicate_of_a_squashed_body_has_its_attachments_at_their_rest_places() -> void:
+	var body: SoftBody2D = await _squashed_body()
+	await _check_at_rest_place(body.duplicate(), "a duplicate")
+
+
+func test_a_packed_squashed_body_has_its_attachments_at_their_rest_places() -> void:
+	var body: SoftBody2D = await _squashed_body()
+	var scene := PackedScene.new()
+	check_equal(scene.pack(body), OK, "result of packing")
+	await _check_at_rest_place(scene.instantiate(), "a packed body")
+	var told := {}
+	var state := scene.get_state()
+	for i in state.get_node_property_count(1):
+		told[String(state.get_node_property_name(1, i))] = state.get_node_property_value(1, i)
+	check(not told.has("position") and not told.has("rotation"), "the place on the deformed body is stored: %s" % told)
+
+
+func test_a_place_that_a_script_gives_to_a_duplicate_counts() -> void:
+	var body: SoftBody2D = await _squashed_body()
+	var copy: SoftBodyAttachment2D = body.get_node("Eye").duplicate()
+	copy.position = Vector2(-10, 20)
+	copy.rotation = 1
+	var other := add_weightless_body(Vector2(500, -500))
+	other.add_child(copy)
+	await ticks(3)
+	check_near(copy.position, Vector2(-10, 20), 0.05, "place of the duplicate")
+	check_near(copy.rotation, 1.0, 0.01, "rotation of the duplicate")
+
+
+func test_what_does_not_follow_rotation_keeps_the_rotation_that_it_has_in_a_duplicate() -> void:
+	var body: SoftBody2D = await _squashed_body()
+	var tag: SoftBodyAttachment2D = body.get_node("Eye")
+	tag.follow_rotation = false
+	tag.rotation = 0.75
+	await ticks(2)
+	var copy: SoftBodyAttachment2D = tag.duplicate()
+	check_near(copy.rotation, 0.75, 1e-5, "rotation of the duplicate")
+	copy.free()

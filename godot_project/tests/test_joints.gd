@@ -218,3 +218,48 @@ func test_the_world_s_end_may_be_a_node_that_moves() -> void:
 		await ticks(1)
 	check_near(joint.get_anchor_b(), Vector2(180, 10), 0.01, "the anchor on the rail")
 	check_below(joint.get_anchor_a().distance_to(joint.get_anchor_b()), 4, "gap between body and rail")
+
+
+func test_a_joint_whose_path_leads_nowhere_says_so_once() -> void:
+	var body := add_weightless_body()
+	body.name = "Jelly"
+	var joint := join(Vector2(50, 0), body, body)
+	joint.node_b = ^"../Nowhere"
+	check(" ".join(joint.get_warnings()).contains("Nowhere"), "a warning names the path: %s" % joint.get_warnings())
+	take_errors()
+	await seconds(0.5)
+	check_equal(take_errors().size(), 0, "errors while the end may still come")
+	await seconds(2)
+	var errors := take_errors()
+	if check_equal(errors.size(), 1, "errors of a joint without an end"):
+		check("node_b" in errors[0] and "../Nowhere" in errors[0], "the error names end and path: %s" % errors[0])
+	var late := Node2D.new()
+	late.name = "Nowhere"
+	late.position = Vector2(50, 0)
+	stage.add_child(late)
+	joint.node_b = joint.get_path_to(late)
+	await ticks(2)
+	late.position.x = 150
+	await seconds(1)
+	check_above(body.get_center_of_mass_position().x, 50, "x of the body that is pulled by the end that came")
+
+
+## A PinJoint2D that names a soft body holds nothing, and its own warning is in the editor only.
+func test_godots_own_joints_to_a_soft_body_name_the_node_to_use() -> void:
+	var crate := _add_crate(Vector2(0, -200))
+	crate.gravity_scale = 0
+	var body := add_weightless_body()
+	for own: Joint2D in [PinJoint2D.new(), DampedSpringJoint2D.new()]:
+		take_errors()
+		stage.add_child(own)
+		own.node_a = own.get_path_to(crate)
+		own.node_b = own.get_path_to(body)
+		await ticks(3)
+		var errors := take_errors()
+		if check_equal(errors.size(), 1, "warnings of a " + own.get_class()):
+			check(own.get_class() in errors[0] and "SoftBodyJoint2D" in errors[0] and "node_b" in errors[0], "the warning names them: %s" % errors[0])
+	var between_rigid := PinJoint2D.new()
+	between_rigid.node_a = ^"../Nobody"
+	stage.add_child(between_rigid)
+	await ticks(3)
+	check_equal(take_errors().size(), 0, "warnings of a joint that has nothing to do with soft bodies")

@@ -299,3 +299,24 @@ func test_a_material_that_no_body_can_have_leaves_the_body_as_it_is() -> void:
 	take_errors()
 	material.density = 1.0
 	check_equal(body.get_warnings(), PackedStringArray(), "warnings after a good value")
+
+
+func _network(strength: float, properties := {}) -> SoftBody2D:
+	var body := add_body(Vector2(0, -447), {"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK, "rotation": 0.21}.merged(properties))
+	body.stiffness *= strength / float(body.get_stability_report(0.1)["strength"])
+	return body
+
+
+## Between the strength at which a network folds under its weight and twice that, a fall decides.
+func test_a_network_that_would_stay_folded_after_a_fall_is_warned_of() -> void:
+	add_floor(50)
+	for strength: float in [1.1, 1.4, 1.7, 2.1]:
+		for least_area: float in [0.0, 0.5]:
+			var body := _network(strength, {"least_area": least_area})
+			var is_warned := " ".join(body.get_warnings()).contains("folded")
+			await seconds(6)
+			var is_folded := body.get_area() < 0.6 * body.get_rest_area()
+			var what := "a network of strength %s with least_area %s" % [strength, least_area]
+			check(not is_folded or is_warned, what + " folds without a warning: area %s" % (body.get_area() / body.get_rest_area()))
+			check_equal(is_warned, strength < 2 and least_area == 0, "warning of " + what)
+			body.free()

@@ -254,3 +254,109 @@ func test_a_paused_body_gathers_no_constant_force() -> void:
 	body.process_mode = Node.PROCESS_MODE_INHERIT
 	await ticks(1)
 	check_near(body.linear_velocity, Vector2(1, 0), 0.01, "velocity a tick after the pause")
+
+
+func test_an_axis_velocity_is_that_of_a_rigid_body() -> void:
+	for velocity: Vector2 in [Vector2(0, -300), Vector2(30, 40), Vector2.ZERO]:
+		var pair := _pair()
+		for body: Node2D in pair:
+			body.set("linear_velocity", Vector2(120, 50))
+			body.call("set_axis_velocity", velocity)
+		await ticks(2)
+		_check_same_motion(pair[0], pair[1], "axis velocity %s" % velocity)
+		for body: Node2D in pair:
+			body.free()
+
+
+func test_gravity_is_that_of_a_rigid_body() -> void:
+	for place: Vector2 in [Vector2.ZERO, Vector2(5000, 0)]:
+		var area := Area2D.new()
+		area.gravity_space_override = Area2D.SPACE_OVERRIDE_REPLACE
+		area.gravity = 333
+		area.gravity_direction = Vector2(0.6, -0.8)
+		area.add_child(CollisionShape2D.new())
+		(area.get_child(0) as CollisionShape2D).shape = rectangle(4000, 4000)
+		area.position = Vector2(5000, 0)
+		stage.add_child(area)
+		var soft := add_body(place, {"gravity_scale": 0.5})
+		var rigid := RigidBody2D.new()
+		rigid.add_child(CollisionShape2D.new())
+		(rigid.get_child(0) as CollisionShape2D).shape = circle(10)
+		rigid.gravity_scale = 0.5
+		rigid.position = place + Vector2(200, 0)
+		stage.add_child(rigid)
+		await ticks(6)
+		check_near(soft.get_gravity(), rigid.get_gravity(), 0.01, "gravity at %s" % place)
+		check_above(soft.get_gravity().length(), 100, "gravity at %s" % place)
+		for node: Node in [area, soft, rigid]:
+			node.free()
+
+
+func test_a_locked_body_does_not_turn_whatever_pushes_it() -> void:
+	var slope := add_solid(rectangle(4000, 100), Transform2D(deg_to_rad(15), Vector2(0, 60)))
+	var free := add_body(Vector2(400, 47), {"physics_material_override": surface(1)})
+	var locked := add_body(Vector2(0, -60), {"lock_rotation": true, "physics_material_override": surface(1)})
+	var largest := 0.0
+	await seconds(2)
+	check_above(absf(free.rotation), 0.5, "rotation of a body that may turn")
+	free.free()
+	var place := locked.global_position
+	for i in 180:
+		await ticks(1)
+		largest = maxf(largest, absf(locked.rotation))
+	check_below(largest, deg_to_rad(1.5), "rotation of the locked body on the slope")
+	check_near(locked.global_position, place, 3, "place of the locked body, which does not roll down")
+	slope.free()
+	var flying := add_weightless_body(Vector2(2000, 0), {"lock_rotation": true, "rotation": 0.5})
+	flying.apply_impulse(Vector2(300, 0), Vector2(0, -40))
+	flying.linear_velocity.y = 50
+	for i in 30:
+		await ticks(1)
+		check_near(flying.rotation, 0.5, deg_to_rad(1.8), "rotation of a body that was hit beside its middle")
+	check_near(flying.linear_velocity, Vector2(300, 50), 1, "its velocity")
+	flying.rotation = -1
+	await ticks(10)
+	check_near(flying.rotation, -1.0, 0.01, "rotation that the node was given")
+	flying.lock_rotation = false
+	flying.angular_velocity = 2
+	await ticks(30)
+	check_near(flying.rotation, 0.0, 0.05, "rotation of a body that was unlocked")
+
+
+func test_a_locked_body_falls_asleep() -> void:
+	add_floor(50)
+	var body := add_body(Vector2.ZERO, {"lock_rotation": true})
+	await seconds(6)
+	check(body.sleeping, "the body does not sleep")
+	check_near(body.rotation, 0.0, deg_to_rad(0.5), "its rotation")
+
+
+## As a platformer turns its player about. The body is told in each tick what the node's scale is.
+func test_a_scale_that_is_set_to_minus_one_in_every_tick_stays_so() -> void:
+	for parent_transform: Transform2D in [Transform2D.IDENTITY, Transform2D(0.4, Vector2(30, 20)), Transform2D(0, Vector2(2, 2), 0, Vector2.ZERO), Transform2D(0, Vector2(-1, 1), 0, Vector2.ZERO)]:
+		var parent := Node2D.new()
+		parent.transform = parent_transform
+		stage.add_child(parent)
+		var body := add_weightless_body(Vector2(0, -100))
+		body.polygon = PackedVector2Array([Vector2(-50, -50), Vector2(70, -40), Vector2(50, 50), Vector2(-50, 50)])
+		body.reparent(parent, false)
+		body.angular_velocity = 1
+		await ticks(1)
+		var built := 0
+		var turn_before := 0.0
+		for i in 60:
+			body.scale.x = -1
+			await ticks(1)
+			check_near(body.scale, Vector2(-1, 1), 1e-3, "scale in tick %d under %s" % [i, parent_transform])
+			if i == 2:
+				built = SoftBodySimulation2D.get_built_shape_count()
+				turn_before = body.rotation
+		check_equal(SoftBodySimulation2D.get_built_shape_count(), built, "shapes built while the scale stays")
+		check_near(absf(angle_difference(turn_before, body.rotation)), 57 / 60.0, 0.05, "turn meanwhile under %s" % parent_transform)
+		var lean := body.global_transform.determinant() * parent_transform.determinant()
+		check_below(lean, 0, "determinant of the mirrored body")
+		check_points_near(polygon_of(body), body.global_transform * body.polygon, 2.0, "points and node")
+		body.scale.x = 1
+		await ticks(2)
+		check_near(body.scale, Vector2(1, 1), 1e-3, "scale that is set back")
+		parent.free()

@@ -24,7 +24,7 @@ const PROPERTIES := {
 	"vertex_colors": [Color.RED, Color.GREEN, Color.BLUE, Color.WHITE, Color.BLACK, Color.RED, Color.GREEN],
 	"uv": [Vector2(0, 0), Vector2(8, 0), Vector2(16, 0), Vector2(16, 8), Vector2(16, 16), Vector2(8, 16), Vector2(0, 16)],
 	"pinned_points": [3], "pin_targets": [^".."],
-	"can_sleep": false, "simulate_off_screen": false, "failure_mode": 1, "disable_mode": 1, "self_collision": 1, "contact_monitor": true, "max_contacts_reported": 4,
+	"can_sleep": false, "lock_rotation": true, "input_pickable": true, "simulate_off_screen": false, "failure_mode": 1, "disable_mode": 1, "self_collision": 1, "contact_monitor": true, "max_contacts_reported": 4,
 }
 # Resources, and what would keep the body from moving.
 const OTHERS: Array[String] = ["texture", "outline_texture", "soft_body_material", "physics_material_override", "sleeping", "freeze"]

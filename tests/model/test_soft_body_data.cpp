@@ -91,6 +91,9 @@ TEST_CASE("a refused change leaves every bit of the state as it was") {
 		{ "point", [](auto &b) { return b.set_pinned(UINT32_MAX, false); } },
 		{ "pose", [](auto &b) { return b.teleport({}, Pose{ { NOT_A_NUMBER, 0 }, {} }); } },
 		{ "pose", [](auto &b) { return b.teleport(Pose{ {}, { INFINITE, 0 } }, {}); } },
+		{ "pose", [](auto &b) { return b.teleport({}, Pose{ {}, { 2, 0 } }); } },
+		{ "pose", [](auto &b) { return b.teleport(Pose{ {}, { Real(0.6), Real(0.6) } }, {}); } },
+		{ "pose", [](auto &b) { return b.teleport({}, Pose{ {}, { 0, 0 } }); } },
 		{ "shape", [](auto &b) { return b.set_shape(nullptr); } },
 		{ "shape", [](auto &b) { return b.set_shape(circle_shape(1, 9, {}).value()); } },
 		// The same number of points, but all of them on the hull.
@@ -166,6 +169,33 @@ TEST_CASE("a pinned point stops, ignores impulses, and keeps its place in a heav
 	REQUIRE_FALSE(body.set_pinned(1, false)); // the last one
 	CHECK_FALSE(body.has_pins());
 	CHECK(body.is_free());
+}
+
+TEST_CASE("no body is made at a rotation that is not of unit length") {
+	const auto made = SoftBodyData::create(circle_shape(1, 9, {}).value(), BodySettings(), Pose{ {}, { 2, 0 } });
+	REQUIRE_FALSE(made);
+	CHECK(made.error().name == "pose");
+	CHECK(made.error().message().find("length 2") != std::string::npos);
+}
+
+TEST_CASE("a body that is turned again and again keeps its size") {
+	SoftBodyData body = moving_body();
+	const auto size = [&body] {
+		double sum = 0;
+		for (const Vec2 p : body.positions()) {
+			sum += double(distance(p, body.positions()[0]));
+		}
+		return sum;
+	};
+	const double before = size();
+	const Pose turned{ {}, Rotation::from_angle(Real(0.1)) };
+	constexpr int TURNS = 300000;
+	for (int i = 0; i < TURNS; ++i) {
+		REQUIRE_FALSE(body.teleport({}, turned));
+	}
+	// Roundings of single turns go either way: their sum grows by the root of their number.
+	CHECK(std::abs(size() / before - 1) <= 4 * EPSILON * std::sqrt(double(TURNS)));
+	CHECK(std::abs(double(length(Vec2{ body.rotation_memory().c, body.rotation_memory().s })) - 1) <= 4 * EPSILON);
 }
 
 TEST_CASE("a teleport moves points and previous points rigidly and leaves velocities alone") {

@@ -13,8 +13,33 @@ namespace softbody {
 namespace {
 
 Status check_pose(const Pose &pose) {
-	return first_error({ check_finite("pose", pose.position), check_finite("pose", Vec2{ pose.rotation.c, pose.rotation.s }) });
+	const Vec2 rotation{ pose.rotation.c, pose.rotation.s };
+	if (Status status = first_error({ check_finite("pose", pose.position), check_finite("pose", rotation) })) {
+		return status;
+	}
+	return check_unit_length("pose", rotation, "make its rotation with Rotation::from_angle");
 }
+
+// The turn from one rotation to another, in double precision: in single precision it would scale what it turns by up to 1e-7, always
+// in the same direction where the turn is the same, and many turns add up.
+struct ExactTurn {
+	double c = 1;
+	double s = 0;
+
+	ExactTurn(const Rotation &from, const Rotation &to) {
+		c = double(to.c) * double(from.c) + double(to.s) * double(from.s);
+		s = double(to.s) * double(from.c) - double(to.c) * double(from.s);
+		const double size = std::sqrt(c * c + s * s);
+		c /= size;
+		s /= size;
+	}
+	/// `point` turned about `center`, which comes to lie at `place`.
+	Vec2 apply(Vec2 point, Vec2 center, Vec2 place) const {
+		const double x = double(point.x) - double(center.x);
+		const double y = double(point.y) - double(center.y);
+		return { Real(double(place.x) + c * x - s * y), Real(double(place.y) + s * x + c * y) };
+	}
+};
 
 } // namespace
 
@@ -268,20 +293,21 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 		return status;
 	}
 	disturb();
+	const ExactTurn turn(reference.rotation, pose.rotation);
 	for (const std::span<Vec2> points : { mutable_positions(), mutable_previous_positions() }) {
 		for (Vec2 &p : points) {
-			p = pose.apply(reference.apply_inverse(p));
+			p = turn.apply(p, reference.position, pose.position);
 		}
 	}
 	disturb();
 	memory_.last_valid_hull.clear();
 	memory_.touch = {};
 	memory_.one_ways.clear();
-	const Rotation from = reference.rotation;
-	const Rotation to = pose.rotation;
-	const Rotation turn{ to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s };
 	const Rotation memory = rotation_memory();
-	set_rotation_memory({ turn.c * memory.c - turn.s * memory.s, turn.s * memory.c + turn.c * memory.s });
+	const double c = turn.c * double(memory.c) - turn.s * double(memory.s);
+	const double s = turn.s * double(memory.c) + turn.c * double(memory.s);
+	const double size = std::sqrt(c * c + s * s);
+	set_rotation_memory({ Real(c / size), Real(s / size) });
 	return {};
 }
 

@@ -95,7 +95,8 @@ public:
 	/// frozen body ignores it. O(pins that move).
 	Status set_pin_target(std::uint32_t point, Vec2 position);
 	/// Moves every point by the map p -> pose(reference⁻¹(p)) without changing velocities. Previous positions follow,
-	/// so that nothing is drawn in between. Refuses non-finite poses.
+	/// so that nothing is drawn in between. The body keeps its size to rounding, however often it is turned. Refuses
+	/// non-finite poses and rotations that are not of unit length (to 1e-3).
 	Status teleport(const Pose &reference, const Pose &pose);
 
 	/// Hides surfaces with one of these tags (Surface::tag) from this body, from the next step on. Tag 0 is dropped.

@@ -80,6 +80,7 @@ struct BodyProperties {
 		SelfCollision self_collision = SELF_COLLISION_AUTOMATIC;
 		bool collision_proxy_enabled = true;
 		double collision_proxy_margin = -1;
+		bool input_pickable = false;
 		bool contact_monitor = false;
 		int max_contacts_reported = ContactReports::DEFAULT_LIMIT;
 		DampMode linear_damp_mode = DAMP_MODE_COMBINE;
@@ -87,6 +88,7 @@ struct BodyProperties {
 		DampMode angular_damp_mode = DAMP_MODE_COMBINE;
 		double angular_damp = 0;
 		bool can_sleep = true;
+		bool lock_rotation = false;
 		DisableMode disable_mode = DISABLE_MODE_REMOVE;
 		bool simulate_off_screen = true;
 		FailureMode failure_mode = FAILURE_MODE_RESET;

@@ -4,7 +4,9 @@
 
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
+#include "core/model/rigid_motion.h"
 #include "godot/convert.h"
+#include "godot/nodes/engine_joints.h"
 #include "godot/server/soft_body_simulation_2d.h"
 #include "godot/server/soft_body_space_2d.h"
 
@@ -13,6 +15,7 @@
 #include <godot_cpp/classes/world2d.hpp>
 #include <godot_cpp/core/math.hpp>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -84,6 +87,7 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	proxy_.forget_shape();
 	apply_exceptions();
 	known_transform_ = transform;
+	lock_rotation();
 	start_first_motion();
 	apply_freeze();
 	interpolation_.end();
@@ -94,6 +98,9 @@ void SoftBody2D::enter_space() {
 	if (Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
+#ifdef DEBUG_ENABLED
+	softbody::watch_engine_joints(get_tree());
+#endif
 	space_ = &SoftBodySimulation2D::get_singleton()->space_of(this);
 	space_->add(*this);
 	view_ = SoftBodySimulation2D::get_singleton()->drawing().add(get_viewport());
@@ -215,17 +222,27 @@ void SoftBody2D::take_over_transform() {
 		body()->teleport(softbody::to_core_pose(known_transform_), softbody::to_core_pose(transform));
 		note_move_by_user(known_transform_, transform);
 		known_transform_ = transform;
+		lock_rotation();
 	} else {
-		// Another size is another body: keep how it is deformed and how it moves.
-		const PackedVector2Array deformed = simulated_frame(known_transform_).affine_inverse().xform(to_godot(body()->positions()));
+		// Another size is another body: keep how it is deformed and how it moves. A mirrored one goes on in its direction and spin,
+		// and its wobble is mirrored.
+		const Transform2D back = simulated_frame(known_transform_).affine_inverse();
+		const std::vector<softbody::Vec2> positions(body()->positions().begin(), body()->positions().end());
 		const std::vector<softbody::Vec2> velocities(body()->velocities().begin(), body()->velocities().end());
-		const bool was_reversed = polygon_reversed_;
+		const softbody::BodyFrame motion = softbody::measure_frame(*body());
+		const softbody::PointOrder order_before = order();
 		rebuild_body(false);
 		const Transform2D frame = simulated_frame(transform);
-		if (was_reversed == polygon_reversed_) {
-			for (uint32_t i = 0; i < velocities.size(); i++) {
-				body()->set_point(i, to_core(frame.xform(deformed[i])), velocities[i]);
-			}
+		const bool is_mirrored = order_before.is_reversed != polygon_reversed_;
+		for (uint32_t i = 0; i < velocities.size(); i++) {
+			const std::size_t before = std::size_t(order_before.mirror(order().mirror(int(i))));
+			const Vector2 place = back.xform(to_godot(positions[before]));
+			const softbody::Vec2 velocity = is_mirrored ? to_core((frame * back).basis_xform(to_godot(velocities[before]))) : velocities[before];
+			body()->set_point(i, to_core(frame.xform(place)), velocity);
+		}
+		if (is_mirrored) {
+			softbody::set_linear_velocity(*body(), motion.velocity);
+			softbody::set_angular_velocity(*body(), motion.angular_velocity);
 		}
 	}
 	settled_ = false;
@@ -260,6 +277,7 @@ void SoftBody2D::prepare_step() {
 		found->set_active(is_wanted || sleeps_through_pause); // to take it out and back would wake it
 		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
 			apply_constant_forces();
+			hold_rotation(*found);
 		}
 	}
 	tell_structure_problems();
@@ -274,6 +292,7 @@ void SoftBody2D::finish_step() {
 	const Transform2D before = known_transform_;
 	moving_ = body()->is_active() && !body()->is_asleep() && !body()->is_frozen();
 	if (moving_ || has_stopped_) {
+		undo_turn(*body());
 		follow_body();
 	}
 	if (moving_) {
@@ -297,13 +316,33 @@ bool SoftBody2D::is_idle() const {
 	return !moving_ && !has_stopped_ && !is_asked && has_felt_areas && proxy_.is_still();
 }
 
+// A negative scale of x is lost when a transform is set: it reads back as one of y and half a turn. A script that sets `scale.x` to
+// -1 in every tick, as sprites are turned, would mirror the body in every tick.
+void SoftBody2D::place_node(const Transform2D &p_transform) {
+	if (!(get_scale().x < 0)) {
+		set_global_transform(p_transform);
+		return;
+	}
+	const Transform2D before = get_transform();
+	const CanvasItem *parent = is_set_as_top_level() ? nullptr : Object::cast_to<CanvasItem>(get_parent());
+	const Transform2D after = parent != nullptr ? parent->get_global_transform().affine_inverse() * p_transform : p_transform;
+	const real_t turn = before.columns[0].angle_to(after.columns[0]);
+	const Transform2D turned = Transform2D(turn, Vector2()) * before;
+	if (!same_scale(turned, after)) { // under a skewed parent, a rotation is more than a rotation
+		set_global_transform(p_transform);
+		return;
+	}
+	set_position(after.get_origin());
+	set_rotation(real_t(std::remainder(double(get_rotation()) + double(turn), Math_TAU)));
+}
+
 void SoftBody2D::follow_body() {
 	if (space_ == nullptr) {
 		return; // the first step in the tree does it
 	}
 	const softbody::BodyFrame frame = softbody::measure_frame(*body());
 	body()->set_rotation_memory(frame.rotation); // for a body that may collapse later
-	set_global_transform(transform_at(frame));
+	place_node(transform_at(frame));
 	// Read back rather than remembered: under a transformed parent it may differ in the last digit,
 	// and such a digit must not look like a move by the user.
 	known_transform_ = get_global_transform();

@@ -13,6 +13,7 @@
 #include "godot/drawing/drawing_frame.h"
 #include "godot/drawing/soft_body_skin.h"
 #include "godot/nodes/body_material.h"
+#include "godot/nodes/body_picker.h"
 #include "godot/nodes/body_pins.h"
 #include "godot/nodes/body_properties.h"
 #include "godot/nodes/body_structure.h"
@@ -169,6 +170,7 @@ public:
 	// Motion: soft_body_2d_motion.cpp.
 	void set_linear_velocity(const Vector2 &p_velocity);
 	Vector2 get_linear_velocity() const;
+	void set_axis_velocity(const Vector2 &p_axis_velocity);
 	void set_angular_velocity(double p_velocity);
 	double get_angular_velocity() const;
 	void apply_impulse(const Vector2 &p_impulse, const Vector2 &p_position);
@@ -188,6 +190,7 @@ public:
 	Vector2 get_center_of_mass() const;
 	double get_inertia() const;
 	double get_kinetic_energy() const;
+	Vector2 get_gravity() const;
 	void teleport(const Transform2D &p_transform);
 	void reset();
 
@@ -358,6 +361,11 @@ private:
 	/// Gives a body that has just been made the velocities that were set before.
 	void start_first_motion();
 	void apply_constant_forces();
+	void lock_rotation();
+	/// From the locked rotation; 0 of a body that may turn.
+	double turned_by(const softbody::BodyFrame &p_frame) const;
+	void hold_rotation(softbody::SoftBodyData &r_body) const;
+	void undo_turn(softbody::SoftBodyData &r_body) const;
 	/// Adds an impulse or a force at an offset from the node's origin, or at the center of mass where that is null.
 	template <auto PUSH>
 	void push(const char *p_what, const Vector2 &p_push, const Vector2 *p_position);
@@ -366,10 +374,12 @@ private:
 	bool check_points(const char *p_what, const PackedVector2Array &p_values);
 	/// The node goes to where its points have been put.
 	void follow_body();
+	void place_node(const Transform2D &p_transform);
 	void apply_shape();
 	void apply_settings();
 	void take_over_transform();
 	void update_proxy_presence();
+	void update_picker();
 	/// The next tick does not leave the node out, though its body may rest.
 	void note_change();
 	void apply_collision_layer();
@@ -415,8 +425,11 @@ private:
 	double first_angular_velocity_ = 0;
 	Vector2 constant_force_;
 	double constant_torque_ = 0;
+	double locked_rotation_ = 0; ///< that the node was given last
 	bool enabled_ = true; ///< whether its process mode, or the one that it inherits, is another than disabled
 	bool freeze_ = false;
+	int64_t unsaid_failures_ = 0; ///< since the last error about one
+	uint64_t last_said_failure_ = 0; ///< physics frame of the last error about a failure; 0 for none
 	softbody::UnfitValues unfit_;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
 	uint64_t rest_version_ = 0;
@@ -431,6 +444,7 @@ private:
 	PackedStringArray told_problems_;
 	bool sleeping_ = false; ///< as last told, or as wanted of a body that is still to be made
 	mutable softbody::HullProxy proxy_; ///< makes its RID when that is asked for
+	SoftBodyPicker *picker_ = nullptr; ///< an internal child while the body is pickable
 	int engine_steps_ = 0; ///< that the engine can have made since the proxy entered its space
 	bool knows_areas_ = false; ///< whether the body has been told what areas do to it
 	bool moving_ = false; ///< whether the last tick stepped the body

@@ -7,6 +7,7 @@
 #include "godot/server/step_signals.h"
 
 #include <godot_cpp/classes/collision_object2d.hpp>
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/world2d.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -84,6 +85,19 @@ void SoftBody2D::update_proxy_presence() {
 		proxy_.leave();
 	}
 	note_change();
+}
+
+void SoftBody2D::update_picker() {
+	const bool wanted = values_.input_pickable && !Engine::get_singleton()->is_editor_hint();
+	if (wanted && picker_ == nullptr) {
+		picker_ = memnew(SoftBodyPicker);
+		add_child(picker_, false, INTERNAL_MODE_BACK);
+	} else if (!wanted && picker_ != nullptr) {
+		SoftBodyPicker *picker = std::exchange(picker_, nullptr); // whose signal may have switched it off
+		picker->forget_mouse();
+		picker->set_process_mode(PROCESS_MODE_DISABLED);
+		picker->queue_free();
+	}
 }
 
 bool SoftBody2D::follow_with_proxy(bool p_may_detail) {

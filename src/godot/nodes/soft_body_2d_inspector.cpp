@@ -9,6 +9,13 @@
 
 namespace godot {
 
+namespace {
+
+// Largest damping [1/s], far beyond that which stops a body within one step. Together with that of areas it stays a number.
+constexpr double MOST_DAMP = 1e9;
+
+} // namespace
+
 template <auto VALUE>
 void SoftBody2D::bind_value(const ValueRule &p_rule, PropertyHint p_hint, const char *p_hint_string, const char *p_getter_name, const char *p_setter_name) {
 	using Owner = softbody::OwnerOf<VALUE>;
@@ -50,6 +57,7 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Values::collision_layer>({ "collision_layer", {}, &SoftBody2D::apply_collision_layer }, PROPERTY_HINT_LAYERS_2D_PHYSICS);
 	bind_value<&Values::collision_mask>({ "collision_mask", {}, &SoftBody2D::apply_settings }, PROPERTY_HINT_LAYERS_2D_PHYSICS);
 	bind_value<&Values::self_collision>({ "self_collision", Range::between(SELF_COLLISION_OFF, SELF_COLLISION_AUTOMATIC), &SoftBody2D::apply_settings }, PROPERTY_HINT_ENUM, "Off,On,Automatic");
+	bind_value<&Values::input_pickable>({ "input_pickable", {}, &SoftBody2D::update_picker }, PROPERTY_HINT_NONE, "", "is_pickable", "set_pickable");
 	ADD_SUBGROUP("Proxy", "collision_proxy_");
 	bind_value<&Values::collision_proxy_enabled>({ "collision_proxy_enabled", {}, &SoftBody2D::update_proxy_presence }, PROPERTY_HINT_NONE, "", "is_collision_proxy_enabled");
 	bind_value<&Values::collision_proxy_margin>({ "collision_proxy_margin", Range::at_least(-1, "px") }, PROPERTY_HINT_RANGE, "-1,32,0.1,or_greater,suffix:px");
@@ -80,11 +88,11 @@ void SoftBody2D::bind_properties() {
 	ADD_SUBGROUP("Linear", "linear_");
 	bind_property("linear_velocity", &SoftBody2D::set_linear_velocity, &SoftBody2D::get_linear_velocity, PROPERTY_HINT_NONE, "suffix:px/s");
 	bind_value<&Values::linear_damp_mode>({ "linear_damp_mode", Range::between(DAMP_MODE_COMBINE, DAMP_MODE_REPLACE) }, PROPERTY_HINT_ENUM, "Combine,Replace");
-	bind_value<&Values::linear_damp>({ "linear_damp", Range::at_least(0, "1/s") }, PROPERTY_HINT_RANGE, "0,100,0.001,or_greater,suffix:1/s");
+	bind_value<&Values::linear_damp>({ "linear_damp", { .minimum = 0, .maximum = MOST_DAMP, .unit = "1/s" } }, PROPERTY_HINT_RANGE, "0,100,0.001,or_greater,suffix:1/s");
 	ADD_SUBGROUP("Angular", "angular_");
 	bind_property("angular_velocity", &SoftBody2D::set_angular_velocity, &SoftBody2D::get_angular_velocity, PROPERTY_HINT_NONE, "radians_as_degrees,suffix:°/s");
 	bind_value<&Values::angular_damp_mode>({ "angular_damp_mode", Range::between(DAMP_MODE_COMBINE, DAMP_MODE_REPLACE) }, PROPERTY_HINT_ENUM, "Combine,Replace");
-	bind_value<&Values::angular_damp>({ "angular_damp", Range::at_least(0, "1/s") }, PROPERTY_HINT_RANGE, "0,100,0.001,or_greater,suffix:1/s");
+	bind_value<&Values::angular_damp>({ "angular_damp", { .minimum = 0, .maximum = MOST_DAMP, .unit = "1/s" } }, PROPERTY_HINT_RANGE, "0,100,0.001,or_greater,suffix:1/s");
 	ADD_SUBGROUP("Constant Forces", "constant_");
 	bind_property("constant_force", &SoftBody2D::set_constant_force, &SoftBody2D::get_constant_force, PROPERTY_HINT_NONE, "suffix:kg⋅px/s²");
 	bind_property("constant_torque", &SoftBody2D::set_constant_torque, &SoftBody2D::get_constant_torque, PROPERTY_HINT_NONE, "suffix:kg⋅px²/s²/rad");
@@ -92,6 +100,7 @@ void SoftBody2D::bind_properties() {
 	ADD_GROUP("Deactivation", "");
 	bind_property("sleeping", &SoftBody2D::set_sleeping, &SoftBody2D::is_sleeping, PROPERTY_HINT_NONE, "", "is_sleeping");
 	bind_value<&Values::can_sleep>({ "can_sleep", {}, &SoftBody2D::apply_settings }, PROPERTY_HINT_NONE, "", "is_able_to_sleep");
+	bind_value<&Values::lock_rotation>({ "lock_rotation", {}, &SoftBody2D::lock_rotation }, PROPERTY_HINT_NONE, "", "is_lock_rotation_enabled", "set_lock_rotation_enabled");
 	bind_property("freeze", &SoftBody2D::set_freeze_enabled, &SoftBody2D::is_freeze_enabled, PROPERTY_HINT_NONE, "", "is_freeze_enabled", "set_freeze_enabled");
 	bind_value<&Values::disable_mode>({ "disable_mode", Range::between(DISABLE_MODE_REMOVE, DISABLE_MODE_KEEP_ACTIVE), &SoftBody2D::note_enabled }, PROPERTY_HINT_ENUM, "Remove,Make Static,Keep Active");
 	bind_value<&Values::simulate_off_screen>({ "simulate_off_screen" }, PROPERTY_HINT_NONE, "", "is_simulating_off_screen");

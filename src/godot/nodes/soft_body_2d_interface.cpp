@@ -16,6 +16,9 @@ void SoftBody2D::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("body_entered", body));
 	ADD_SIGNAL(MethodInfo("body_exited", body));
 	ADD_SIGNAL(MethodInfo("contact_started", body, PropertyInfo(Variant::VECTOR2, "point"), PropertyInfo(Variant::VECTOR2, "normal"), PropertyInfo(Variant::FLOAT, "impulse")));
+	ADD_SIGNAL(MethodInfo("input_event", PropertyInfo(Variant::OBJECT, "viewport", PROPERTY_HINT_RESOURCE_TYPE, "Node"), PropertyInfo(Variant::OBJECT, "event", PROPERTY_HINT_RESOURCE_TYPE, "InputEvent"), PropertyInfo(Variant::INT, "shape_idx")));
+	ADD_SIGNAL(MethodInfo("mouse_entered"));
+	ADD_SIGNAL(MethodInfo("mouse_exited"));
 	ADD_SIGNAL(MethodInfo("sleeping_state_changed"));
 	ADD_SIGNAL(MethodInfo("failed"));
 }
@@ -72,7 +75,7 @@ void SoftBody2D::bind_body_methods() {
 
 	// Motion.
 	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse", "position"), &SoftBody2D::apply_impulse, DEFVAL(Vector2()));
-	ClassDB::bind_method(D_METHOD("apply_central_impulse", "impulse"), &SoftBody2D::apply_central_impulse);
+	ClassDB::bind_method(D_METHOD("apply_central_impulse", "impulse"), &SoftBody2D::apply_central_impulse, DEFVAL(Vector2()));
 	ClassDB::bind_method(D_METHOD("apply_torque_impulse", "torque"), &SoftBody2D::apply_torque_impulse);
 	ClassDB::bind_method(D_METHOD("apply_force", "force", "position"), &SoftBody2D::apply_force, DEFVAL(Vector2()));
 	ClassDB::bind_method(D_METHOD("apply_central_force", "force"), &SoftBody2D::apply_central_force);
@@ -82,6 +85,8 @@ void SoftBody2D::bind_body_methods() {
 	ClassDB::bind_method(D_METHOD("add_constant_torque", "torque"), &SoftBody2D::add_constant_torque);
 	ClassDB::bind_method(D_METHOD("get_center_of_mass_position"), &SoftBody2D::get_center_of_mass_position);
 	ClassDB::bind_method(D_METHOD("get_center_of_mass"), &SoftBody2D::get_center_of_mass);
+	ClassDB::bind_method(D_METHOD("set_axis_velocity", "axis_velocity"), &SoftBody2D::set_axis_velocity);
+	ClassDB::bind_method(D_METHOD("get_gravity"), &SoftBody2D::get_gravity);
 	ClassDB::bind_method(D_METHOD("get_inertia"), &SoftBody2D::get_inertia);
 	ClassDB::bind_method(D_METHOD("get_kinetic_energy"), &SoftBody2D::get_kinetic_energy);
 	ClassDB::bind_method(D_METHOD("teleport", "transform"), &SoftBody2D::teleport);

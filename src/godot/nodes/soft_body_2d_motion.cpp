@@ -6,9 +6,12 @@
 #include "core/model/body_frame.h"
 #include "core/model/rigid_motion.h"
 #include "godot/convert.h"
+#include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/math.hpp>
+
+#include <cmath>
 
 using softbody::to_core;
 using softbody::to_godot;
@@ -16,6 +19,13 @@ using softbody::to_godot;
 namespace godot {
 
 namespace {
+
+// Part of a turn of a body with locked rotation that a step takes back. More: a body that contacts turn trembles.
+constexpr double LOCK_RETURN = 0.6;
+// Turn and spin [rad/s] that are left alone, so that the body comes to rest.
+constexpr double LOCK_CALM = 0.003;
+// Turn beyond which it is taken back at once.
+constexpr double LOCK_TOLERANCE = 0.03;
 
 softbody::Status check_velocity(const char *p_name, bool p_is_finite) {
 	if (p_is_finite) {
@@ -58,6 +68,12 @@ void SoftBody2D::set_angular_velocity(double p_velocity) {
 double SoftBody2D::get_angular_velocity() const {
 	const softbody::SoftBodyData *found = followed_body();
 	return found ? double(softbody::measure_frame(*found).angular_velocity) : first_angular_velocity_;
+}
+
+void SoftBody2D::set_axis_velocity(const Vector2 &p_axis_velocity) {
+	const Vector2 axis = p_axis_velocity.normalized();
+	const Vector2 velocity = get_linear_velocity();
+	set_linear_velocity(velocity - axis * axis.dot(velocity) + p_axis_velocity);
 }
 
 void SoftBody2D::start_first_motion() {
@@ -148,6 +164,50 @@ void SoftBody2D::apply_constant_forces() {
 	}
 	if (constant_torque_ != 0) {
 		apply_torque(constant_torque_);
+	}
+}
+
+Vector2 SoftBody2D::get_gravity() const {
+	const softbody::SoftBodyData *found = followed_body();
+	return found != nullptr && space_ != nullptr ? to_godot(found->total_acceleration(space_->world().gravity())) : Vector2();
+}
+
+// Locked rotation. It is the one that the user has given the node last.
+
+void SoftBody2D::lock_rotation() {
+	locked_rotation_ = double(known_transform_.get_rotation());
+	note_change();
+}
+
+double SoftBody2D::turned_by(const softbody::BodyFrame &p_frame) const {
+	const bool is_locked = values_.lock_rotation && p_frame.rotation_defined && pins_.points().is_empty();
+	return is_locked ? std::remainder(double(p_frame.rotation.angle()) - locked_rotation_, Math_TAU) : 0.0;
+}
+
+// A torque for the coming step, which takes the spin away and turns the body back softly: friction in the step meets a held body.
+void SoftBody2D::hold_rotation(softbody::SoftBodyData &r_body) const {
+	const double delta = get_physics_process_delta_time();
+	if (!values_.lock_rotation || !pins_.points().is_empty() || !(delta > 0)) {
+		return;
+	}
+	const softbody::BodyFrame frame = softbody::measure_frame(r_body);
+	const double turned = turned_by(frame);
+	if (std::abs(turned) < LOCK_CALM && std::abs(double(frame.angular_velocity)) < LOCK_CALM) {
+		return;
+	}
+	const double wanted_spin = -LOCK_RETURN * turned / delta;
+	r_body.queue_load({ {}, softbody::Real(double(frame.inertia) * (wanted_spin - double(frame.angular_velocity)) / delta) });
+}
+
+// What has turned the body far in one step is undone at once.
+void SoftBody2D::undo_turn(softbody::SoftBodyData &r_body) const {
+	if (!values_.lock_rotation) {
+		return;
+	}
+	const softbody::BodyFrame frame = softbody::measure_frame(r_body);
+	if (std::abs(turned_by(frame)) > LOCK_TOLERANCE) {
+		r_body.teleport({ frame.center, frame.rotation }, { frame.center, softbody::Rotation::from_angle(softbody::Real(locked_rotation_)) });
+		softbody::set_angular_velocity(r_body, 0);
 	}
 }
 

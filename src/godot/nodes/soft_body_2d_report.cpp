@@ -30,6 +30,11 @@ constexpr int MOST_TRIAL_STEPS = 5000;
 // Steps that a clock leaves out: the first ones fill caches and arrange the world.
 constexpr size_t UNTIMED_STEPS = 3;
 
+// Strength from which on a network has no folded shape in which it stays: falls of up to 450 px fold one of 1.7, none of 2.
+constexpr softbody::Real UPRIGHT_STRENGTH = 2;
+// Part of its area from which on a network's limits open its folds.
+constexpr double LEAST_HOLDING_AREA = 0.5;
+
 softbody::Real tick_length() {
 	return softbody::Real(1.0 / Engine::get_singleton()->get_physics_ticks_per_second());
 }
@@ -183,6 +188,11 @@ void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringA
 		const String name = is_network ? "Stiffness " : "Young's modulus ";
 		const String end = is_network ? " N/m is too low for the body's weight: it will fold. Use at least " : " N/m is too low for the body's weight: it will be pressed flat. Use at least ";
 		r_warnings.push_back(name + String::num(own) + end + String::num(std::ceil(firm)) + " N/m, or less mass or gravity_scale.");
+	}
+	// A network that carries itself may still have a second, folded shape in which it stays after a fall.
+	if (is_network && !report.is_too_soft() && report.strength < UPRIGHT_STRENGTH && values_.least_area < LEAST_HOLDING_AREA) {
+		const double upright = material.stiffness * double(UPRIGHT_STRENGTH / report.strength);
+		r_warnings.push_back("Stiffness " + String::num(material.stiffness) + " N/m carries the body's weight, but a body that falls may stay folded. Use at least " + String::num(std::ceil(upright)) + " N/m, less mass or gravity_scale, or a least_area of " + String::num(LEAST_HOLDING_AREA) + ".");
 	}
 	if (is_network && report.rings()) {
 		const double share = report.damping > 0 ? material.damping / double(report.damping) : 1.0;

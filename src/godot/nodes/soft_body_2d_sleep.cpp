@@ -4,6 +4,7 @@
 
 #include "godot/server/step_signals.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 
 namespace godot {
@@ -72,7 +73,16 @@ void SoftBody2D::note_failure(softbody::StepSignals &r_signals) {
 		freeze_ = true;
 		consequence += ", and is frozen";
 	}
-	ERR_PRINT(describe() + ": its motion became non-finite or tore it apart; " + consequence + ". Lower the stiffness or the forces, or raise the substeps.");
+	// A body that fails in every tick says so once a second.
+	unsaid_failures_++;
+	const uint64_t now = Engine::get_singleton()->get_physics_frames();
+	if (last_said_failure_ != 0 && now - last_said_failure_ < uint64_t(Engine::get_singleton()->get_physics_ticks_per_second())) {
+		return;
+	}
+	const String count = unsaid_failures_ > 1 ? " (" + itos(unsaid_failures_) + " times since this was last said)" : "";
+	last_said_failure_ = now;
+	unsaid_failures_ = 0;
+	ERR_PRINT(describe() + ": its motion became non-finite or tore it apart; " + consequence + count + ". Lower the stiffness or the forces, or raise the substeps.");
 }
 
 void SoftBody2D::take_sleep(softbody::StepSignals &r_signals) {

@@ -42,6 +42,39 @@ double SoftBodyAttachment2D::get_rest_rotation() const {
 	return has_place_ ? rest_rotation_ : double(get_rotation());
 }
 
+// A node that is not in the tree of a running game gets its place by position and rotation, which a script may change.
+
+void SoftBodyAttachment2D::set_rest_position(const Vector2 &p_position) {
+	if (has_place_ && is_inside_tree()) {
+		attach_at(p_position, rest_rotation_);
+	} else {
+		has_place_ = false;
+		set_position(p_position);
+	}
+}
+
+void SoftBodyAttachment2D::set_rest_rotation(double p_rotation) {
+	if (has_place_ && is_inside_tree()) {
+		attach_at(rest_position_, p_rotation);
+	} else {
+		has_place_ = false;
+		set_rotation(real_t(p_rotation));
+	}
+}
+
+// What is stored of a carried node, by duplicate() and in scenes, is where it belongs, not where the body has taken it.
+void SoftBodyAttachment2D::_validate_property(PropertyInfo &p_property) const {
+	static const StringName POSITION = "position", ROTATION = "rotation", REST_POSITION = "rest_position", REST_ROTATION = "rest_rotation";
+	if (!has_place_) {
+		return;
+	}
+	if (p_property.name == POSITION || (follow_rotation_ && p_property.name == ROTATION)) {
+		p_property.usage &= ~uint32_t(PROPERTY_USAGE_STORAGE);
+	} else if (p_property.name == REST_POSITION || (follow_rotation_ && p_property.name == REST_ROTATION)) {
+		p_property.usage |= PROPERTY_USAGE_STORAGE;
+	}
+}
+
 void SoftBodyAttachment2D::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_ENTER_TREE: {
@@ -91,10 +124,10 @@ void SoftBodyAttachment2D::follow(double p_fraction) {
 void SoftBodyAttachment2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBodyAttachment2D::get_warnings);
 	ClassDB::bind_method(D_METHOD("attach_at", "position", "rotation"), &SoftBodyAttachment2D::attach_at, DEFVAL(0.0));
-	ClassDB::bind_method(D_METHOD("get_rest_position"), &SoftBodyAttachment2D::get_rest_position);
-	ClassDB::bind_method(D_METHOD("get_rest_rotation"), &SoftBodyAttachment2D::get_rest_rotation);
 
 	softbody::bind_property("follow_rotation", &SoftBodyAttachment2D::set_follow_rotation, &SoftBodyAttachment2D::is_following_rotation, PROPERTY_HINT_NONE, "", "is_following_rotation");
+	softbody::bind_property("rest_position", &SoftBodyAttachment2D::set_rest_position, &SoftBodyAttachment2D::get_rest_position, PROPERTY_HINT_NONE, "suffix:px", nullptr, nullptr, PROPERTY_USAGE_NONE);
+	softbody::bind_property("rest_rotation", &SoftBodyAttachment2D::set_rest_rotation, &SoftBodyAttachment2D::get_rest_rotation, PROPERTY_HINT_RANGE, "-360,360,0.1,or_less,or_greater,radians_as_degrees", nullptr, nullptr, PROPERTY_USAGE_NONE);
 }
 
 } // namespace godot

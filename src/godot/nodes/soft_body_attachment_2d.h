@@ -25,7 +25,9 @@ public:
 	bool is_following_rotation() const { return follow_rotation_; }
 	/// The place on the undeformed body, in the body's coordinates.
 	void attach_at(const Vector2 &p_position, double p_rotation);
+	void set_rest_position(const Vector2 &p_position);
 	Vector2 get_rest_position() const;
+	void set_rest_rotation(double p_rotation);
 	double get_rest_rotation() const;
 
 	PackedStringArray get_warnings() const;
@@ -34,6 +36,7 @@ public:
 protected:
 	static void _bind_methods();
 	void _notification(int p_what);
+	void _validate_property(PropertyInfo &p_property) const;
 	bool _set(const StringName &p_name, const Variant &p_value) {
 		return unfit_.set(*this, get_class_static(), p_name, p_value);
 	}

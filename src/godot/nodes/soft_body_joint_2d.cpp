@@ -23,6 +23,9 @@ namespace godot {
 
 namespace {
 
+// Ticks without a node at the end of a path after which that is an error.
+constexpr int PATIENCE = 60;
+
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
 // Null for what no joint can move.
@@ -87,8 +90,25 @@ PackedStringArray SoftBodyJoint2D::get_warnings() const {
 	} else if (a == b) {
 		warnings.push_back("Both ends are the same body. Choose another node for one of them, or leave it empty for the world.");
 	}
+	for (int i = 0; i < 2; i++) {
+		if (!paths_[i].is_empty() && Object::cast_to<Node2D>(i == 0 ? a : b) == nullptr) {
+			warnings.push_back(missing_end(i));
+		}
+	}
 	unfit_.append_warnings(warnings);
 	return warnings;
+}
+
+String SoftBodyJoint2D::missing_end(int p_end) const {
+	return String(p_end == 0 ? "node_a" : "node_b") + " is '" + String(paths_[p_end]) + "', and there is no Node2D of this world at that path. The joint joins nothing until there is one. Choose another node, or leave it empty for the world.";
+}
+
+// An end may come later than the joint, but not much later without a word.
+void SoftBodyJoint2D::note_missing_end(bool p_has_first) {
+	if (++missed_ticks_ > PATIENCE && !complained_) {
+		complained_ = true;
+		ERR_PRINT("SoftBodyJoint2D '" + String(get_name()) + "' (" + String(get_path()) + "): " + missing_end(p_has_first ? 1 : 0));
+	}
 }
 
 // Ends.
@@ -97,6 +117,7 @@ void SoftBodyJoint2D::forget_ends() {
 	update_exception(false);
 	ends_[0].reset();
 	ends_[1].reset();
+	missed_ticks_ = 0;
 	complained_ = false;
 	if (space_ != nullptr) {
 		space_->world().remove_joint(id_);
@@ -239,6 +260,7 @@ void SoftBodyJoint2D::prepare_step() {
 		std::optional<End> a = find_end(paths_[0]);
 		std::optional<End> b = find_end(paths_[1]);
 		if (!a || !b) {
+			note_missing_end(a.has_value());
 			return;
 		}
 		ends_[0] = a;

@@ -89,6 +89,8 @@ private:
 	static void bind_number(const char *p_name, const softbody::ValueRange &p_range, const char *p_hint_string);
 	void enter_space();
 	void leave_space();
+	String missing_end(int p_end) const;
+	void note_missing_end(bool p_has_first);
 	void forget_ends();
 	void update_exception(bool p_joins);
 	softbody::Joint make_joint(const softbody::JointAnchor &p_first, const softbody::JointAnchor &p_second) const;
@@ -109,6 +111,7 @@ private:
 	softbody::Joint known_; ///< as the core has it
 	std::pair<uint64_t, uint64_t> excepted_{ 0, 0 }; ///< instance ids of the soft body and of what it passes through
 	bool broken_ = false;
+	int missed_ticks_ = 0; ///< that an end was not there, since it was named
 	bool complained_ = false; ///< about a refused joint, until something changes
 };
 

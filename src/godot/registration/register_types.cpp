@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Registers the extension's classes and its singleton with Godot.
 #include "godot/editor/soft_body_preview_2d.h"
+#include "godot/nodes/body_picker.h"
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_attachment_2d.h"
 #include "godot/nodes/soft_body_joint_2d.h"
@@ -23,6 +24,7 @@ static void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	}
 	GDREGISTER_CLASS(SoftBodySimulation2D);
 	GDREGISTER_CLASS(SoftBodyMaterial2D);
+	GDREGISTER_INTERNAL_CLASS(SoftBodyPicker);
 	GDREGISTER_CLASS(SoftBody2D);
 	GDREGISTER_CLASS(SoftBodyAttachment2D);
 	GDREGISTER_CLASS(SoftBodyJoint2D);
