@@ -4,6 +4,8 @@
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
 #include "scenes/deformations.h"
+#include "scenes/jelly.h"
+#include "scenes/loose_points.h"
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
 #include "support/random.h"
@@ -11,6 +13,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace softbody;
@@ -136,4 +140,70 @@ TEST_CASE("a pinned body swings under XPBD: the pin takes up momentum and spin")
 	CHECK(world.soft_bodies()[0].positions()[0] == pin);
 	CHECK(lowest < -0.4); // as deep as half the radius of the swing, which is 0.5
 	CHECK(lowest > -0.6);
+}
+
+TEST_CASE("XPBD damps no more than the damping says: a free wobble keeps its energy, at the pace of the midpoint rule") {
+	// Two points of 1 kg on a spring: the stretch s'' = -ω² s with ω² = 2 k / m.
+	for (const double turn : { 0.5, 2.0, 8.0 }) { // ωh
+		CAPTURE(turn);
+		const double h = double(TICK) / 8;
+		const double stiffness = turn * turn / (h * h) / 2;
+		BodySettings settings;
+		settings.integrator = Integrator::XPBD;
+		settings.substeps = 8;
+		SoftBodyData body = two_masses(Real(1), Real(2), Real(stiffness), Real(0), settings);
+		REQUIRE(!body.set_point(0, body.positions()[0] - Vec2{ Real(0.02), 0 }, {}));
+		REQUIRE(!body.set_point(1, body.positions()[1] + Vec2{ Real(0.02), 0 }, {}));
+		WorldData world;
+		world.set_sleeping(false);
+		world.add_soft_body(std::move(body));
+		const double first = measure_energy(world.soft_bodies()[0], {}).total();
+		Simulator simulator(world);
+		const double share = double(simulator.plan(world.soft_bodies()[0], TICK).implicit_share);
+		CHECK(share < 0.52);
+		double phase = 0;
+		for (int i = 0; i < 30; ++i) {
+			simulator.simulate(TICK);
+			phase += 8 * 2 * std::atan(turn / 2); // exact for the midpoint rule
+		}
+		const double energy = measure_energy(world.soft_bodies()[0], {}).total();
+		// The θ method shrinks the energy by about 1 - (2θ - 1) (ωh)² / (1 + (ωh)²/4) in a substep.
+		const double least = std::pow(1 - (2 * share - 1) * turn * turn / (1 + turn * turn / 4), 240);
+		CHECK(energy <= first * 1.001);
+		CHECK(energy >= first * least * 0.98);
+		const double stretch = double(world.soft_bodies()[0].positions()[1].x - world.soft_bodies()[0].positions()[0].x) - 2;
+		CHECK(stretch == doctest::Approx(0.04 * std::sqrt(energy / first) * std::cos(phase)).epsilon(0.02 / 0.04));
+	}
+}
+
+TEST_CASE("a body rises as high from the floor by XPBD as by semi-implicit Euler, at any rate of ticks") {
+	for (const double stiffness : { 1e4, 4e4 }) {
+		for (const int rate : { 60, 120, 240 }) {
+			CAPTURE(stiffness);
+			CAPTURE(rate);
+			std::array<double, 2> heights{};
+			for (const Integrator integrator : { Integrator::SEMI_IMPLICIT_EULER, Integrator::XPBD }) {
+				WorldData world = pixel_world();
+				world.set_sleeping(false);
+				world.add_border(floor_at(0));
+				const double damping = 0.012 * std::sqrt(stiffness);
+				const auto shape = circle_shape(50, 16, { 1, Real(stiffness), Real(damping), true }).value();
+				BodySettings settings;
+				settings.integrator = integrator;
+				settings.shape_stiffness = Real(0.4 * stiffness);
+				world.add_soft_body(SoftBodyData::create(shape, settings, Pose{ { 0, -350 }, {} }).value());
+				Simulator simulator(world);
+				double &height = heights[integrator == Integrator::XPBD];
+				bool has_hit = false;
+				for (int i = 0; i < 2 * rate; ++i) {
+					simulator.simulate(Real(1) / Real(rate));
+					const double above = -double(measure_frame(world.soft_bodies()[0]).center.y) - 50;
+					has_hit |= above < 1;
+					height = std::max(height, has_hit ? above : 0.0);
+				}
+			}
+			CHECK(heights[0] > 60);
+			CHECK(heights[1] == doctest::Approx(heights[0]).epsilon(0.05));
+		}
+	}
 }

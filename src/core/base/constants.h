@@ -94,6 +94,15 @@ inline constexpr int EXPLICIT_SUBSTEP_CAP = 32;
 /// Substeps of a body whose automatic choice is XPBD [1]. More make it stiffer and livelier.
 inline constexpr int XPBD_SUBSTEPS = 8;
 
+/// Angle Ωh [rad] by which the fastest wobble turns in a substep of XPBD at which the method is half way from the
+/// implicit midpoint rule to implicit Euler. Larger: stiffer bodies keep their wobble, and ring on where they are
+/// pressed. Smaller: they lose their bounce.
+inline constexpr Real XPBD_FAST_WOBBLE = 60;
+
+/// Damping rate Γ as a share of the fastest wobble Ω from which XPBD is implicit Euler [1]: twice the damping ratio of
+/// that wobble. Such a body hardly wobbles. Larger: strongly damped thin bodies let fast ones through.
+inline constexpr Real XPBD_STRONG_DAMPING = Real(0.5);
+
 /// Damping ratio c / sqrt(k m) below which large deformations ring for long [1]. Nothing is clamped to it; the node
 /// warns.
 inline constexpr Real DAMPING_FLOOR = Real(0.02);

@@ -73,10 +73,11 @@ void EnvironmentContactSolver::gather(const SoftBodyData &body, Real margin) {
 }
 
 std::size_t EnvironmentContactSolver::handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h,
-		std::size_t lane) {
+		std::size_t lane, Real implicit_share) {
 	lane_ = lane;
 	bounce_threshold_ = RESTITUTION_SUBSTEPS * length(gravity) * h;
 	h_ = h;
+	slide_time_ = h * implicit_share;
 	load_ = {};
 	handle_borders(body);
 	if (surroundings_->has_colliders()) {
@@ -190,7 +191,7 @@ void EnvironmentContactSolver::begin_one_ways(SoftBodyData &body, std::span<cons
 // Returns the normal impulse.
 Real EnvironmentContactSolver::solve(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface,
 		std::uint32_t feature) {
-	const Real impulse = solve_surface_contact(body, contact, surface, bounce_threshold_, h_);
+	const Real impulse = solve_surface_contact(body, contact, surface, bounce_threshold_, slide_time_);
 	const Vec2 place = body.positions()[contact.place.a];
 	load_.add(impulse, contact.normal, place, surface, combined_restitution(body.settings(), surface));
 	load_.contacts += 1;
@@ -209,7 +210,7 @@ void EnvironmentContactSolver::handle_borders(SoftBodyData &body) {
 			continue;
 		}
 		solutions_.assign(is_monitored ? body.shape().hull_count() : 0, {});
-		solve_border<Real>(lanes_of(body), borders[i], bounce_threshold_, h_, load_, solutions_);
+		solve_border<Real>(lanes_of(body), borders[i], bounce_threshold_, slide_time_, load_, solutions_);
 		for (std::uint32_t point = 0; point < solutions_.size(); ++point) {
 			if (solutions_[point].depth > 0) {
 				log_.add({ index_of(body), ContactOther::Kind::BORDER, i, point, point, 0, body.positions()[point],

@@ -33,7 +33,8 @@ public:
 	/// Solves every contact of the body begun in `lane`, after a substep of `h` [s] that started at `before` (one
 	/// position for each hull point) under the acceleration `gravity`, and applies rolling resistance. Returns the
 	/// number of contacts solved. O(hull points × colliders nearby).
-	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h, std::size_t lane = 0);
+	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h, std::size_t lane = 0,
+			Real implicit_share = 1);
 	/// Contacts of monitored bodies since the log was last cleared.
 	ContactLog &log() { return log_; }
 
@@ -70,6 +71,7 @@ private:
 	// Values of the current body and substep.
 	Real bounce_threshold_ = 0;
 	Real h_ = 0;
+	Real slide_time_ = 0; ///< in which a point has gone the way of its velocity in this substep [s]
 	ContactLoad load_;
 	std::uint32_t collider_ = 0; ///< collider being solved
 	ContactLog log_;

@@ -30,6 +30,7 @@ struct alignas(64) SolverBody { // one cache line holds all that is read for a p
 	/// Whether the integrator leaves a velocity ahead of the motion of the substep: the velocity includes the forces of
 	/// the whole substep, the motion does not.
 	bool velocity_leads = false;
+	Real implicit_share = 1; ///< share of a change of velocity that the motion of its substep holds (SubstepPlan)
 	bool is_monitored = false; ///< BodySettings::contact_monitor
 	std::span<Vec2> positions; ///< of all points, the hull's first
 	std::span<Vec2> before; ///< hull points at the start of the substep
@@ -117,7 +118,7 @@ inline Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairCo
 	// No change if the two already part. Without a branch: half of all contacts part, which no processor can predict.
 	const Real normal_change = std::max(Real(0), std::min(approach, deepening));
 	const ContactChange<Real> change = contact_change(relative, normal, push, normal_change,
-			combine_friction(body.friction, other.friction), h);
+			combine_friction(body.friction, other.friction), h * std::min(body.implicit_share, other.implicit_share));
 	const Real per_impulse = 1 / inverse_mass;
 	const Vec2 shift = change.position * per_impulse;
 	const Vec2 impulse = change.velocity * per_impulse;

@@ -87,6 +87,7 @@ bool ActiveBodies::update(Real dt) {
 	}
 	for (std::uint32_t i = 0; i < count(); ++i) {
 		const std::size_t hull_count = kinds_[kind_of_[i]].shape->hull_count();
+		solver_bodies_[i].implicit_share = plan(i).implicit_share;
 		solver_bodies_[i].velocity_leads = integrator_traits(plan(i).integrator).velocity_leads;
 		solver_bodies_[i].before = std::span(before_).subspan(first_hull_point_[i], hull_count);
 	}

@@ -174,7 +174,7 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 	const IntegratorStep step = integrator_traits(plan.integrator).step;
 	const Real h = slice.duration / Real(substeps);
 	const bool has_load = data.queued_load() != RigidLoad{};
-	SubstepInput input{ world.gravity(), external_, h };
+	SubstepInput input{ world.gravity(), external_, h, plan.implicit_share };
 	const std::span<Vec2> before(before_.data(), count);
 	collision_.begin_body(context_->colliders, data, slice.elapsed, slice.duration);
 	const bool meets_itself = data.settings().self_collision && !slice.is_coupled;
@@ -203,7 +203,7 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 		const bool is_bearing = slice.is_coupled || world.has_environment();
 		workspace_.forces_are_current &= keep_shape<Real>(lanes_of(data), h, is_bearing, {});
 		workspace_.forces_are_current &= !data.settings().has_damp() || !data.has_pins();
-		std::size_t contacts = collision_.handle(data, before, gravity, h);
+		std::size_t contacts = collision_.handle(data, before, gravity, h, 0, plan.implicit_share);
 		counts_.contacts += contacts;
 		if (meets_itself) {
 			outside.assign(data.hull().begin(), data.hull().end());

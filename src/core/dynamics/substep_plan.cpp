@@ -103,6 +103,15 @@ FrequencyBounds bounds_with(const SoftBodyShape &shape, const BodySettings &sett
 	return bounds;
 }
 
+// The faster a wobble is for the substep, the less the midpoint rule shows of it, and the longer it rings on in contacts.
+double implicit_share(const SubstepPlan &plan, double h) {
+	if (plan.damping_rate > XPBD_STRONG_DAMPING * plan.frequency) {
+		return 1;
+	}
+	const double turn = double(plan.frequency) * h / double(XPBD_FAST_WOBBLE);
+	return 1 - 0.5 / (1 + turn * turn);
+}
+
 SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shape, const BodySettings &settings, Real dt,
 		bool has_contacts) {
 	const bool automatic = settings.integrator == Integrator::AUTOMATIC;
@@ -138,6 +147,9 @@ SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shap
 	}
 
 	const double step = double(dt) / plan.substeps;
+	if (plan.integrator == Integrator::XPBD) {
+		plan.implicit_share = Real(implicit_share(plan, step));
+	}
 	plan.stability_margin = Real(largest_stable_step(plan.integrator, bounds, 2) / step);
 	plan.safe = plan.stability_margin > 1 && plan.reason != PlanReason::UNSTABLE;
 	const std::size_t triangles = has_triangles(shape, settings) ? shape.triangles()->triangles.size() : 0;

@@ -28,6 +28,9 @@ struct SubstepPlan {
 	Real damping_rate = 0; ///< Γ: bound of the highest damping rate c/m [1/s]
 	Integrator integrator = Integrator::SEMI_IMPLICIT_EULER; ///< chosen method, never AUTOMATIC
 	int substeps = 1; ///< chosen count
+	/// Share of a substep at whose end XPBD solves its constraints, 1/2..1; 1 for the other methods. At 1/2 the step is
+	/// the implicit midpoint rule, which damps nothing; at 1 it is implicit Euler, which damps all that is fast.
+	Real implicit_share = 1;
 	/// Factor by which the substep may grow before the integrator's linear stability limit is reached [1]: above 1
 	/// stable. Infinite for XPBD and without springs.
 	Real stability_margin = 0;

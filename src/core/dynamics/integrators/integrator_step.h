@@ -18,6 +18,7 @@ struct BasicSubstepInput {
 	Vec2 gravity; ///< [length/s²]
 	std::span<const BasicVec2<T>> external; ///< one constant force a point [mass·length/s²], or none at all
 	Real h = 0; ///< [s], > 0
+	Real implicit_share = 1; ///< SubstepPlan::implicit_share
 };
 using SubstepInput = BasicSubstepInput<Real>;
 

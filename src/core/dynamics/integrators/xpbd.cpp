@@ -290,7 +290,8 @@ void restore_rigid_motion(SoftBodyData &body, const RigidMotion &wanted) {
 
 } // namespace
 
-// Predict, correct, and let the corrections change the velocity. One pass a substep: many small substeps are better
+// Predict, correct, and let the corrections change the velocity, at the share θ of the substep; from there the motion
+// goes on as it is, and so does the change of velocity (the θ method). One pass a substep: many small substeps are better
 // than few with many passes (Macklin et al. 2019).
 void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace) {
 	const std::span<Vec2> x = body.mutable_positions();
@@ -313,28 +314,33 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 	const bool is_free = std::ranges::find(w, Real(0)) == w.end(); // pins absorb any momentum
 	RigidMotion rigid = rigid_motion_of(body);
 	rigid.velocity += acceleration * input.h;
+	const Real part = input.h * input.implicit_share;
+	const std::span<Vec2> start(workspace.velocity_slopes.data(), x.size());
 	for (std::size_t i = 0; i < x.size(); ++i) {
 		before[i] = x[i];
-		v[i] += (acceleration * m[i] + input.external[i]) * (w[i] * input.h);
-		x[i] += v[i] * input.h;
+		start[i] = v[i];
+		v[i] += (acceleration * m[i] + input.external[i]) * (w[i] * part);
+		x[i] += v[i] * part;
 		predicted[i] = x[i];
 	}
-	solve_springs(body, before, input.h, x);
+	solve_springs(body, before, part, x);
 	if (body.settings().pressure_stiffness > 0) {
-		solve_pressure(body, input.h, x, scratch);
+		solve_pressure(body, part, x, scratch);
 	}
 	if (body.settings().matches_shape()) {
-		solve_shape(body, before, input.h, x, scratch);
+		solve_shape(body, before, part, x, scratch);
 	}
 	if (body.settings().is_elastic() && body.shape().modes() != nullptr) {
-		solve_modes(body, before, input.h, x, scratch);
+		solve_modes(body, before, part, x, scratch);
 	}
 	if (has_triangles(body.shape(), body.settings())) {
-		solve_triangles(body, before, input.h, x);
+		solve_triangles(body, before, part, x);
 	}
 	for (std::size_t i = 0; i < x.size(); ++i) {
 		// Not (x - before)/h: at small h that is the magnified rounding of x, even without corrections.
-		v[i] += (x[i] - predicted[i]) * (1 / input.h);
+		v[i] += (x[i] - predicted[i]) * (1 / part);
+		x[i] = before[i] + v[i] * input.h;
+		v[i] = start[i] + (v[i] - start[i]) * (1 / input.implicit_share);
 		allowed += dot(input.external[i], x[i] - before[i]);
 		rigid.velocity += input.external[i] * (input.h / body.shape().total_mass());
 		rigid.spin += double(input.h) * cross(before[i] - rigid.center, input.external[i]);
