@@ -4,6 +4,7 @@
 import math
 import os
 
+import tables_books
 from tables_b import number, rounded, verdict
 
 OVERLAP_LIMIT = 0.05  # of R, as the programs count overlapping pairs
@@ -213,10 +214,11 @@ def print_scaling(summary):
 
 
 def summarize_contacts(result):
+    books = tables_books.summarize({"rows": result.pop("books")})
     slopes, bounces, rebounds = result["slopes"], result["bounces"], result["restitutions"]
     off = max(abs(row["measured_degrees"] - row["theory_degrees"]) for row in slopes)
     return {
-        "targets": {},  # the figures are charted; none is prescribed
+        "targets": {},  # the figures are charted; contact-books has the bounds of those about energy
         "largest_slope_error_degrees": rounded(off),
         "largest_momentum_change": rounded(max(row["momentum_change"] for row in bounces)),
         "largest_angular_momentum_change": rounded(max(row["angular_momentum_change"] for row in bounces)),
@@ -224,6 +226,7 @@ def summarize_contacts(result):
         "largest_restitution_shortfall": rounded(
             max(row["restitution"] - row["effective_restitution"] for row in rebounds)
         ),
+        **{key: value for key, value in books.items() if key not in ("rows", "targets")},
         **load(),
         **rounded(result),
     }

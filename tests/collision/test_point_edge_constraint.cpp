@@ -159,6 +159,8 @@ TEST_CASE("a touch remembers its fastest approach, forgets it while the body har
 	struct {
 		bool touching = false;
 		Real approach = 9;
+		bool ended = false;
+		Real missing = 0;
 	} touch;
 	remember_approach(touch, Real(2), Real(1), Real(0.01));
 	CHECK(touch.touching);

@@ -48,7 +48,7 @@ ContactLoad load_of(Real normal_impulse, Real spin = 0) {
 	ContactLoad load;
 	Surface surface;
 	surface.angular_velocity = spin;
-	load.add(normal_impulse, { 0, 1 }, {}, surface, 0);
+	load.add(normal_impulse, { 0, 1 }, 0, {}, surface, 0);
 	return load;
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("a contact obeys Coulomb's law, returns the restitution, and pushes wi
 		const auto v = copy_of(body.velocities());
 		const Vec2 there = at_place(x, place);
 		const Vec2 relative = at_place(v, place) - surface.velocity_at(there);
-		const Real impulse = solve_surface_contact(body, { place, normal, depth }, surface, 0, H);
+		const Real impulse = solve_surface_contact(body, { place, normal, depth }, surface, 0, H).normal;
 
 		const Vec2 tangent = perpendicular(normal);
 		const Vec2 after = at_place(body.velocities(), place) - surface.velocity_at(there);
@@ -159,11 +159,11 @@ TEST_CASE("pinned points do not move; on an edge the free end does all the movin
 	body.set_point(2, body.positions()[2], { 0, -3 });
 	body.set_pinned(1, true);
 	const Vec2 pin = body.positions()[1];
-	CHECK(solve_surface_contact(body, { { 1, 1, 0 }, { 0, 1 }, 1 }, {}, 0, H) == 0);
+	CHECK(solve_surface_contact(body, { { 1, 1, 0 }, { 0, 1 }, 1 }, {}, 0, H).normal == 0);
 	CHECK(body.positions()[1] == pin);
 	const HullPlace place{ 1, 2, Real(0.5) };
 	const Vec2 before = at_place(body.positions(), place);
-	CHECK(solve_surface_contact(body, { place, { 0, 1 }, 1 }, {}, 0, H) > 0);
+	CHECK(solve_surface_contact(body, { place, { 0, 1 }, 1 }, {}, 0, H).normal > 0);
 	CHECK(body.positions()[1] == pin);
 	CHECK(body.velocities()[1] == Vec2{});
 	CHECK(distance(at_place(body.positions(), place), before + Vec2{ 0, 1 }) <= 8 * EPSILON);
@@ -188,7 +188,7 @@ TEST_CASE("a contact at the end of an edge is a contact of that point") {
 		SoftBodyData body = points(0, 0);
 		const std::uint32_t end = t == 0 ? 1 : 2;
 		body.set_point(end, body.positions()[end], { 0, -3 });
-		const Real impulse = solve_surface_contact(body, { { 1, 2, t }, { 0, 1 }, Real(0.5) }, {}, 0, H);
+		const Real impulse = solve_surface_contact(body, { { 1, 2, t }, { 0, 1 }, Real(0.5) }, {}, 0, H).normal;
 		CHECK(impulse == 3 * body.shape().masses()[end]);
 		CHECK(body.velocities()[1] == Vec2{});
 		CHECK(body.velocities()[2] == Vec2{});
@@ -285,7 +285,7 @@ TEST_CASE("on a turning surface the spin tends to that of the surface, weighted 
 	ContactLoad load = load_of(300, 6);
 	Surface slower;
 	slower.angular_velocity = 2;
-	load.add(100, { 0, 1 }, {}, slower, 0);
+	load.add(100, { 0, 1 }, 0, {}, slower, 0);
 	CHECK(load.normal_impulse == 400);
 	resist_rolling<Real>(lanes_of(body), load);
 	CHECK(std::abs(double(measure_frame(body).angular_velocity) - 5) <= 100 * EPSILON * 5);

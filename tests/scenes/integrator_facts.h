@@ -27,7 +27,7 @@ inline const IntegratorFacts &integrator_facts(Integrator integrator) {
 			{ "heun", 2, 0 },
 			{ "runge_kutta_4", 4, 2 * std::numbers::sqrt2 },
 			{ "velocity_verlet", 2, 2 },
-			{ "xpbd", 1, std::numeric_limits<double>::infinity() },
+			{ "xpbd", 2, std::numeric_limits<double>::infinity() },
 	} };
 	return TABLE[std::size_t(integrator)];
 }

@@ -88,7 +88,7 @@ inline constexpr int SELF_CONTACT_PASSES = 4;
 inline constexpr Real STABILITY_BUDGET = Real(1.3);
 
 /// Most substeps the automatic choice spends on explicit springs [1]. A body that needs more gets XPBD, which gains no
-/// energy with any stiffness but damps the wobble.
+/// energy with any stiffness, but damps wobbles far too fast for its substeps.
 inline constexpr int EXPLICIT_SUBSTEP_CAP = 32;
 
 /// Substeps of a body whose automatic choice is XPBD [1]. More make it stiffer and livelier.

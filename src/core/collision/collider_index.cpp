@@ -53,6 +53,7 @@ void ColliderIndex::update_still() {
 	boxes_.clear();
 	names_.clear();
 	moving_.clear();
+	bounces_ = std::ranges::any_of(world_->colliders(), [](const Collider &each) { return each.surface.restitution != 0; });
 	for (const Collider &collider : world_->colliders()) {
 		const std::uint32_t name = std::uint32_t(bounds_.size());
 		bounds_.push_back(collider.bounds());

@@ -21,6 +21,8 @@ public:
 	/// Box that contains the collider during the step.
 	const Aabb &bounds(std::uint32_t collider) const { return bounds_[collider]; }
 
+	/// Whether any collider has restitution.
+	bool bounces() const { return bounces_; }
 	bool has_colliders() const { return !still_.empty() || !kinematic_.empty(); }
 	/// Writes the static and kinematic colliders that overlap the box, in the order of the world's list. O(n log n) in
 	/// their number.
@@ -40,6 +42,7 @@ private:
 	BoxGrid still_;
 	BoxGrid kinematic_;
 	BoxGrid dynamic_;
+	bool bounces_ = false;
 	std::vector<std::uint32_t> moving_; ///< colliders of rigid bodies
 	// Scratch memory.
 	std::vector<Aabb> boxes_;

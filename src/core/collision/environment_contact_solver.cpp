@@ -85,7 +85,7 @@ std::size_t EnvironmentContactSolver::handle(SoftBodyData &body, std::span<const
 	}
 	near().elapsed += h;
 	resist_rolling<Real>(lanes_of(body), load_);
-	give_back_bounce(body, load_, bounce_threshold_, h);
+	follow_bounce(body, load_, bounce_threshold_, h);
 	return std::size_t(load_.contacts);
 }
 
@@ -191,15 +191,15 @@ void EnvironmentContactSolver::begin_one_ways(SoftBodyData &body, std::span<cons
 // Returns the normal impulse.
 Real EnvironmentContactSolver::solve(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface,
 		std::uint32_t feature) {
-	const Real impulse = solve_surface_contact(body, contact, surface, bounce_threshold_, slide_time_);
+	const SurfaceImpulse impulse = solve_surface_contact(body, contact, surface, bounce_threshold_, slide_time_);
 	const Vec2 place = body.positions()[contact.place.a];
-	load_.add(impulse, contact.normal, place, surface, combined_restitution(body.settings(), surface));
+	load_.add(impulse.normal, contact.normal, impulse.sliding, place, surface, combined_restitution(body.settings(), surface));
 	load_.contacts += 1;
 	if (body.settings().contact_monitor) {
 		log_.add({ index_of(body), ContactOther::Kind::COLLIDER, collider_, feature, nearest_point(contact.place), 0,
-				position_of(contact.place, body.positions()), contact.normal, impulse, contact.depth });
+				position_of(contact.place, body.positions()), contact.normal, impulse.normal, contact.depth });
 	}
-	return impulse;
+	return impulse.normal;
 }
 
 void EnvironmentContactSolver::handle_borders(SoftBodyData &body) {

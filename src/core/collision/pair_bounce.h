@@ -6,14 +6,17 @@
 
 namespace softbody {
 
-/// Applies the restitution between two bodies. Call it after each substep of `h` [s] with `push`, the summed normal
-/// impulse of the contacts between them as it acts on the first [mass·length/s]. Contacts remove the approach of single
-/// points. When the touch is over, the centers must part with their fastest approach times the restitution of both (the
-/// sum, at most 1). If the springs have given less, the rest acts along the line between the centers, so that momentum
-/// and angular momentum stay. It is paid for by the energy that contacts and damping have taken since the touch began,
-/// then by the wobble. If both do not suffice, the bounce is lower. Approaches slower than `bounce_threshold`
+/// Inverse mass of a body as a whole [1/mass]; 0 if a point is pinned.
+inline Real whole_inverse_mass(const SoftBodyData &body) {
+	return body.is_free() ? 1 / body.shape().total_mass() : Real(0);
+}
+
+/// Follows the touch of two bodies through a substep of `h` [s]. `push` is the summed normal impulse of the contacts
+/// between them as it acts on the first [mass·length/s]. When the touch is over, the centers must part with their
+/// fastest approach times the restitution of both (the sum, at most 1). If the springs have given less, the missing
+/// speed is noted, and `BounceLedger` gives it at the end of the step. Approaches slower than `bounce_threshold`
 /// [length/s] do not count. O(points) while they touch.
-void give_back_pair_bounce(SoftBodyData &a, SoftBodyData &b, Vec2 push, PairTouch &touch, Real bounce_threshold,
-		Real h);
+void follow_pair_bounce(const SoftBodyData &first, const SoftBodyData &second, Vec2 push, PairTouch &touch,
+		Real bounce_threshold, Real h);
 
 } // namespace softbody

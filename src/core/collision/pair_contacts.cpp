@@ -189,7 +189,7 @@ void PairContacts::solve(const PairBodies &bodies, const SubstepGroup &group, co
 				touched_[k] |= char(contacts > 0);
 				impulses_[k] += handling.last_impulse();
 				if (bounces_) {
-					give_back_pair_bounce(bodies.data(pair.a), bodies.data(pair.b), handling.last_push(), touches_[k],
+					follow_pair_bounce(bodies.data(pair.a), bodies.data(pair.b), handling.last_push(), touches_[k],
 							bounce_threshold(pair), h_);
 				}
 			}

@@ -62,6 +62,10 @@ public:
 	/// Pairs of the step. `touched` tells for each pair whether it touched.
 	std::span<const BodyPair> pairs() const { return is_used_ ? broad_phase_.pairs() : std::span<const BodyPair>{}; }
 	std::span<const char> touched() const { return touched_; }
+	/// Whether any body has restitution.
+	bool bounces() const { return bounces_; }
+	/// The touch of each pair; empty when nothing bounces.
+	std::span<PairTouch> touches() { return is_used_ && bounces_ ? std::span<PairTouch>(touches_) : std::span<PairTouch>(); }
 	/// Number of contacts solved in the step.
 	std::uint64_t contact_count() const;
 	/// The solvers, for their logs.

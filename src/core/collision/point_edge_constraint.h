@@ -114,18 +114,34 @@ ContactChange<T> contact_change(BasicVec2<T> relative, BasicVec2<T> normal, T pu
 	return { normal * push + brake * T(h), normal * normal_change + brake };
 }
 
-/// Remembers the approach speed of a whole body [length/s]. `Touch` has `touching` and `approach`. While the body is
+/// Remembers the approach speed of a whole body [length/s]. `Touch` has `touching`, `ended`, `missing` and `approach`. While the body is
 /// slower than `threshold` it forgets the speed over BOUNCE_MEMORY: a turning point passes within a substep or two, and
 /// a body at rest stays slow.
 template <class Touch>
 void remember_approach(Touch &touch, Real approach, Real threshold, Real h) {
-	if (!touch.touching) {
+	if (touch.ended) { // in this step: the touch goes on
+		touch.ended = false;
+		touch.missing = 0;
+	} else if (!touch.touching) {
 		touch.approach = 0;
 	} else if (std::abs(approach) <= threshold) {
 		touch.approach *= std::max(Real(0), 1 - h / BOUNCE_MEMORY);
 	}
 	touch.approach = std::max(touch.approach, approach);
 	touch.touching = true;
+}
+
+/// Ends a touch whose sides part with the speed `leaving` [length/s], and notes what is missing of the bounce. Between
+/// two contacts of one touch, while they still approach, it does nothing.
+template <class Touch>
+void end_touch(Touch &touch, Real restitution, Real leaving, Real threshold) {
+	if (!(leaving > 0)) {
+		return;
+	}
+	const Real missing = restitution * touch.approach - leaving;
+	touch.missing = touch.approach > threshold && missing > 0 ? missing : Real(0);
+	touch.ended = true;
+	touch.touching = false;
 }
 
 } // namespace softbody

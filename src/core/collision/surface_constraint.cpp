@@ -20,30 +20,31 @@ Real combined_restitution(const BodySettings &settings, const Surface &surface) 
 			Real(0), Real(1));
 }
 
-Real solve_surface_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,
+SurfaceImpulse solve_surface_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,
 		Real h) {
 	const PointOnEdge place(contact.place, body.inverse_masses());
 	if (!(place.inverse_mass > 0)) {
-		return 0; // pinned
+		return {}; // pinned
 	}
 	const std::span<Vec2> x = body.mutable_positions();
 	const std::span<Vec2> v = body.mutable_velocities();
 	const Vec2 relative = place.of(v) - surface.velocity_at(place.of(x));
 	const Real approach = -dot(relative, contact.normal);
-	const Real restitution = combined_restitution(body.settings(), surface);
+	const Real restitution = bounces_by_points(body.shape(), body.settings()) ? combined_restitution(body.settings(), surface) : Real(0);
 	const Real normal_change = approach > 0 ? approach + rebound_speed(approach, restitution, bounce_threshold) : Real(0);
 	const ContactChange<Real> change = contact_change(relative, contact.normal, contact.depth, normal_change,
 			combined_friction(body.settings(), surface), h);
 	place.change(x, change.position);
 	place.change(v, change.velocity);
-	return normal_change / place.inverse_mass;
+	return { normal_change / place.inverse_mass, dot(change.velocity, perpendicular(contact.normal)) / place.inverse_mass };
 }
 
-void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h) {
+void follow_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h) {
 	TouchMemory &touch = body.touch_memory();
 	if (!touch.touching && !(load.restitution > 0)) {
 		return; // in free flight, or nothing bounces here
 	}
+	touch.work += double(load.work);
 	const Real mass = body.shape().total_mass();
 	Vec2 momentum;
 	for (std::size_t i = 0; i < body.point_count(); ++i) {
@@ -64,18 +65,7 @@ void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_t
 		return;
 	}
 	const Real leaving = dot(velocity - touch.surface_velocity, touch.normal);
-	if (!(leaving > 0)) {
-		return; // between two contacts of one touch
-	}
-	const Real missing = touch.restitution * touch.approach - leaving;
-	if (touch.approach > bounce_threshold && missing > 0) {
-		for (std::size_t i = 0; i < body.point_count(); ++i) {
-			if (body.inverse_masses()[i] > 0) {
-				body.mutable_velocities()[i] += touch.normal * missing;
-			}
-		}
-	}
-	touch = {};
+	end_touch(touch, touch.restitution, leaving, bounce_threshold);
 }
 
 template void solve_border<Real>(const BodyLanes<Real> &, const Border &, Real, Real, ContactLoad &,

@@ -34,13 +34,24 @@ inline bool notices(const SoftBodyData &body, const Surface &surface) {
 Real combined_friction(const BodySettings &settings, const Surface &surface);
 Real combined_restitution(const BodySettings &settings, const Surface &surface);
 
-/// Solves one contact. The place is moved out of the surface along the normal. The approach speed is returned times the
-/// restitution, if it is faster than `bounce_threshold` [length/s]. Friction takes from the sliding speed what
+/// Whether nothing holds the points of a body together. Then each point bounces by itself; other bodies bounce as wholes.
+inline bool bounces_by_points(const SoftBodyShape &shape, const BodySettings &settings) {
+	return shape.springs().empty() && !(settings.shape_stiffness > 0) && !settings.is_elastic();
+}
+
+/// Impulse of a contact [mass·length/s].
+struct SurfaceImpulse {
+	Real normal = 0;
+	Real sliding = 0; ///< along the tangent, the normal turned by a quarter
+};
+
+/// Solves one contact. The place is moved out of the surface along the normal and loses its approach. If the body
+/// `bounces_by_points`, the place gets it back times the restitution, from `bounce_threshold` [length/s] on. Friction takes from the sliding speed what
 /// Coulomb's law allows, |Δv_t| <= friction |Δv_n|, together with the way slid in this substep `h` [s], so that a body
 /// at rest on a slope does not creep. Moving out changes no velocity: a deep overlap is resolved without a jump. The
-/// ends of an edge share all changes by inverse mass. Returns the normal impulse [mass·length/s], 0 if the place was
-/// already leaving or cannot move. O(1).
-Real solve_surface_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,
+/// ends of an edge share all changes by inverse mass. Returns the impulses [mass·length/s], 0 if the place was already
+/// leaving or cannot move. O(1).
+SurfaceImpulse solve_surface_contact(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, Real bounce_threshold,
 		Real h);
 
 /// Sums over a body's contacts in one substep, for effects on the body as a whole.
@@ -53,8 +64,11 @@ struct BasicContactLoad {
 	T surface_spin = T(0);
 	T restitution = T(0);
 	BasicVec2<T> surface_velocity;
+	T work = T(0); ///< of moving surfaces, sum of J·u [mass·length²/s²]
 
-	void add(T size, BasicVec2<T> normal, BasicVec2<T> place, const Surface &surface, Real combined_restitution) {
+	/// Adds a contact with the normal impulse `size` and the sliding impulse `sliding` along the tangent.
+	void add(T size, BasicVec2<T> normal, T sliding, BasicVec2<T> place, const Surface &surface, Real combined_restitution) {
+		work += dot(normal * size + perpendicular(normal) * sliding, surface.velocity_at(place));
 		normal_impulse += size;
 		impulse += normal * size;
 		surface_spin += size * T(surface.angular_velocity);
@@ -84,10 +98,10 @@ void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_th
 template <class T>
 void resist_rolling(const BodyLanes<T> &body, const BasicContactLoad<T> &load);
 
-/// Restitution of the body as a whole. The body remembers the approach speed of its center of mass. When it leaves the
-/// surface slower than the restitution asks for, the missing speed is added to all points. Approaches below
-/// `bounce_threshold` [length/s] do not count. While the body is slower than the threshold it forgets the approach,
-/// over BOUNCE_MEMORY. O(points).
-void give_back_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h);
+/// Follows the touch of a body with bouncing surfaces through a substep of `h` [s]. The body remembers the fastest
+/// approach of its center of mass. When it leaves slower than the restitution asks for, the missing speed is noted, and
+/// `BounceLedger` gives it at the end of the step. Approaches below `bounce_threshold` [length/s] do not count. While the
+/// body is slower than the threshold it forgets the approach, over BOUNCE_MEMORY. O(points).
+void follow_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h);
 
 } // namespace softbody

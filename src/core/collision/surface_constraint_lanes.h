@@ -15,6 +15,7 @@ void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_th
 	const Surface &surface = border.surface;
 	const Real friction = combined_friction(body.model.settings, surface);
 	const Real restitution = combined_restitution(body.model.settings, surface);
+	const Real of_points = bounces_by_points(body.model.shape, body.model.settings) ? restitution : Real(0);
 	// Bodies in SIMD lanes have no bounce to remember.
 	const bool load_matters = std::is_same_v<T, Real> || body.model.settings.rolling_resistance > 0;
 	const BasicVec2<T> normal = in_all_lanes<T>(border.plane.normal);
@@ -30,7 +31,7 @@ void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_th
 		const BasicVec2<T> relative = v - surface.velocity_at(x);
 		const T approach = -dot(relative, normal);
 		const T normal_change = select(both(is_inside, approach > T(0)),
-				approach + rebound_speed(approach, restitution, bounce_threshold), T(0));
+				approach + rebound_speed(approach, of_points, bounce_threshold), T(0));
 		const T depth = select(is_inside, -distance, T(0));
 		const ContactChange<T> change = contact_change(relative, normal, depth, normal_change, friction, h);
 		x += change.position;
@@ -38,7 +39,8 @@ void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_th
 		load.contacts += select(is_inside, T(1), T(0));
 		if (load_matters || !solutions.empty()) {
 			const T impulse = normal_change * T(1 / body.inverse_masses[i]);
-			load.add(impulse, normal, x, surface, restitution);
+			const T sliding = dot(change.velocity, perpendicular(normal)) * T(1 / body.inverse_masses[i]);
+			load.add(impulse, normal, sliding, x, surface, restitution);
 			if (!solutions.empty()) {
 				solutions[i] = { depth, impulse };
 			}

@@ -91,7 +91,7 @@ Energy measure_energy(const SoftBodyData &body, Vec2 gravity) {
 	for (const Spring2D &spring : shape.springs()) {
 		const Vec2 a = body.positions()[spring.a];
 		const Vec2 b = body.positions()[spring.b];
-		const double stretch = std::hypot(double(b.x) - a.x, double(b.y) - a.y) - spring.rest_length;
+		const double stretch = std::sqrt((double(b.x) - a.x) * (double(b.x) - a.x) + (double(b.y) - a.y) * (double(b.y) - a.y)) - spring.rest_length;
 		energy.springs += double(spring.stiffness) * body.settings().spring_stiffness_scale * stretch * stretch / 2;
 	}
 	return energy;

@@ -61,6 +61,10 @@ StepReport Simulator::simulate(Real dt) {
 		divide_bodies(dt);
 	}
 	timer_.lap(profile_.broad_phase);
+	const bool bounces = may_bounce();
+	if (bounces) {
+		bounce_ledger_.begin_step(bodies_, world_.gravity(), parallel_for_);
+	}
 	step_free(dt);
 	timer_.lap(profile_.bodies);
 	if (!coupled_.empty() || rigid_contacts_.has_bodies()) {
@@ -69,6 +73,9 @@ StepReport Simulator::simulate(Real dt) {
 		move_rigid_bodies_alone(dt);
 	}
 	rigid_contacts_.end_step(dt);
+	if (bounces) {
+		bounce_ledger_.end_step(pair_contacts_.pairs(), pair_contacts_.touches(), joint_solver_.joined(), dt);
+	}
 	pin_motion_.end_step(world_);
 	joint_solver_.end_step(report.broken_joints);
 	if (bodies_.has_monitored() || contact_monitor_.has_touches()) {
@@ -164,6 +171,14 @@ void Simulator::divide_bodies(Real dt) {
 	}
 	contact_substeps_.choose(bodies_, coupled_, { pair_contacts_.pairs(), joint_solver_.joined(), beside_dynamic_ },
 			substeps_of_step(world_.contact_substeps(), dt));
+}
+
+// A bounce goes on after its surface has gone.
+bool Simulator::may_bounce() {
+	const std::vector<Border> &borders = world_.borders();
+	return pair_contacts_.bounces() || surroundings_.bounces() ||
+			std::ranges::any_of(borders, [](const Border &border) { return border.surface.restitution != 0; }) ||
+			std::ranges::any_of(bodies_.awake(), [&](std::uint32_t i) { return bodies_.has_touch(i) != 0; });
 }
 
 void Simulator::step_free(Real dt) {

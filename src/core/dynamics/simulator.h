@@ -10,6 +10,7 @@
 #include "core/collision/rigid_contacts.h"
 #include "core/dynamics/active_bodies.h"
 #include "core/dynamics/body_stepper.h"
+#include "core/dynamics/bounce_ledger.h"
 #include "core/dynamics/contact_substeps.h"
 #include "core/dynamics/joint_solver.h"
 #include "core/dynamics/pin_motion.h"
@@ -84,6 +85,7 @@ private:
 	void divide_bodies(Real dt);
 	void step_free(Real dt);
 	void step_coupled(Real dt);
+	bool may_bounce();
 	void report_contacts(Real dt);
 	void let_sleep(Real dt);
 	void collect(StepReport &report);
@@ -114,6 +116,7 @@ private:
 	std::uint64_t rigid_contact_count_ = 0;
 	RigidNeighbors rigid_neighbors_;
 	JointSolver joint_solver_;
+	BounceLedger bounce_ledger_;
 	ContactMonitor contact_monitor_;
 	std::vector<BodyStepper> steppers_; ///< one for each task, so that no two threads share scratch memory
 

@@ -17,7 +17,7 @@ namespace softbody {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> MAGIC = { 'S', 'B', '2', 'S' };
-constexpr std::uint32_t VERSION = 1;
+constexpr std::uint32_t VERSION = 2;
 constexpr const char *DAMAGED = "keep the bytes as they were saved";
 
 constexpr const char *UNSOUND = "restore a sound state";
@@ -43,13 +43,13 @@ Status check_values(const BodyState &state) {
 	}
 	const TouchMemory &touch = state.touch;
 	bool are_finite = std::isfinite(state.rotation_memory.c) && std::isfinite(state.rotation_memory.s);
-	are_finite &= std::isfinite(touch.approach) && std::isfinite(touch.restitution);
+	are_finite &= std::isfinite(touch.approach) && std::isfinite(touch.restitution) && std::isfinite(touch.account);
 	are_finite &= is_finite(touch.normal) && is_finite(touch.surface_velocity);
 	are_finite &= is_finite(state.load.force) && std::isfinite(state.load.torque) && is_finite(state.acceleration);
 	are_finite &= std::ranges::all_of(state.pin_targets, [](const PinTarget &each) { return is_finite(each.position); });
 	are_finite &= std::ranges::all_of(state.external_forces, [](const ExternalForce &each) { return is_finite(each.force); });
 	are_finite &= std::ranges::all_of(state.pair_touches, [](const PairMemory &each) {
-		return std::isfinite(each.touch.approach) && std::isfinite(each.touch.energy);
+		return std::isfinite(each.touch.approach);
 	});
 	if (!are_finite) {
 		return refused("memory", "non-finite", "must be finite", UNSOUND);
@@ -168,12 +168,12 @@ void visit_state(State &state, auto &archive) {
 	archive.visit_list(state.pinned_points, INDEX, each);
 	archive.visit_list(state.external_forces, INDEX + VECTOR, [&](auto &external) { each(external.point, external.force); });
 	archive.visit_list(state.pin_targets, INDEX + VECTOR, [&](auto &target) { each(target.point, target.position); });
-	archive.visit_list(state.pair_touches, 2 * INDEX + 1 + sizeof(Real) + sizeof(double), [&](auto &memory) {
-		each(memory.other.index, memory.other.generation, memory.touch.touching, memory.touch.approach, memory.touch.energy);
+	archive.visit_list(state.pair_touches, 2 * INDEX + 1 + sizeof(Real), [&](auto &memory) {
+		each(memory.other.index, memory.other.generation, memory.touch.touching, memory.touch.approach);
 	});
 	archive.visit_list(state.one_ways, sizeof(std::uint64_t) + 1, [&](auto &memory) { each(memory.collider, memory.held); });
 	each(state.rotation_memory.c, state.rotation_memory.s);
-	each(state.touch.touching, state.touch.approach, state.touch.restitution, state.touch.normal, state.touch.surface_velocity);
+	each(state.touch.touching, state.touch.approach, state.touch.restitution, state.touch.normal, state.touch.surface_velocity, state.touch.account);
 	each(state.rest.rest_time, state.rest.asleep, state.rest.island, state.rest.surroundings);
 	each(state.active, state.frozen, state.load.force, state.load.torque, state.acceleration);
 }

@@ -41,6 +41,11 @@ struct TouchMemory {
 	Real restitution = 0; ///< of body and surface together [1]
 	Vec2 normal; ///< of the last contacts, weighted by their impulses; unit
 	Vec2 surface_velocity; ///< [length/s]
+	double account = 0; ///< energy that the body's touches have taken and not given back [mass·length²/s²]
+	// Of the current step.
+	bool ended = false;
+	Real missing = 0; ///< speed that the body lacks of its bounce, once the touch has ended [length/s]
+	double work = 0; ///< that moving surfaces have done on the body [mass·length²/s²]
 	friend bool operator==(const TouchMemory &, const TouchMemory &) = default;
 };
 
@@ -48,7 +53,8 @@ struct TouchMemory {
 struct PairTouch {
 	bool touching = false;
 	Real approach = 0; ///< fastest approach of their centers during this touch [length/s]
-	double energy = 0; ///< kinetic, of both bodies, before the touch
+	bool ended = false; ///< in this step
+	Real missing = 0; ///< speed that the two lack of their bounce, once the touch has ended [length/s]
 	friend bool operator==(const PairTouch &, const PairTouch &) = default;
 };
 

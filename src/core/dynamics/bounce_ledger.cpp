@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Restitution of bodies as wholes, paid for by the energy that their touches have taken.
+#include "core/dynamics/bounce_ledger.h"
+
+#include "core/base/constants.h"
+#include "core/collision/pair_bounce.h"
+#include "core/dynamics/energy.h"
+#include "core/model/body_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softbody {
+
+namespace {
+
+constexpr std::size_t BODIES_A_TASK = 32;
+
+double stored_energy(const SoftBodyData &body) {
+	return measure_energy(body, {}).total();
+}
+
+Vec2 rigid_velocity(const BodyFrame &frame, Vec2 p) {
+	return frame.velocity + perpendicular(p - frame.center) * frame.angular_velocity;
+}
+
+double wobble_energy(const SoftBodyData &body, const BodyFrame &frame) {
+	double twice = 0;
+	for (std::size_t i = 0; i < body.point_count(); ++i) {
+		if (body.inverse_masses()[i] > 0) {
+			twice += double(body.shape().masses()[i]) * length_squared(body.velocities()[i] - rigid_velocity(frame, body.positions()[i]));
+		}
+	}
+	return twice / 2;
+}
+
+/// Adds a velocity to the body's free points, and leaves its wobble the share `keep` of its energy.
+void change_motion(SoftBodyData &body, const BodyFrame &frame, Vec2 velocity, double keep) {
+	const Real of_speed = Real(std::sqrt(std::clamp(keep, 0.0, 1.0)));
+	for (std::size_t i = 0; i < body.point_count(); ++i) {
+		if (body.inverse_masses()[i] > 0) {
+			const Vec2 rigid = rigid_velocity(frame, body.positions()[i]);
+			body.mutable_velocities()[i] = rigid + velocity + (body.velocities()[i] - rigid) * of_speed;
+		}
+	}
+}
+
+struct Payment {
+	double speed = 0; ///< added to `leaving`
+	double from_account = 0;
+	double from_wobble = 0;
+};
+
+/// The largest speed up to `missing` that can be paid for. A mass that leaves with `leaving` and gets the speed s has m (leaving
+/// s + s²/2) more.
+Payment payment(double mass, double leaving, double missing, double account, double wobble) {
+	const double purse = std::max(account, 0.0);
+	const double most = std::sqrt(leaving * leaving + 2 * (purse + wobble) / mass) - std::abs(leaving);
+	Payment payment;
+	payment.speed = std::min(missing, most);
+	const double price = mass * (leaving * payment.speed + payment.speed * payment.speed / 2);
+	payment.from_account = std::min(price, purse);
+	payment.from_wobble = price - payment.from_account;
+	return std::isfinite(price) ? payment : Payment{}; // a body that is about to be reset gets nothing
+}
+
+} // namespace
+
+void BounceLedger::begin_step(ActiveBodies &bodies, Vec2 gravity, const ParallelFor &parallel_for) {
+	bodies_ = &bodies;
+	gravity_ = gravity;
+	starts_.resize(bodies.count());
+	const std::span<const std::uint32_t> awake = bodies.awake();
+	run_slices(parallel_for, awake.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
+		for (const std::uint32_t i : awake.subspan(begin, end - begin)) {
+			SoftBodyData &body = bodies.data(i);
+			const bool is_driven = !body.external_forces().empty() || body.queued_load() != RigidLoad{} || !body.pin_targets().empty();
+			starts_[i] = { stored_energy(body), measure_frame(body).center, is_driven };
+			body.touch_memory().work = 0;
+		}
+	});
+}
+
+void BounceLedger::end_step(std::span<const BodyPair> pairs, std::span<PairTouch> touches, std::span<const BodyPair> joined, Real dt) {
+	form_islands(pairs, touches, joined);
+	book();
+	pay_bounces();
+	pay_pair_bounces(pairs, touches);
+	settle(dt);
+}
+
+void BounceLedger::form_islands(std::span<const BodyPair> pairs, std::span<const PairTouch> touches, std::span<const BodyPair> joined) {
+	islands_.reset(bodies_->count());
+	of_.assign(bodies_->count(), {});
+	for (const BodyPair pair : joined) {
+		islands_.join(pair.a, pair.b);
+	}
+	for (std::size_t k = 0; k < touches.size(); ++k) {
+		if (touches[k].touching || touches[k].ended) {
+			islands_.join(pairs[k].a, pairs[k].b);
+		}
+	}
+	const auto add = [](Island &island, const auto &touch, double mass) {
+		island.touches |= touch.touching;
+		island.has_touched |= touch.touching || touch.ended;
+		island.most += touch.touching ? mass * double(touch.approach) * double(touch.approach) / 2 : 0.0;
+	};
+	for (std::size_t k = 0; k < touches.size(); ++k) {
+		const Real inverse_mass = whole_inverse_mass(bodies_->data(pairs[k].a)) + whole_inverse_mass(bodies_->data(pairs[k].b));
+		add(island_of(pairs[k].a), touches[k], inverse_mass > 0 ? 1 / double(inverse_mass) : 0.0);
+	}
+	for (const std::uint32_t i : bodies_->awake()) {
+		add(island_of(i), bodies_->data(i).touch_memory(), double(bodies_->data(i).shape().total_mass()));
+	}
+}
+
+void BounceLedger::book() {
+	for (const std::uint32_t i : bodies_->awake()) {
+		const SoftBodyData &body = bodies_->data(i);
+		Island &island = island_of(i);
+		const TouchMemory &touch = bodies_->data(i).touch_memory();
+		island.mass += double(body.shape().total_mass());
+		island.account += touch.account;
+		if (island.has_touched && !starts_[i].is_driven) {
+			const Vec2 way = measure_frame(body).center - starts_[i].center;
+			const double work = double(body.shape().total_mass()) * double(dot(body.total_acceleration(gravity_), way)) + touch.work;
+			const double lost = starts_[i].energy + work - stored_energy(body);
+			island.account += std::isfinite(lost) ? lost : 0.0;
+		}
+	}
+}
+
+void BounceLedger::pay_bounces() {
+	for (const std::uint32_t i : bodies_->awake()) {
+		SoftBodyData &body = bodies_->data(i);
+		TouchMemory &touch = body.touch_memory();
+		touch.ended = false;
+		if (!(touch.missing > 0)) {
+			continue;
+		}
+		const BodyFrame frame = measure_frame(body);
+		const double wobble = wobble_energy(body, frame);
+		const double leaving = double(dot(frame.velocity - touch.surface_velocity, touch.normal));
+		Island &island = island_of(i);
+		const Payment paid = payment(double(body.shape().total_mass()), leaving, double(touch.missing), island.account, wobble);
+		island.account -= paid.from_account;
+		change_motion(body, frame, touch.normal * Real(paid.speed), wobble > 0 ? 1 - paid.from_wobble / wobble : 1);
+		touch.missing = 0;
+	}
+}
+
+void BounceLedger::pay_pair_bounces(std::span<const BodyPair> pairs, std::span<PairTouch> touches) {
+	for (std::size_t k = 0; k < touches.size(); ++k) {
+		PairTouch &touch = touches[k];
+		touch.ended = false;
+		if (!(touch.missing > 0)) {
+			continue;
+		}
+		const double missing = double(touch.missing);
+		touch.missing = 0;
+		SoftBodyData &a = bodies_->data(pairs[k].a);
+		SoftBodyData &b = bodies_->data(pairs[k].b);
+		const BodyFrame frame_a = measure_frame(a);
+		const BodyFrame frame_b = measure_frame(b);
+		const Vec2 line = frame_a.center - frame_b.center;
+		const Real distance = length(line);
+		const double inverse_mass = double(whole_inverse_mass(a) + whole_inverse_mass(b));
+		if (!(distance > 0) || !(inverse_mass > 0)) {
+			continue;
+		}
+		const Vec2 normal = line * (1 / distance);
+		const double leaving = double(dot(frame_a.velocity - frame_b.velocity, normal));
+		const double wobble = (a.is_free() ? wobble_energy(a, frame_a) : 0.0) + (b.is_free() ? wobble_energy(b, frame_b) : 0.0);
+		Island &island = island_of(pairs[k].a);
+		const Payment paid = payment(1 / inverse_mass, leaving, missing, island.account, wobble);
+		island.account -= paid.from_account;
+		const Vec2 impulse = normal * Real(paid.speed / inverse_mass);
+		const double keep = wobble > 0 ? 1 - paid.from_wobble / wobble : 1;
+		if (a.is_free()) {
+			change_motion(a, frame_a, impulse * whole_inverse_mass(a), keep);
+		}
+		if (b.is_free()) {
+			change_motion(b, frame_b, -impulse * whole_inverse_mass(b), keep);
+		}
+	}
+}
+
+// Debts are paid by the wobble of the island. The rest of an account goes on, up to what the touches may ask for; without
+// touches it is forgotten over BOUNCE_MEMORY.
+void BounceLedger::settle(Real dt) {
+	for (const std::uint32_t i : bodies_->awake()) {
+		if (Island &island = island_of(i); island.account < 0) {
+			island.wobble += wobble_energy(bodies_->data(i), measure_frame(bodies_->data(i)));
+		}
+	}
+	const double keep = std::max(0.0, 1 - double(dt / BOUNCE_MEMORY));
+	for (const std::uint32_t i : bodies_->awake()) {
+		SoftBodyData &body = bodies_->data(i);
+		const Island &island = island_of(i);
+		double account = island.account;
+		if (account < 0 && island.wobble > 0 && std::isfinite(island.wobble)) {
+			const double paid = std::min(-account, island.wobble);
+			change_motion(body, measure_frame(body), {}, 1 - paid / island.wobble);
+			account += paid;
+		} else if (account > 0) {
+			account = island.touches ? std::min(account, island.most) : account * keep;
+		}
+		body.touch_memory().account = account * double(body.shape().total_mass()) / island.mass;
+	}
+}
+
+} // namespace softbody

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// Claims about the energy of bounces: none is made, little is lost, and it does not depend on ticks.
+#include "core/dynamics/energy.h"
+#include "core/dynamics/simulator.h"
+#include "core/model/body_frame.h"
+#include "scenes/jelly.h"
+#include "support/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <numbers>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+constexpr Real RADIUS = 50;
+
+// A disc without damping or friction.
+SoftBodyData bouncing_disc(Real stiffness, Real restitution, Vec2 center, Vec2 velocity, Real mass = 1) {
+	BodySettings settings;
+	settings.shape_stiffness = Real(0.4) * stiffness;
+	settings.restitution = restitution;
+	settings.friction = 0;
+	const auto shape = circle_shape(RADIUS, 16, { mass, stiffness, 0, true }).value();
+	SoftBodyData body = SoftBodyData::create(shape, settings, Pose{ center, {} }).value();
+	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+		REQUIRE(!body.set_point(i, body.positions()[i], velocity));
+	}
+	return body;
+}
+
+WorldData weightless() {
+	WorldData world;
+	REQUIRE(!world.set_length_unit(PIXELS_PER_METER));
+	world.set_sleeping(false);
+	return world;
+}
+
+double energy_of(const WorldData &world) {
+	double energy = 0;
+	for (const SoftBodyData &body : world.soft_bodies()) {
+		energy += measure_energy(body, world.gravity()).total();
+	}
+	return energy;
+}
+
+struct Course {
+	double highest = 1; ///< as a share of the first energy
+	double end = 1;
+};
+
+Course run(WorldData &world, double seconds, const ParallelFor &parallel_for = {}) {
+	Simulator simulator(world, parallel_for);
+	const double first = energy_of(world);
+	Course course;
+	for (int i = 0; i < int(60 * seconds); ++i) {
+		simulator.simulate(FRAME);
+		course.end = energy_of(world) / first;
+		course.highest = std::max(course.highest, course.end);
+	}
+	return course;
+}
+
+} // namespace
+
+TEST_CASE("a crowd in a closed box never gains energy, whatever it is made of: 200 random crowds") {
+	int lively = 0;
+	for (int seed = 1; seed <= 200; ++seed) {
+		CAPTURE(seed);
+		Random random{ std::uint64_t(seed) };
+		WorldData world = weightless();
+		const Real width = 700;
+		for (const Vec2 normal : { Vec2{ 1, 0 }, Vec2{ -1, 0 }, Vec2{ 0, 1 }, Vec2{ 0, -1 } }) {
+			Border wall;
+			wall.plane = { { normal.x < 0 ? width : 0, normal.y < 0 ? width : 0 }, normal };
+			wall.surface.restitution = random.real(0, 1);
+			REQUIRE(!world.add_border(wall));
+		}
+		const Real restitution = random.real(Real(0.5), 1);
+		for (int i = 0; i < 16; ++i) {
+			const Real angle = random.real(0, 2 * std::numbers::pi_v<Real>);
+			const Real stiffness = std::pow(Real(10), random.real(2, Real(3.6)));
+			world.add_soft_body(bouncing_disc(stiffness, restitution, { Real(100 + 160 * (i % 4)), Real(100 + 160 * (i / 4)) },
+					Vec2{ std::cos(angle), std::sin(angle) } * random.real(50, 400), random.real(Real(0.5), 2)));
+		}
+		const Course course = run(world, 5);
+		CHECK(course.highest <= 1.02);
+		lively += course.end > 0.5;
+	}
+	CHECK(lively >= 150);
+}
+
+TEST_CASE("a row of five bodies passes a shot on without making energy, and loses a tenth at most") {
+	for (const Real stiffness : { Real(100), Real(1000), Real(4000) }) {
+		for (const Real gap : { Real(0.05), Real(0.5), Real(5) }) {
+			CAPTURE(stiffness);
+			CAPTURE(gap);
+			WorldData world = weightless();
+			for (int i = 0; i < 5; ++i) {
+				world.add_soft_body(bouncing_disc(stiffness, 1, { Real(i) * (2 * RADIUS + gap) - (i == 0 ? 100 : 0), 0 },
+						{ i == 0 ? Real(300) : Real(0), 0 }));
+			}
+			const Course course = run(world, 3);
+			CHECK(course.highest <= 1.01);
+			CHECK(course.end >= 0.9);
+			CHECK(double(measure_frame(world.soft_bodies()[4]).velocity.x) > 210);
+		}
+	}
+}
+
+TEST_CASE("a bounce of 0.8 rises to 0.64 of the drop, at any rate of ticks, for soft bodies and stiff ones") {
+	for (const Real stiffness : { Real(100), Real(1000), Real(10000) }) {
+		double least = 1e9;
+		double most = 0;
+		for (const int rate : { 30, 60, 120, 240 }) {
+			WorldData world = pixel_world();
+			world.set_sleeping(false);
+			REQUIRE(!world.add_border(floor_at(0)));
+			BodySettings settings;
+			settings.shape_stiffness = Real(0.4) * stiffness;
+			settings.shape_damping = Real(0.05) * std::sqrt(stiffness);
+			settings.restitution = Real(0.8);
+			const auto shape = circle_shape(RADIUS, 16, { 1, stiffness, Real(0.012) * std::sqrt(stiffness), true }).value();
+			world.add_soft_body(SoftBodyData::create(shape, settings, Pose{ { 0, -RADIUS - 300 }, {} }).value());
+			Simulator simulator(world);
+			double height = 0;
+			bool has_hit = false;
+			for (int i = 0; i < 2 * rate; ++i) {
+				simulator.simulate(Real(1) / Real(rate));
+				const double above = -double(measure_frame(world.soft_bodies()[0]).center.y) - double(RADIUS);
+				has_hit |= above < 0;
+				height = std::max(height, has_hit ? above : 0.0);
+			}
+			least = std::min(least, height);
+			most = std::max(most, height);
+		}
+		CAPTURE(stiffness);
+		CHECK(least >= 0.97 * 0.64 * 300);
+		CHECK(most <= 1.03 * least);
+	}
+}
+
+TEST_CASE("energy that a body has passed on is not paid out to it again") {
+	// The first stops, as the second takes its energy to a third: a bounce of the first two would make it twice.
+	WorldData world = weightless();
+	for (int i = 0; i < 3; ++i) {
+		world.add_soft_body(bouncing_disc(1000, 1, { Real(i) * 2 * RADIUS - (i == 0 ? 60 : 0), 0 }, { i == 0 ? Real(300) : Real(0), 0 }));
+	}
+	const Course course = run(world, 2);
+	CHECK(course.highest <= 1.01);
+	CHECK(double(measure_frame(world.soft_bodies()[2]).velocity.x) > 240);
+	CHECK(double(std::abs(measure_frame(world.soft_bodies()[0]).velocity.x)) < 60);
+}
+
+TEST_CASE("a bat that swings gives a body its speed: work of a moving surface is not taken back from the wobble") {
+	WorldData world = weightless();
+	RigidBody mover;
+	mover.linear_velocity = { 200, 0 };
+	Collider bat = box_collider({ -50, 0 }, { 50, 200 });
+	bat.surface.restitution = 1;
+	bat.rigid_body = world.add_rigid_body(mover).value();
+	REQUIRE(!world.add_collider(bat));
+	world.add_soft_body(bouncing_disc(1000, 0, { RADIUS + 2, 0 }, { -100, 0 }));
+	Simulator simulator(world);
+	for (int i = 0; i < 30; ++i) {
+		simulator.simulate(FRAME);
+	}
+	// It came with 300 px/s relative to the surface and leaves with 300 relative to it.
+	CHECK(double(measure_frame(world.soft_bodies()[0]).velocity.x) == doctest::Approx(500).epsilon(0.05));
+}
