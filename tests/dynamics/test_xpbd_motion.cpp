@@ -191,6 +191,7 @@ TEST_CASE("a body rises as high from the floor by XPBD as by semi-implicit Euler
 				BodySettings settings;
 				settings.integrator = integrator;
 				settings.shape_stiffness = Real(0.4 * stiffness);
+				settings.shape_damping = Real(0.05 * std::sqrt(stiffness));
 				world.add_soft_body(SoftBodyData::create(shape, settings, Pose{ { 0, -350 }, {} }).value());
 				Simulator simulator(world);
 				double &height = heights[integrator == Integrator::XPBD];

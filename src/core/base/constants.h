@@ -97,7 +97,7 @@ inline constexpr int XPBD_SUBSTEPS = 8;
 /// Angle Ωh [rad] by which the fastest wobble turns in a substep of XPBD at which the method is half way from the
 /// implicit midpoint rule to implicit Euler. Larger: stiffer bodies keep their wobble, and ring on where they are
 /// pressed. Smaller: they lose their bounce.
-inline constexpr Real XPBD_FAST_WOBBLE = 60;
+inline constexpr Real XPBD_FAST_WOBBLE = 40;
 
 /// Damping rate Γ as a share of the fastest wobble Ω from which XPBD is implicit Euler [1]: twice the damping ratio of
 /// that wobble. Such a body hardly wobbles. Larger: strongly damped thin bodies let fast ones through.

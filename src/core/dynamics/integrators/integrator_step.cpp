@@ -26,7 +26,7 @@ const IntegratorTraits &integrator_traits(Integrator integrator) {
 			{ 2, true, step_one<step_heun<Real>> },
 			{ 4, true, step_one<step_runge_kutta_4<Real>> },
 			{ 1, true, step_one<step_velocity_verlet<Real>> },
-			{ 1, false, step_xpbd },
+			{ 1, true, step_xpbd },
 	} };
 	return table[std::size_t(integrator)];
 }
