@@ -7,6 +7,7 @@
 #include "support/random.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <numbers>
@@ -170,4 +171,60 @@ TEST_CASE("a bat that swings gives a body its speed: work of a moving surface is
 	}
 	// It came with 300 px/s relative to the surface and leaves with 300 relative to it.
 	CHECK(double(measure_frame(world.soft_bodies()[0]).velocity.x) == doctest::Approx(500).epsilon(0.05));
+}
+
+TEST_CASE("a body at rest saves up nothing, and what a touch has taken is forgotten in flight") {
+	WorldData world = pixel_world();
+	world.set_sleeping(false);
+	REQUIRE(!world.add_border(floor_at(0)));
+	BodySettings settings = jelly_settings(1000);
+	settings.restitution = Real(0.2);
+	world.add_soft_body(jelly_circle({ 0, -RADIUS - 200 }, settings));
+	SoftBodyData &body = world.soft_bodies()[0];
+	Simulator simulator(world);
+	bool has_touched = false;
+	double first_account = 0;
+	int flight = 0;
+	for (int i = 0; i < 120 && flight < 10; ++i) {
+		simulator.simulate(FRAME);
+		const TouchMemory &touch = body.touch_memory();
+		has_touched |= touch.touching;
+		if (has_touched && !touch.touching) {
+			first_account = flight == 0 ? touch.account : first_account;
+			++flight;
+		}
+	}
+	REQUIRE(flight == 10);
+	CHECK(first_account > 1000); // of m g h = 196000; the springs gave the rest back
+	CHECK(body.touch_memory().account == doctest::Approx(first_account * std::pow(1 - 1 / (60 * 0.3), 9)).epsilon(0.01));
+	for (int i = 0; i < 600; ++i) {
+		simulator.simulate(FRAME);
+	}
+	CHECK(body.touch_memory().touching);
+	CHECK(body.touch_memory().account < 200); // of 196000 that are gone
+}
+
+TEST_CASE("work of forces from outside is no gain of a touch: a body that is shaken wobbles on any floor alike") {
+	std::array<double, 2> farthest{};
+	for (const bool bounces : { false, true }) {
+		WorldData world = pixel_world();
+		world.set_sleeping(false);
+		REQUIRE(!world.add_border(floor_at(0)));
+		BodySettings settings = jelly_settings(1000);
+		settings.restitution = bounces ? Real(0.1) : Real(0);
+		world.add_soft_body(jelly_circle({ 0, -RADIUS }, settings));
+		SoftBodyData &body = world.soft_bodies()[0];
+		Simulator simulator(world);
+		for (int i = 0; i < 120; ++i) {
+			simulator.simulate(FRAME);
+		}
+		for (int i = 0; i < 60; ++i) {
+			REQUIRE(!body.add_external_force(16, { i % 8 < 4 ? Real(2000) : Real(-2000), 0 })); // its center
+			simulator.simulate(FRAME);
+			const double offset = double(body.positions()[16].x - measure_frame(body).center.x);
+			farthest[bounces] = std::max(farthest[bounces], std::abs(offset));
+		}
+	}
+	CHECK(farthest[0] > 3);
+	CHECK(farthest[1] == doctest::Approx(farthest[0]).epsilon(0.001));
 }
