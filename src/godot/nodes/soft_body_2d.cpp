@@ -328,7 +328,7 @@ void SoftBody2D::place_node(const Transform2D &p_transform) {
 	const Transform2D after = parent != nullptr ? parent->get_global_transform().affine_inverse() * p_transform : p_transform;
 	const real_t turn = before.columns[0].angle_to(after.columns[0]);
 	const Transform2D turned = Transform2D(turn, Vector2()) * before;
-	if (!same_scale(turned, after)) { // under a skewed parent, a rotation is more than a rotation
+	if (!softbody::is_same_scale(turned, after, SCALE_TOLERANCE)) { // under a skewed parent, a rotation is more than a rotation
 		set_global_transform(p_transform);
 		return;
 	}
