@@ -31,8 +31,9 @@ public:
 	/// near the body).
 	bool begin_body(const ColliderIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt, std::size_t lane = 0);
 	/// Solves every contact of the body begun in `lane`, after a substep of `h` [s] that started at `before` (one
-	/// position for each hull point) under the acceleration `gravity`, and applies rolling resistance. Returns the
-	/// number of contacts solved. O(hull points × colliders nearby).
+	/// position for each hull point) under the acceleration `gravity`, and applies rolling resistance. The motion of the
+	/// substep holds the share `implicit_share` of its change of velocity (SubstepPlan), 1/2..1; friction takes back no
+	/// more. Returns the number of contacts solved. O(hull points × colliders nearby).
 	std::size_t handle(SoftBodyData &body, std::span<const Vec2> before, Vec2 gravity, Real h, std::size_t lane = 0,
 			Real implicit_share = 1);
 	/// Contacts of monitored bodies since the log was last cleared.
