@@ -42,7 +42,7 @@ struct Meeting {
 		body.velocities = velocities;
 		body.inverse_masses = inverse_masses;
 		body.before = before;
-		body.width = body.radius = 1;
+		body.width = body.radius = body.rest_radius = 1;
 		body.friction = friction;
 		return body;
 	}
@@ -258,7 +258,7 @@ TEST_CASE("rolling resistance between bodies brakes their relative spin by at mo
 		body.spin = spin;
 		body.inertia = inertia;
 		body.rolling_resistance = Real(0.1);
-		body.rolling_radius = 2;
+		body.rest_radius = 2;
 		return body;
 	};
 	SolverBody a = spinning(5, 2);
@@ -301,7 +301,7 @@ TEST_CASE("what is about to be reset hands no number that is none to the body th
 		for (SolverBody *body : { &spinning, &other }) {
 			body->inertia = 1;
 			body->rolling_resistance = Real(0.1);
-			body->rolling_radius = 1;
+			body->rest_radius = 1;
 		}
 		spinning.spin = bad;
 		resist_pair_rolling(spinning, other, 1);

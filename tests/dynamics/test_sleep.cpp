@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Islands at rest fall asleep, cost no substeps, and wake together on touch, force and change.
 #include "core/base/constants.h"
+#include "core/creator/soft_body_creator.h"
 #include "core/dynamics/islands.h"
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
@@ -448,6 +449,51 @@ TEST_CASE("a body that nothing holds falls as theory says, however faint the pul
 				}
 				const Real way = start - measure_frame(world.soft_bodies()[0]).center.y;
 				CHECK(way == doctest::Approx(double(pull * 8)).epsilon(0.02)); // a t²/2
+			}
+		}
+	}
+}
+
+TEST_CASE("a body that has come to rest on smooth ground or on another body follows a faint pull as theory says") {
+	for (const Real pull : { Real(0.05), Real(0.1), Real(0.2), Real(0.4) }) { // 5 to 40 px/s² at 100 px to the meter
+		for (const int ground : { 0, 1, 2 }) {
+			for (const int rate : { 30, 60, 240 }) {
+				CAPTURE(pull);
+				CAPTURE(ground);
+				CAPTURE(rate);
+				WorldData world;
+				world.set_gravity({ 0, Real(-9.81) });
+				Collider plank;
+				plank.vertices = { { -50, -1 }, { 50, -1 }, { 50, 0 }, { -50, 0 } };
+				if (ground == 0) {
+					world.add_border({ { { 0, 0 }, { 0, 1 } }, {} });
+				} else if (ground == 1) {
+					REQUIRE(!world.add_collider(plank));
+				} else {
+					const auto shape = SoftBodyCreator::create_polygon(plank.vertices, {});
+					SoftBodyData below = SoftBodyData::create(shape.value(), {}, {}).value();
+					for (std::uint32_t i = 0; i < below.point_count(); ++i) {
+						REQUIRE(!below.set_pinned(i, true));
+					}
+					world.add_soft_body(std::move(below));
+				}
+				const BodyId id = world.add_soft_body(ball({ 0, Real(0.46) }));
+				BodySettings settings = world.find(id)->settings();
+				settings.friction = 0;
+				settings.rolling_resistance = 0;
+				REQUIRE(!world.find(id)->set_settings(settings));
+				Simulator simulator(world);
+				for (int i = 0; i < 5 * rate; ++i) {
+					simulator.simulate(1 / Real(rate));
+				}
+				const Real start = measure_frame(*world.find(id)).center.x;
+				world.set_gravity({ pull, Real(-9.81) });
+				for (int i = 0; i < 4 * rate; ++i) {
+					simulator.simulate(1 / Real(rate));
+					CHECK_FALSE(world.find(id)->is_asleep());
+				}
+				const Real way = measure_frame(*world.find(id)).center.x - start;
+				CHECK(way == doctest::Approx(double(pull * 8)).epsilon(0.03)); // a t²/2
 			}
 		}
 	}

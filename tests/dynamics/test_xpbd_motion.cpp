@@ -144,7 +144,7 @@ TEST_CASE("a pinned body swings under XPBD: the pin takes up momentum and spin")
 
 TEST_CASE("XPBD damps no more than the damping says: a free wobble keeps its energy, at the pace of the midpoint rule") {
 	// Two points of 1 kg on a spring: the stretch s'' = -ω² s with ω² = 2 k / m.
-	for (const double turn : { 0.5, 2.0, 8.0 }) { // ωh
+	for (const double turn : { 0.5, 2.0, 4.0 }) { // ωh
 		CAPTURE(turn);
 		const double h = double(TICK) / 8;
 		const double stiffness = turn * turn / (h * h) / 2;

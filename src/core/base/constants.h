@@ -34,7 +34,7 @@ inline constexpr int MIN_CONTACT_SUBSTEPS = 4;
 
 /// Most contact substeps that touching bodies take because one of them needs as many force substeps [1]. Stiffer bodies
 /// take several force substeps in each.
-inline constexpr int MAX_CONTACT_SUBSTEPS = 16;
+inline constexpr int MAX_CONTACT_SUBSTEPS = 32;
 
 /// Speed [length/s, times WorldData::length_unit] below which a body counts as at rest, for its center of mass. Its
 /// points, root mean square weighted by mass, may be SLEEP_WOBBLE times as fast. Larger: bodies stop in the middle of a
@@ -51,9 +51,12 @@ inline constexpr Real SLEEP_SPEED_WEIGHTLESS = Real(0.02);
 inline constexpr Real DROWSY_TIME = Real(0.1);
 inline constexpr Real DROWSY_DECAY = Real(0.1);
 
-/// Acceleration [length/s², times WorldData::length_unit] from which a body that nothing holds is about to move, however
-/// slow it is. Larger: bodies in low gravity hang asleep in the air. Smaller: what is meant to float never sleeps.
-inline constexpr Real FREE_PULL = Real(0.01);
+/// Acceleration [length/s², times WorldData::length_unit] from which a slow body is about to move, as the mean over its
+/// drowsy time; and that from which bodies that touch are about to move together. Larger: bodies in low gravity or on
+/// smooth slopes fall asleep before they move. Smaller: what is meant to float never sleeps, nor does a pile while it
+/// settles (up to 0.09).
+inline constexpr Real FREE_PULL = Real(0.025);
+inline constexpr Real FREE_PULL_OF_MANY = Real(0.2);
 
 /// Time [s] that a contact island must have been at rest before it falls asleep.
 inline constexpr Real SLEEP_TIME = Real(0.5);
@@ -92,12 +95,12 @@ inline constexpr Real STABILITY_BUDGET = Real(1.3);
 inline constexpr int EXPLICIT_SUBSTEP_CAP = 32;
 
 /// Substeps of a body whose automatic choice is XPBD [1]. More make it stiffer and livelier.
-inline constexpr int XPBD_SUBSTEPS = 8;
+inline constexpr int XPBD_SUBSTEPS = 16;
 
 /// Angle Ωh [rad] by which the fastest wobble turns in a substep of XPBD at which the method is half way from the
 /// implicit midpoint rule to implicit Euler. Larger: stiffer bodies keep their wobble, and ring on where they are
 /// pressed. Smaller: they lose their bounce.
-inline constexpr Real XPBD_FAST_WOBBLE = 40;
+inline constexpr Real XPBD_FAST_WOBBLE = 20;
 
 /// Damping rate Γ as a share of the fastest wobble Ω from which XPBD is implicit Euler [1]: twice the damping ratio of
 /// that wobble. Such a body hardly wobbles. Larger: strongly damped thin bodies let fast ones through.
@@ -114,6 +117,10 @@ inline constexpr Real DEFAULT_SHAPE_MATCHING = Real(0.4);
 /// Half thickness given to a line segment [length, times WorldData::length_unit]. A point rests this far from the line,
 /// so that rounding can never put it on the other side. Larger: visible gap. Smaller: leaks far from the origin.
 inline constexpr Real LINEAR_SLOP = Real(0.001);
+
+/// Least half thickness of a segment, in steps by which positions are rounded at its place [1]. It exceeds LINEAR_SLOP
+/// beyond 100,000 px from the origin in float. Larger: visible gap there. Smaller: leaks there.
+inline constexpr Real ROUNDING_SLOP = 8;
 
 /// Depth up to which a one-way collider still holds a body, if it sets none [length, times WorldData::length_unit].
 /// Larger: bodies that have hardly come through from behind are held. Smaller: pressed bodies may fall through.

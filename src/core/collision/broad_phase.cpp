@@ -2,15 +2,9 @@
 // A hashed grid of several cell sizes.
 #include "core/collision/broad_phase.h"
 
-#include "core/base/hash.h"
-
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
-#include <type_traits>
 
 namespace softbody {
 
@@ -24,30 +18,24 @@ constexpr Real MOST_MOVED = Real(0.3);
 
 constexpr std::size_t BODIES_A_TASK = 256;
 
-// Extent of the largest bodies of a level, and side of the squares by which pairs are grouped, in the level's unit. Two
-// bodies of a level that touch are less than 2 units apart, so the first bodies of two pairs that share a body are less
-// than 4 units apart.
-constexpr Real GROUPED_EXTENT = Real(1.99);
-constexpr Real GROUP_SQUARE = 4;
-constexpr std::uint32_t SQUARE_COLORS = 4;
+// Bodies of a slab [1]. Larger: less to do side by side. Smaller: groups that are not worth a task.
+constexpr std::uint32_t SLAB_BODIES = 128;
 
-// Level of pairs with a body whose extent is not finite or too large. All of them form one group, after all others.
-constexpr std::uint32_t UNGROUPED = 1 << 16;
+// Most that the circles of a pair may differ in size to count as a link [1]. A body that is about to be reset may reach
+// over all others, and must not change the order of their pairs.
+constexpr Real MOST_RATIO = 16;
 
-// The least n with extent < GROUPED_EXTENT 2^n, counted from LOWEST_LEVEL.
-constexpr int LOWEST_LEVEL = std::numeric_limits<Real>::min_exponent - 2;
-
-std::uint32_t level_of(Real extent) {
-	constexpr int DIGITS = std::numeric_limits<Real>::digits - 1; // of the fraction; the exponent lies above it
-	using Bits = std::conditional_t<sizeof(Real) == 8, std::uint64_t, std::uint32_t>;
-	if (!(extent < std::numeric_limits<Real>::max() / GROUP_SQUARE)) {
-		return UNGROUPED;
-	}
-	return std::uint32_t(std::bit_cast<Bits>(extent / GROUPED_EXTENT) >> DIGITS); // valid as the extent is not negative
+Aabb box_of(const BroadPhaseBody &body) {
+	return Aabb{ body.center, body.center }.grown(body.radius);
 }
 
-Real unit_of(std::uint32_t level) {
-	return std::ldexp(Real(1), int(level) + LOWEST_LEVEL + 1);
+bool are_alike(const BroadPhaseBody &a, const BroadPhaseBody &b) {
+	return a.radius <= MOST_RATIO * b.radius && b.radius <= MOST_RATIO * a.radius;
+}
+
+bool may_touch(const BroadPhaseBody &a, const BroadPhaseBody &b) {
+	const Real reach = a.radius + b.radius;
+	return length_squared(a.center - b.center) <= reach * reach;
 }
 
 } // namespace
@@ -60,8 +48,9 @@ void BroadPhase::update(std::span<const BroadPhaseBody> bodies, std::uint64_t ve
 	has_moved_.assign(bodies.size(), 0);
 	moved_.clear();
 	for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-		if (!same_bodies || !boxes_[i].contains(bodies[i].box)) {
-			boxes_[i] = bodies[i].box.grown(BOX_MARGIN * bodies[i].box.extent());
+		const Aabb box = box_of(bodies[i]);
+		if (!same_bodies || !boxes_[i].contains(box)) {
+			boxes_[i] = box.grown(BOX_MARGIN * box.extent());
 			has_moved_[i] = 1;
 			moved_.push_back(i);
 		}
@@ -152,7 +141,7 @@ void BroadPhase::keep_overlapping(std::span<const BroadPhaseBody> bodies, std::s
 	for (const BodyPair pair : found_) {
 		const BroadPhaseBody &a = bodies[pair.a];
 		const BroadPhaseBody &b = bodies[pair.b];
-		if (!(a.rests && b.rests) && a.box.overlaps(b.box)) {
+		if (!(a.rests && b.rests) && may_touch(a, b)) {
 			overlapping_.push_back(pair);
 		}
 	}
@@ -161,78 +150,99 @@ void BroadPhase::keep_overlapping(std::span<const BroadPhaseBody> bodies, std::s
 	}
 }
 
-// Pairs are sorted by the extent of their larger body into levels, each twice as large as the one before. For each
-// level the plane is divided into squares of GROUP_SQUARE of its units, colored by parity: (even, even), (odd, even),
-// ... A pair belongs to the square that holds the center of its first body. Two pairs of one level that share a body
-// have first bodies less than the side of a square apart. Different squares of one color are at least that far apart.
-// So such pairs are in one group, or in groups of different colors. The group of a pair depends on its two boxes alone,
-// so that distant events do not change the order in which the contacts of an island are solved.
-void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
-	constexpr std::uint32_t NONE = UINT32_MAX;
-	groups_.clear();
-	first_groups_.clear();
-	pairs_.resize(overlapping_.size());
-	squares_.clear();
-	square_at_.assign(std::bit_ceil(2 * overlapping_.size() + 4), NONE); // at most half full
-	const auto square_of = [&](std::uint64_t key, std::uint32_t color) {
-		std::size_t slot = std::size_t(mixed(key + color)) & (square_at_.size() - 1);
-		while (square_at_[slot] != NONE && (squares_[square_at_[slot]].key != key || squares_[square_at_[slot]].color != color)) {
-			slot = (slot + 1) & (square_at_.size() - 1);
+// Lists the links of each body: the other bodies of its pairs with bodies of like size.
+void BroadPhase::link_bodies(std::span<const BroadPhaseBody> bodies) {
+	starts_.assign(bodies.size() + 1, 0);
+	for (const BodyPair pair : overlapping_) {
+		if (are_alike(bodies[pair.a], bodies[pair.b])) {
+			++starts_[pair.a];
+			++starts_[pair.b];
 		}
-		if (square_at_[slot] == NONE) {
-			square_at_[slot] = std::uint32_t(squares_.size());
-			squares_.push_back({ key, color, 0 });
-		}
-		return square_at_[slot];
-	};
-	square_of_pair_.resize(overlapping_.size());
-	std::uint32_t last_body = NONE;
-	std::uint32_t last_level = NONE;
-	std::uint32_t last_square = NONE;
-	for (std::size_t i = 0; i < overlapping_.size(); ++i) {
-		const BodyPair pair = overlapping_[i];
-		const std::uint32_t level = level_of(std::max(bodies[pair.a].box.extent(), bodies[pair.b].box.extent()));
-		if (level == UNGROUPED) {
-			last_square = square_of(0, level * SQUARE_COLORS);
-		} else if (pair.a != last_body || level != last_level) {
-			const Real size = GROUP_SQUARE * unit_of(level);
-			const Vec2 center = bodies[pair.a].box.center();
-			const std::int32_t x = cell_coordinate(center.x, size);
-			const std::int32_t y = cell_coordinate(center.y, size);
-			last_square = square_of(cell_key(x, y), level * SQUARE_COLORS + std::uint32_t(x & 1) + 2 * std::uint32_t(y & 1));
-		}
-		last_body = pair.a;
-		last_level = level;
-		++squares_[last_square].count;
-		square_of_pair_[i] = last_square;
 	}
-	// Squares by color, in the order in which pairs first fell into them; then the pairs of each square.
-	in_order_.resize(squares_.size());
-	std::iota(in_order_.begin(), in_order_.end(), 0u);
-	std::ranges::sort(in_order_, [&](std::uint32_t a, std::uint32_t b) { // std::stable_sort would allocate each time
-		return squares_[a].color != squares_[b].color ? squares_[a].color < squares_[b].color : a < b;
-	});
-	std::uint32_t begin = 0;
-	std::uint32_t color = NONE;
-	for (const std::uint32_t i : in_order_) {
-		Square &square = squares_[i];
-		if (square.color != color) {
-			first_groups_.push_back(groups_.size());
-			color = square.color;
+	std::inclusive_scan(starts_.begin(), starts_.end(), starts_.begin());
+	links_.resize(starts_.back());
+	for (const BodyPair pair : overlapping_) {
+		if (are_alike(bodies[pair.a], bodies[pair.b])) {
+			links_[--starts_[pair.a]] = pair.b;
+			links_[--starts_[pair.b]] = pair.a;
 		}
-		const std::uint32_t end = begin + square.count;
-		groups_.push_back({ begin, end });
-		square.count = begin;
-		begin = end;
-	}
-	first_groups_.push_back(groups_.size());
-	for (std::size_t i = 0; i < overlapping_.size(); ++i) {
-		pairs_[squares_[square_of_pair_[i]].count++] = overlapping_[i];
 	}
 }
 
-std::span<const BroadPhase::Group> BroadPhase::groups(std::size_t color) const {
-	return { groups_.data() + first_groups_[color], first_groups_[color + 1] - first_groups_[color] };
+// Walks each island level by level, from its body of lowest index. A level is linked only to itself, the one before and
+// the one after. Consecutive levels form a slab. Small islands share one. Returns the number of slabs.
+std::uint32_t BroadPhase::find_slabs() {
+	constexpr std::uint32_t NONE = UINT32_MAX;
+	const std::uint32_t count = std::uint32_t(starts_.size() - 1);
+	slab_of_.assign(count, NONE);
+	std::uint32_t slab = 0;
+	std::uint32_t in_slab = 0; // bodies
+	for (std::uint32_t first = 0; first < count; ++first) {
+		if (slab_of_[first] != NONE || starts_[first] == starts_[first + 1]) {
+			continue;
+		}
+		level_.assign(1, first);
+		std::uint32_t levels = 0; // of this island, in the slab
+		for (slab_of_[first] = slab; !level_.empty(); level_.swap(next_level_)) {
+			++levels;
+			in_slab += std::uint32_t(level_.size());
+			// With two levels a slab's pairs with the slab before and with the slab after share no body.
+			if (in_slab >= SLAB_BODIES && levels >= 2) {
+				++slab;
+				in_slab = 0;
+				levels = 0;
+			}
+			next_level_.clear();
+			for (const std::uint32_t body : level_) {
+				for (std::uint32_t k = starts_[body]; k < starts_[body + 1]; ++k) {
+					if (slab_of_[links_[k]] == NONE) {
+						slab_of_[links_[k]] = slab;
+						next_level_.push_back(links_[k]);
+					}
+				}
+			}
+		}
+	}
+	return slab + 1;
+}
+
+// Three phases: pairs within a slab, pairs of a slab with the next, and pairs of bodies of unlike size.
+void BroadPhase::group_pairs(std::span<const BroadPhaseBody> bodies) {
+	link_bodies(bodies);
+	const std::uint32_t slabs = find_slabs();
+	group_of_pair_.resize(overlapping_.size());
+	group_ends_.assign(2 * slabs + 1, 0);
+	for (std::size_t i = 0; i < overlapping_.size(); ++i) {
+		const auto [a, b] = overlapping_[i];
+		std::uint32_t group = 2 * slabs;
+		if (are_alike(bodies[a], bodies[b])) {
+			group = slab_of_[a] == slab_of_[b] ? slab_of_[a] : slabs + std::min(slab_of_[a], slab_of_[b]);
+		}
+		group_of_pair_[i] = group;
+		++group_ends_[group];
+	}
+	groups_.clear();
+	first_groups_.assign(1, 0);
+	std::uint32_t begin = 0;
+	for (std::uint32_t group = 0; group <= 2 * slabs; ++group) {
+		const std::uint32_t end = begin + group_ends_[group];
+		if (begin < end) {
+			groups_.push_back({ begin, end });
+		}
+		group_ends_[group] = begin;
+		begin = end;
+		if (group + 1 == slabs || group + 1 == 2 * slabs || group == 2 * slabs) {
+			first_groups_.push_back(groups_.size());
+		}
+	}
+	pairs_.resize(overlapping_.size());
+	for (std::size_t i = 0; i < overlapping_.size(); ++i) {
+		pairs_[group_ends_[group_of_pair_[i]]++] = overlapping_[i];
+	}
+}
+
+std::span<const BroadPhase::Group> BroadPhase::groups(std::size_t phase) const {
+	return { groups_.data() + first_groups_[phase], first_groups_[phase + 1] - first_groups_[phase] };
 }
 
 } // namespace softbody

@@ -3,6 +3,7 @@
 #include "core/collision/collider_contact.h"
 
 #include "core/collision/convex_query.h"
+#include "core/geometry/circle.h"
 #include "core/geometry/segment.h"
 
 #include <algorithm>
@@ -66,14 +67,28 @@ std::optional<SurfaceContact> find_entered_edge(const HullMotion &hull, Vec2 fro
 		depth };
 }
 
+// A point that starts on a segment, or beside it by a rounding, came from the side on which its body is. `p` lies at
+// `distance` from the segment's line; the result at `apart`.
+Vec2 put_beside(const Collider &segment, Vec2 p, Real distance, Vec2 center, Real apart) {
+	const Real side = distance_to_line(segment, center) < 0 ? -apart : apart;
+	const Vec2 edge = segment.vertices[1] - segment.vertices[0];
+	return p + Vec2{ edge.y, -edge.x } * ((side - distance) / length(edge));
+}
+
 } // namespace
 
 std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std::size_t point,
 		const Collider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop) {
-	const Vec2 from = motion.own_from(hull.from[point]);
+	Vec2 from = motion.own_from(hull.from[point]);
 	const Vec2 to = motion.own_to(hull.to[point]);
 	if (!Aabb::between(from, to).overlaps(bounds)) {
 		return {};
+	}
+	if (collider.vertices.size() == 2) {
+		const Real distance = distance_to_line(collider, from);
+		if (std::abs(distance) < slop / 2) {
+			from = put_beside(collider, from, distance, motion.own_from(mean_of(hull.from.first(hull.to.size()))), slop / 2);
+		}
 	}
 	const auto contact = find_point_contact(collider, from, to, slop);
 	if (!contact) {

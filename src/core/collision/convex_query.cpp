@@ -19,6 +19,13 @@ Vec2 face_normal(const std::vector<Vec2> &vertices, std::size_t i) {
 	return { edge.y / size, -edge.x / size };
 }
 
+// Distance of p in front of that edge. From exact differences in double: beside an edge of 10^6 px a float product would
+// be off by more than a contact is deep.
+Real face_distance(const std::vector<Vec2> &vertices, std::size_t i, Vec2 p) {
+	const Vec2d edge = difference(vertices[(i + 1) % vertices.size()], vertices[i]);
+	return Real(cross(difference(p, vertices[i]), edge) / length(edge));
+}
+
 SurfaceDistance distance_from_core(Vec2 offset, Vec2 fallback, Real radius) {
 	const Real size = length(offset);
 	return { size - radius, size > 0 ? offset * (1 / size) : fallback };
@@ -29,32 +36,31 @@ bool is_inner(const Collider &collider, std::size_t edge) {
 }
 
 // Beside the segment the normal is its own. The direction from the nearest place would be rounding where the point is
-// near and the ends are far. The distance is measured from the nearer end for the same reason.
+// near and the ends are far.
 SurfaceDistance segment_distance(const std::vector<Vec2> &vertices, Vec2 p, Real radius) {
 	const Vec2 normal = face_normal(vertices, 0);
 	const Real t = closest_parameter_on_segment(p, vertices[0], vertices[1]);
 	if (!(t > 0 && t < 1)) {
 		return distance_from_core(p - vertices[t > 0 ? 1 : 0], normal, radius);
 	}
-	const Real side = dot(normal, p - vertices[t < Real(0.5) ? 0 : 1]);
+	const Real side = face_distance(vertices, 0, p);
 	return { std::abs(side) - radius, side < 0 ? -normal : normal };
 }
 
 // The largest distance of p to the face lines, or to those of outer faces: negative inside.
-SurfaceDistance face_distance(const Collider &collider, Vec2 p, bool outer_only) {
+SurfaceDistance nearest_face(const Collider &collider, Vec2 p, bool outer_only) {
 	SurfaceDistance nearest{ -std::numeric_limits<Real>::max(), {} };
 	for (std::size_t i = 0; i < collider.vertices.size(); ++i) {
-		const Vec2 normal = face_normal(collider.vertices, i);
-		const Real distance = dot(normal, p - collider.vertices[i]);
+		const Real distance = face_distance(collider.vertices, i, p);
 		if (distance > nearest.distance && !(outer_only && is_inner(collider, i))) {
-			nearest = { distance, normal };
+			nearest = { distance, face_normal(collider.vertices, i) };
 		}
 	}
 	return nearest;
 }
 
 SurfaceDistance polygon_distance(const Collider &collider, Vec2 p) {
-	SurfaceDistance nearest = face_distance(collider, p, false);
+	SurfaceDistance nearest = nearest_face(collider, p, false);
 	if (nearest.distance > 0 && collider.radius > 0) {
 		// Outside the core polygon the rounded surface lies at `radius` from its closest point.
 		return distance_from_core(p - nearest_place(collider.vertices, p).position, nearest.normal, collider.radius);
@@ -91,14 +97,13 @@ std::optional<PointContact> swept_segment(const Collider &collider, Vec2 from, V
 	if (side == 0 || !segment_intersection(from, to, a, b)) {
 		return {};
 	}
-	const Vec2 normal = face_normal(collider.vertices, 0) * (side > 0 ? Real(-1) : Real(1));
-	const Vec2 nearer_end = length_squared(to - a) < length_squared(to - b) ? a : b;
-	return PointContact{ normal, radius - dot(normal, to - nearer_end) };
+	const Real sign = side > 0 ? Real(-1) : Real(1);
+	return PointContact{ face_normal(collider.vertices, 0) * sign, radius - sign * face_distance(collider.vertices, 0, to) };
 }
 
 // The nearest face that is not internal. If all faces are internal, the nearest face.
 SurfaceDistance way_out(const Collider &collider, Vec2 p) {
-	const SurfaceDistance nearest = face_distance(collider, p, true);
+	const SurfaceDistance nearest = nearest_face(collider, p, true);
 	return length_squared(nearest.normal) > 0 ? nearest : polygon_distance(collider, p);
 }
 
@@ -113,8 +118,8 @@ std::optional<PointContact> polygon_contact(const Collider &collider, Vec2 from,
 	bool ends_inside = true;
 	for (std::size_t i = 0; i < vertices.size(); ++i) {
 		const Vec2 normal = face_normal(vertices, i);
-		const Real before = dot(normal, from - vertices[i]);
-		const Real after = dot(normal, to - vertices[i]);
+		const Real before = face_distance(vertices, i, from);
+		const Real after = face_distance(vertices, i, to);
 		// The passage is searched in the polygon shrunk by the slop. A point resting on a face may lie behind it by
 		// rounding, and must still count as coming through it.
 		const Real in_front = before + slop;
@@ -173,8 +178,8 @@ std::optional<PointContact> outline_contact(const Collider &collider, Vec2 from,
 	PointContact entered;
 	for (std::size_t i = 0; i < vertices.size(); ++i) {
 		const Vec2 normal = face_normal(vertices, i);
-		const Real before = dot(normal, from - vertices[i]);
-		const Real after = dot(normal, to - vertices[i]);
+		const Real before = face_distance(vertices, i, from);
+		const Real after = face_distance(vertices, i, to);
 		if (!(after < 0 && before >= -slop && before > after)) {
 			continue; // the point did not cross this face from its front
 		}
@@ -219,6 +224,10 @@ SurfaceDistance surface_distance(const Collider &collider, Vec2 p, Real least_ra
 		default:
 			return collider.concave ? outline_distance(collider, p) : polygon_distance(collider, p);
 	}
+}
+
+Real distance_to_line(const Collider &segment, Vec2 p) {
+	return face_distance(segment.vertices, 0, p);
 }
 
 std::optional<PointContact> find_point_contact(const Collider &collider, Vec2 from, Vec2 to, Real slop) {

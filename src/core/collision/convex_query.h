@@ -20,6 +20,10 @@ struct SurfaceDistance {
 /// `least_radius` thickens shapes of fewer than three vertices, which have no inside. O(vertices).
 SurfaceDistance surface_distance(const Collider &collider, Vec2 p, Real least_radius = 0);
 
+/// Signed distance of p from the line through a segment, positive on the side of its first face normal, the direction
+/// from the first to the second vertex turned from y towards x. Precondition: two vertices.
+Real distance_to_line(const Collider &segment, Vec2 p);
+
 /// A point that entered or passed a collider.
 struct PointContact {
 	Vec2 normal; ///< unit, from the collider towards the start of the point

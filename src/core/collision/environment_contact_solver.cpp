@@ -21,6 +21,12 @@ Real fastest(std::span<const Vec2> velocities) {
 	return std::sqrt(greatest_lane(most));
 }
 
+// Far from the origin, positions are rounded to more than LINEAR_SLOP.
+Real slop_at(const Aabb &place, Real length_unit) {
+	const Real farthest = std::max({ -place.min.x, -place.min.y, place.max.x, place.max.y });
+	return std::max(LINEAR_SLOP * length_unit, ROUNDING_SLOP * farthest * std::numeric_limits<Real>::epsilon());
+}
+
 constexpr Aabb NOWHERE{ { std::numeric_limits<Real>::quiet_NaN(), 0 }, { std::numeric_limits<Real>::quiet_NaN(), 0 } };
 
 } // namespace
@@ -35,6 +41,12 @@ Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Rea
 		return NOWHERE;
 	}
 	return std::isfinite(way) ? box.grown(way + std::max(size.x, size.y) / 16) : box;
+}
+
+Circle sweep_circle(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt) {
+	const Circle circle = circle_around(hull);
+	const Real way = fastest(velocities) * dt;
+	return std::isfinite(way) ? Circle{ circle.center, circle.radius * Real(1.125) + way } : circle;
 }
 
 bool EnvironmentContactSolver::begin_body(const ColliderIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt,
@@ -65,6 +77,7 @@ void EnvironmentContactSolver::forget_one_ways(SoftBodyData &body) const {
 
 void EnvironmentContactSolver::gather(const SoftBodyData &body, Real margin) {
 	near().reach = bounding_box(body.hull()).grown(margin);
+	near().slop = slop_at(near().reach, surroundings_->world().length_unit());
 	surroundings_->collect(near().reach, near().colliders);
 	std::erase_if(near().colliders, [&](std::uint32_t i) {
 		return !notices(body, surroundings_->world().colliders()[i].surface);
@@ -149,11 +162,16 @@ void EnvironmentContactSolver::solve_collider(SoftBodyData &body, const HullMoti
 		seen.from = starts_;
 	}
 	Real pressed = 0;
+	// A point in an inner corner of a concave outline has passed two of its edges, and leaves through one after the other.
+	const int most = collider.concave && !corners ? 2 : 1;
 	const std::size_t count = corners ? collider.vertices.size() : hull.to.size();
 	for (std::uint32_t i = 0; i < count; ++i) {
-		const auto contact = corners ? find_contact_of_corner(hull, box, collider, i, motion, slop())
-									 : find_contact_of_point(seen, i, collider, motion, box, slop());
-		if (contact && (!one_way || one_way->counts(*contact, hull))) {
+		for (int edge = 0; edge < most; ++edge) {
+			const auto contact = corners ? find_contact_of_corner(hull, box, collider, i, motion, slop())
+										 : find_contact_of_point(seen, i, collider, motion, box, slop());
+			if (!contact || (one_way && !one_way->counts(*contact, hull))) {
+				break;
+			}
 			pressed += solve(body, *contact, surface, corners ? ContactPoint::CORNER | i : i);
 		}
 	}

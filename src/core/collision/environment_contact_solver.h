@@ -9,6 +9,7 @@
 #include "core/collision/one_way.h"
 #include "core/collision/surface_constraint.h"
 #include "core/collision/collider_index.h"
+#include "core/geometry/circle.h"
 #include "core/geometry/polygon.h"
 #include "core/model/world_data.h"
 
@@ -42,7 +43,7 @@ public:
 private:
 	Real solve(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, std::uint32_t feature);
 	std::uint32_t index_of(const SoftBodyData &body) const;
-	Real slop() const { return LINEAR_SLOP * surroundings_->world().length_unit(); }
+	Real slop() const { return near().slop; }
 	ColliderMotion motion_of(const Collider &collider) const;
 	void gather(const SoftBodyData &body, Real margin);
 	void handle_borders(SoftBodyData &body);
@@ -61,6 +62,7 @@ private:
 		std::vector<std::uint32_t> colliders; ///< colliders that the body may meet
 		Aabb reach; ///< box for which `colliders` is complete
 		Real margin = 0;
+		Real slop = 0; ///< half thickness of bare segments [length]
 		Real elapsed = 0; ///< time since the step began, at the start of the coming substep [s]
 		bool has_one_way = false; ///< whether `colliders` holds a one-way collider
 	};
@@ -84,6 +86,10 @@ private:
 /// Box that contains the hull for `dt` [s] at its present velocities, with a margin. For a hull that is not finite, a
 /// box that overlaps nothing.
 Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt);
+
+/// Circle that contains the hull for `dt` [s] at its present velocities, with a margin, about the mean of its points. For
+/// a hull that is not finite, one that overlaps nothing.
+Circle sweep_circle(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt);
 
 /// Depth of a body inside the environment at its present pose [length]: the largest depth of a hull point in a border
 /// or collider that the body notices, or of a collider's corner or round end in the hull. 0 when apart. O(hull points ×

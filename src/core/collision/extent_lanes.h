@@ -33,7 +33,11 @@ BasicExtent<T> measure_extent(std::span<const BasicVec2<T>> now, std::span<const
 		max = { greater(p.x, max.x), greater(p.y, max.y) };
 		longest = greater(length_squared(p - before[i]), longest);
 	}
-	const BasicVec2<T> center = (min + max) * T(Real(0.5));
+	BasicVec2<T> sum; // as in `mean_of`
+	for (const BasicVec2<T> &p : now) {
+		sum += p - now[0];
+	}
+	const BasicVec2<T> center = now[0] + sum * T(1 / Real(now.size()));
 	T farthest(0);
 	for (const BasicVec2<T> &p : now) {
 		farthest = greater(length_squared(p - center), farthest);

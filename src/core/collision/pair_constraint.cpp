@@ -4,6 +4,7 @@
 
 #include "core/base/constants.h"
 #include "core/base/pack.h"
+#include "core/geometry/circle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,14 +28,9 @@ void SolverBody::measure_extent() {
 	}
 	way = std::sqrt(greatest_lane(longest));
 	box = around.joined();
-	center = (box.min + box.max) * Real(0.5);
-	const BasicVec2<RealPack> middle = in_all_lanes<RealPack>(center);
-	RealPack farthest(0);
-	for (std::size_t i = 0; i < packs; ++i) {
-		farthest = greater(length_squared(pack_of(now, i) - middle), farthest);
-	}
-	// The start positions are no farther away than the longest path.
-	radius = std::sqrt(greatest_lane(farthest)) + way;
+	const Circle circle = circle_around(now);
+	center = circle.center;
+	radius = circle.radius + way; // the start positions are no farther away than the longest path
 	box = box.grown(way);
 }
 
@@ -62,7 +58,7 @@ void resist_pair_rolling(SolverBody &a, SolverBody &b, Real normal_impulse) {
 	if (!(inverse_mass > 0)) {
 		return;
 	}
-	const Real most = std::min(a.rolling_resistance, b.rolling_resistance) * std::min(a.rolling_radius, b.rolling_radius) *
+	const Real most = std::min(a.rolling_resistance, b.rolling_resistance) * std::min(a.rest_radius, b.rest_radius) *
 			normal_impulse;
 	const Real impulse = std::clamp((b.spin - a.spin) / inverse_mass, -most, most);
 	if (!std::isfinite(impulse)) {
@@ -91,7 +87,7 @@ bool part_bodies(SolverBody &body, SolverBody &other, Vec2 direction, Real dista
 	if (!(inverse_mass > 0)) {
 		return false;
 	}
-	const Real most = DEEP_OVERLAP * std::min(body.radius, other.radius);
+	const Real most = DEEP_OVERLAP * std::min(body.reach(), other.reach());
 	const Vec2 shift = direction * (std::min(distance, most) / inverse_mass);
 	if (!is_finite(shift)) {
 		return false;

@@ -20,7 +20,7 @@ namespace softbody {
 struct alignas(64) SolverBody { // one cache line holds all that is read for a pair that does not touch
 	// Set by `measure_extent`.
 	Aabb box; ///< around the hull's points, now and before; may be too large by `way`
-	Vec2 center; ///< of a circle around the hull's points, now and before
+	Vec2 center; ///< mean of the hull's points, center of a circle around them, now and before
 	Real radius = 0; ///< of that circle [length]
 	Real way = 0; ///< longest path of a hull point in this substep [length]
 	Real width = 0; ///< of the body's thinner part (SoftBodyShape::width) [length]
@@ -37,13 +37,15 @@ struct alignas(64) SolverBody { // one cache line holds all that is read for a p
 	std::span<Vec2> velocities;
 	std::span<const Real> inverse_masses;
 	Real rolling_resistance = 0;
-	Real rolling_radius = 0; ///< [length]
+	Real rest_radius = 0; ///< of the shape at rest [length]
 	// Set by `take_frame`; changed by `resist_pair_rolling`.
 	Vec2 mass_center;
 	Real inertia = 0; ///< about the mass center [mass·length²]
 	Real spin = 0; ///< angular velocity [rad/s]
 	Real spin_change = 0;
 
+	/// Measure of the body's size for deep contacts, the same from all directions [length].
+	Real reach() const { return rest_radius + way; }
 	std::span<Vec2> hull() const { return positions.first(before.size()); }
 	/// Stores the hull points as `before`.
 	void begin_substep();
@@ -99,7 +101,7 @@ inline Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairCo
 	const Vec2 relative_way = body.positions[p] - body.before[p] - edge_way;
 	Real push = depth;
 	if (!is_fresh && body.inverse_mass + other.inverse_mass > 0) {
-		const Real size = std::min(body.radius, other.radius);
+		const Real size = std::min(body.reach(), other.reach());
 		const Real fresh = std::max(-dot(relative_way, normal), Real(0));
 		if (depth > fresh + DEEP_OVERLAP * size) {
 			part_bodies(body, other, normal, depth - fresh);

@@ -3,6 +3,7 @@
 #include "core/collision/pair_contact_solver.h"
 
 #include "core/base/constants.h"
+#include "core/geometry/circle.h"
 #include "core/geometry/segment.h"
 
 #include <algorithm>
@@ -33,12 +34,8 @@ std::size_t PairContactSolver::handle(SolverBody &a, SolverBody &b) {
 
 // Two hulls can cross without a point of either inside the other; then contacts of points cannot separate them.
 bool PairContactSolver::handle_crossing(SolverBody &a, SolverBody &b) {
-	const auto middle = [](const SolverBody &body) {
-		const Aabb box = bounding_box(body.hull());
-		return (box.min + box.max) * Real(0.5);
-	};
-	const Vec2 middle_a = middle(a);
-	const Vec2 middle_b = middle(b);
+	const Vec2 middle_a = mean_of(a.hull());
+	const Vec2 middle_b = mean_of(b.hull());
 	// Both middles must lie inside both bodies. The middle of a bent body may be outside it, and a ball may be pressed
 	// onto the middle of a plank.
 	for (const SolverBody *body : { &a, &b }) {
@@ -49,7 +46,7 @@ bool PairContactSolver::handle_crossing(SolverBody &a, SolverBody &b) {
 	}
 	const Vec2 way = middle_a - middle_b;
 	const Real distance = length(way);
-	const Real most = std::min(a.radius, b.radius);
+	const Real most = std::min(a.reach(), b.reach());
 	const Vec2 direction = distance > DEGENERATE_LENGTH * most ? way * (1 / distance) : Vec2{ 1, 0 };
 	if (!part_bodies(a, b, direction, most)) {
 		return false;

@@ -14,7 +14,7 @@ namespace softbody {
 namespace {
 
 constexpr std::size_t BODIES_A_TASK = 64;
-constexpr std::size_t GROUPS_A_TASK = 4;
+constexpr std::size_t GROUPS_A_TASK = 1;
 
 // Number of pairs by which the data of a body is prefetched ahead, and then its points.
 constexpr std::uint32_t BODIES_AHEAD = 8;
@@ -78,7 +78,7 @@ PairContacts::PairContacts() :
 		solvers_(MOST_SLICES), contacts_(MOST_SLICES) {}
 
 void PairContacts::begin_arranging() {
-	boxes_.clear();
+	circles_.clear();
 	layers_ = 0;
 	masks_ = 0;
 	bounces_ = false;
@@ -86,7 +86,7 @@ void PairContacts::begin_arranging() {
 }
 
 void PairContacts::add_body(const BodySettings &settings) {
-	boxes_.push_back({ {}, settings.collision_layer, settings.collision_mask });
+	circles_.push_back({ {}, 0, settings.collision_layer, settings.collision_mask });
 	layers_ |= settings.collision_layer;
 	masks_ |= settings.collision_mask;
 	bounces_ |= settings.restitution > 0;
@@ -100,20 +100,22 @@ void PairContacts::forget_step() {
 
 void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t version,
 		std::span<const BodyPair> separated, const ParallelFor &parallel_for) {
-	is_used_ = boxes_.size() > 1 && (layers_ & masks_) != 0;
+	is_used_ = circles_.size() > 1 && (layers_ & masks_) != 0;
 	if (!is_used_) {
 		return;
 	}
-	run_slices(parallel_for, boxes_.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
+	run_slices(parallel_for, circles_.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			const SolverBody &body = bodies.solver_bodies[i];
-			boxes_[i].rests = bodies.asleep[i] != 0;
-			boxes_[i].box = bodies.asleep[i] ? body.box : sweep_box(body.positions.first(body.before.size()), body.velocities, dt);
+			circles_[i].rests = bodies.asleep[i] != 0;
+			const Circle circle = bodies.asleep[i] ? Circle{ body.center, body.radius } : sweep_circle(body.hull(), body.velocities, dt);
+			circles_[i].center = circle.center;
+			circles_[i].radius = circle.radius;
 		}
 	});
 	find_exceptions(bodies, separated);
-	broad_phase_.update(boxes_, version, parallel_for, exceptions_);
-	has_pair_.assign(boxes_.size(), 0);
+	broad_phase_.update(circles_, version, parallel_for, exceptions_);
+	has_pair_.assign(circles_.size(), 0);
 	for (const BodyPair pair : broad_phase_.pairs()) {
 		has_pair_[pair.a] = 1;
 		has_pair_[pair.b] = 1;
@@ -140,7 +142,7 @@ void PairContacts::recall_touches(const PairBodies &bodies) {
 		return;
 	}
 	open_.clear();
-	for (std::uint32_t active_index = 0; active_index < boxes_.size(); ++active_index) {
+	for (std::uint32_t active_index = 0; active_index < circles_.size(); ++active_index) {
 		for (const PairMemory &memory : bodies.data(active_index).pair_memories()) {
 			const std::uint32_t other = active_index_of(bodies, memory.other);
 			if (other != NOT_ACTIVE) {
@@ -172,8 +174,11 @@ void PairContacts::solve(const PairBodies &bodies, const SubstepGroup &group, co
 	const auto bounce_threshold = [&](BodyPair pair) {
 		return RESTITUTION_SUBSTEPS * h_ * std::max(pull_on(bodies, pair.a), pull_on(bodies, pair.b));
 	};
-	for (std::size_t color = 0; color < broad_phase_.color_count(); ++color) {
-		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(color);
+	for (std::size_t phase = 0; phase < broad_phase_.phase_count(); ++phase) {
+		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(phase);
+		if (groups.empty()) {
+			continue;
+		}
 		run_slices(parallel_for, groups.size(), GROUPS_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
 			PairContactSolver &handling = solvers_[task];
 			std::uint64_t all_contacts = 0;
@@ -212,7 +217,7 @@ void PairContacts::end_step(const PairBodies &bodies) {
 	if (!is_used_ || !bounces_) {
 		return;
 	}
-	for (std::uint32_t active_index = 0; active_index < boxes_.size(); ++active_index) {
+	for (std::uint32_t active_index = 0; active_index < circles_.size(); ++active_index) {
 		bodies.data(active_index).pair_memories().clear();
 	}
 	const std::span<const BodyPair> all = pairs();

@@ -79,7 +79,7 @@ private:
 	// One for each task, so that no two threads share scratch memory.
 	std::vector<PairContactSolver> solvers_;
 	std::vector<std::uint64_t> contacts_;
-	std::vector<BroadPhaseBody> boxes_; ///< one for each active index
+	std::vector<BroadPhaseBody> circles_; ///< one for each active index
 	std::vector<char> has_pair_; ///< one for each active index
 	// One for each pair.
 	std::vector<char> touched_; ///< in this step

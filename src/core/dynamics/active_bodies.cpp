@@ -123,7 +123,7 @@ void ActiveBodies::add_body(std::uint32_t body_index, KindFinder &finder, Real d
 	solver_body.width = body.shape().width();
 	solver_body.friction = signed_friction(settings.friction, settings.rough);
 	solver_body.rolling_resistance = settings.rolling_resistance;
-	solver_body.rolling_radius = body.shape().radius();
+	solver_body.rest_radius = body.shape().radius();
 	solver_body.body_index = body_index;
 	solver_body.is_monitored = settings.contact_monitor;
 }

@@ -70,10 +70,17 @@ std::uint32_t BodyStepper::lanes_solved_alone(const Batch &batch, const TimeSlic
 	return lanes != 0 && has_borders ? all : lanes;
 }
 
-// Other bodies may have pushed a body through a thin wall since its contacts with colliders were last solved.
-const Vec2 *BodyStepper::sweep_start(std::uint32_t active_index, const TimeSlice &slice) const {
-	const bool was_pushed = slice.elapsed > 0 && context_->colliders.has_colliders();
-	return was_pushed ? context_->bodies.sweep_start(active_index).data() : nullptr;
+// Other bodies, or the body itself, may have pushed it through a thin wall since its contacts with colliders were last
+// solved, in this step or in the last one.
+const Vec2 *BodyStepper::sweep_start(std::uint32_t active_index, std::uint32_t body_index, const TimeSlice &slice) {
+	if (!context_->colliders.has_colliders()) {
+		return nullptr;
+	}
+	if (slice.elapsed > 0) {
+		return context_->bodies.sweep_start(active_index).data();
+	}
+	const std::vector<Vec2> &outside = body(body_index).last_valid_hull();
+	return outside.empty() ? nullptr : outside.data();
 }
 
 void BodyStepper::keep_start(const Batch &batch, std::size_t lane) {
@@ -126,7 +133,7 @@ void BodyStepper::advance_lanes(const Batch &batch, const TimeSlice &slice, Stat
 	}
 	for (std::size_t lane = 0; lanes.solved_alone != 0 && lane < batch.count; ++lane) {
 		keep_start(batch, lane);
-		const Vec2 *sweep = sweep_start(batch.active_indices[lane], slice);
+		const Vec2 *sweep = sweep_start(batch.active_indices[lane], batch.body_indices[lane], slice);
 		std::copy_n(sweep != nullptr ? sweep : batch.states[lane], hull_count, contacts.before(lane).begin());
 	}
 	const LaneResult result = lanes_for(batch).advance(lanes, prefetch);
@@ -178,12 +185,8 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 	const std::span<Vec2> before(before_.data(), count);
 	collision_.begin_body(context_->colliders, data, slice.elapsed, slice.duration);
 	const bool meets_itself = data.settings().self_collision && !slice.is_coupled;
-	// Contacts of the body with itself must not carry it through a thin wall either, not even between two steps.
 	std::vector<Vec2> &outside = data.last_valid_hull();
-	const Vec2 *sweep = sweep_start(active_index, slice);
-	if (sweep == nullptr && !outside.empty()) {
-		sweep = outside.data();
-	}
+	const Vec2 *sweep = sweep_start(active_index, body_index, slice);
 	for (int i = 0; i < substeps; ++i) {
 		std::ranges::copy(data.positions(), before.begin());
 		if (meets_itself) {
@@ -230,6 +233,12 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 	context_->bodies.has_touch(active_index) = char(data.touch_memory().touching);
 }
 
+void BodyStepper::forget_pushes(const Batch &batch) {
+	for (std::uint32_t lane = 0; context_->colliders.has_colliders() && !batch.settings->self_collision && lane < batch.count; ++lane) {
+		body(batch.body_indices[lane]).last_valid_hull().clear();
+	}
+}
+
 void BodyStepper::time_rest(const Batch &batch, Real dt) {
 	const WorldData &world = context_->world;
 	const std::span<const Real> masses = batch.shape->masses();
@@ -250,7 +259,16 @@ void BodyStepper::time_rest(const Batch &batch, Real dt) {
 				twice_energy < slow * slow * mass * wobble * wobble;
 		RestState &rest = data.rest_state();
 		rest.rest_time = is_slow ? rest.rest_time + dt : Real(0);
+		rest.pulled &= is_slow;
 		if (batch.settings->can_sleep && rest.rest_time > DROWSY_TIME) {
+			if (rest.rest_time - dt <= DROWSY_TIME) {
+				rest.drowsy_center = measure_frame(data).center;
+				rest.drowsy_velocity = momentum * (1 / mass);
+				continue; // slowed from the next step on
+			}
+			if (rest.pulled) {
+				continue;
+			}
 			const Real keep = std::max(Real(0), 1 - dt / DROWSY_DECAY);
 			for (std::size_t i = 0; i < masses.size(); ++i) {
 				velocities[i] *= keep;

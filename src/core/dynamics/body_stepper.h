@@ -39,10 +39,12 @@ public:
 	/// Stores the positions at the start of the step, for interpolation.
 	void begin(const Batch &batch);
 	/// Advances every body of the batch by its substeps of the slice, each ended by the contacts with the environment.
-	/// Resets bodies that are no longer finite or that flew apart (CREDIBLE_REACH). In a coupled slice after the first,
-	/// the path of a body starts where its contacts with colliders were last solved. A coupled slice ends by measuring
+	/// Resets bodies that are no longer finite or that flew apart (CREDIBLE_REACH). After a coupled slice, in this
+	/// step or the last, the path of a body starts where its contacts with colliders were last solved. A coupled slice ends by measuring
 	/// extents (`SolverBody::measure_extent`). Prefetches all of `prefetch` meanwhile.
 	void advance(const Batch &batch, const TimeSlice &slice, StatePrefetch &prefetch);
+	/// Forgets what had pushed bodies that nothing pushes any more (SoftBodyData::last_valid_hull).
+	void forget_pushes(const Batch &batch);
 	/// Solves the contacts of a body with itself, after other bodies have pushed it in a substep of `h` [s].
 	void solve_self_contacts(std::uint32_t active_index, Real h);
 	/// Adds `dt` [s] to the rest time of the bodies that hardly move, and sets that of the others to 0. Slows bodies
@@ -75,7 +77,7 @@ private:
 	void keep_start(const Batch &batch, std::size_t lane);
 	void restore_start(const Batch &batch, std::size_t lane) const;
 	/// Hull points where the path of a body through the environment starts; null for its present position.
-	const Vec2 *sweep_start(std::uint32_t active_index, const TimeSlice &slice) const;
+	const Vec2 *sweep_start(std::uint32_t active_index, std::uint32_t body_index, const TimeSlice &slice);
 	void reset(std::uint32_t body_index, Real dt);
 	SoftBodyData &body(std::uint32_t body_index) const { return context_->world.soft_bodies()[body_index]; }
 

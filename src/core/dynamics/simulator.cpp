@@ -82,7 +82,7 @@ StepReport Simulator::simulate(Real dt) {
 		report_contacts(dt);
 	}
 	if (world_.has_sleeping()) {
-		let_sleep(dt);
+		let_sleep();
 	}
 	collect(report);
 	timer_.lap(profile_.end);
@@ -110,6 +110,11 @@ void Simulator::begin_step(Real dt) {
 				[](const SoftBodyData &body) { return body.acceleration() != Vec2{}; });
 	}
 	pin_motion_.begin_step(world_, dt, is_rearranged);
+	if (std::exchange(had_colliders_, surroundings_.has_colliders()) && !had_colliders_) {
+		for (SoftBodyData &body : world_.soft_bodies()) {
+			body.last_valid_hull().clear(); // it would say nothing of colliders that come later
+		}
+	}
 	const bool borders_bounce =
 			std::ranges::any_of(world_.borders(), [](const Border &border) { return border.surface.restitution != 0; });
 	for (BodyStepper &stepper : steppers_) {
@@ -185,6 +190,7 @@ void Simulator::step_free(Real dt) {
 	for_batches(free_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &prefetch) {
 		stepper.begin(batch);
 		stepper.advance(batch, { 0, dt, 1, false }, prefetch);
+		stepper.forget_pushes(batch);
 		if (batch.settings->turns_with_body()) {
 			stepper.remember_rotations(batch, stepper.measure_frames(batch));
 		}
@@ -207,7 +213,7 @@ void Simulator::step_coupled(Real dt) {
 	resist_rolling_between_bodies();
 	for_batches(coupled_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
 		for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
-			if (batch.settings->self_collision && surroundings_.has_colliders()) {
+			if (surroundings_.has_colliders()) {
 				const std::span<const Vec2> outside = bodies_.sweep_start(batch.active_indices[lane]);
 				bodies_.data(batch.active_indices[lane]).last_valid_hull().assign(outside.begin(), outside.end());
 			}
@@ -326,10 +332,10 @@ void Simulator::list_awake(std::vector<BodyId> &ids) {
 	}
 }
 
-void Simulator::let_sleep(Real dt) {
+void Simulator::let_sleep() {
 	joined_.assign(joint_solver_.joined().begin(), joint_solver_.joined().end());
 	rigid_neighbors_.add_linked(joined_);
-	sleep_.let_sleep(pair_contacts_.pairs(), pair_contacts_.touched(), joined_, rigid_neighbors_.restless(), dt);
+	sleep_.let_sleep(pair_contacts_.pairs(), pair_contacts_.touched(), joined_, rigid_neighbors_.restless());
 }
 
 // Before any body falls asleep or wakes: a body that slept during the step has no contacts, but keeps its touches.

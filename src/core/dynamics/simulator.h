@@ -87,7 +87,7 @@ private:
 	void step_coupled(Real dt);
 	bool may_bounce();
 	void report_contacts(Real dt);
-	void let_sleep(Real dt);
+	void let_sleep();
 	void collect(StepReport &report);
 
 	/// Calls `work(stepper, batch, prefetch)` for the bodies of a list, ordered as `ActiveBodies::awake`, divided among
@@ -129,6 +129,7 @@ private:
 	std::vector<BodyPair> joined_; ///< pairs that sleep and wake together without touching
 
 	std::uint64_t seen_forces_ = 0;
+	bool had_colliders_ = true; ///< in the last step
 	bool has_accelerated_bodies_ = false;
 };
 

@@ -3,8 +3,10 @@
 #include "core/dynamics/sleep_watch.h"
 
 #include "core/base/constants.h"
+#include "core/model/body_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -116,12 +118,11 @@ void SleepWatch::wake_by_frozen_bodies() {
 // A neighbor that the body rests on may only touch the body's own box, so the box is grown.
 Aabb SleepWatch::rest_box(std::uint32_t active_index) const {
 	const SolverBody &body = bodies_.solver_body(active_index);
-	return (bodies_.is_resting(active_index) ? body.box : bounding_box(body.hull())).grown(body.rolling_radius / 8);
+	return (bodies_.is_resting(active_index) ? body.box : bounding_box(body.hull())).grown(body.rest_radius / 8);
 }
 
 void SleepWatch::join(BodyPair pair) {
 	const auto [a, b] = pair;
-	touching_[a] = touching_[b] = 1;
 	const auto is_frozen = [&](std::uint32_t i) { return bodies_.is_resting(i) && bodies_.data(i).is_frozen(); };
 	if (is_frozen(a) || is_frozen(b)) {
 		return; // bodies that rest on one frozen body are no island
@@ -132,37 +133,69 @@ void SleepWatch::join(BodyPair pair) {
 	islands_.join(a, b);
 }
 
-// What is near its box counts as a hold, as it does for waking.
-bool SleepWatch::is_pulled_freely(std::uint32_t active_index) {
-	const SoftBodyData &body = bodies_.data(active_index);
-	if (length(body.total_acceleration(world_.gravity())) < FREE_PULL * world_.length_unit() || body.has_pins() ||
-			joints_.holds(active_index)) {
-		return false;
-	}
-	const Aabb box = rest_box(active_index);
-	const Vec2 center = (box.min + box.max) * Real(0.5);
-	const Vec2 half = (box.max - box.min) * Real(0.5);
-	for (const Border &border : world_.borders()) {
-		const Vec2 normal = border.plane.normal;
-		if (signed_distance(border.plane, center) <= std::abs(normal.x) * half.x + std::abs(normal.y) * half.y) {
-			return false;
+// The constant acceleration that has moved a body from where it became drowsy to where it is. In a time t it goes
+// v0 t + a t²/2. With the decay d of a drowsy body it goes v0 d s + a d (t - d s), where s = 1 - exp(-t/d). None if its
+// velocity is another than such an acceleration leaves: then it wobbles.
+Vec2 SleepWatch::pull_on(std::uint32_t active_index) const {
+	SoftBodyData &body = bodies_.data(active_index);
+	const RestState &rest = body.rest_state();
+	const Real time = rest.rest_time - DROWSY_TIME;
+	const Real share = 1 - std::exp(-time / DROWSY_DECAY);
+	const Real coasted = rest.pulled ? time : DROWSY_DECAY * share;
+	const Real gained = rest.pulled ? time * time / 2 : DROWSY_DECAY * (time - coasted);
+	const BodyFrame frame = measure_frame(body);
+	const Vec2 pull = (frame.center - rest.drowsy_center - rest.drowsy_velocity * coasted) * (1 / gained);
+	const Vec2 left = rest.drowsy_velocity * (rest.pulled ? 1 : 1 - share);
+	const Vec2 faster = pull * (rest.pulled ? time : DROWSY_DECAY * share);
+	return length(frame.velocity - left - faster) <= length(faster) / 2 ? pull : Vec2{};
+}
+
+// Keeps the islands awake that are pulled as a whole. Their bodies get the velocity that they would have without
+// drowsiness.
+void SleepWatch::release_pulled() {
+	pulls_.assign(bodies_.count(), {});
+	masses_.assign(bodies_.count(), 0);
+	bodies_in_.assign(bodies_.count(), 0);
+	for (const std::uint32_t i : bodies_.awake()) {
+		const std::uint32_t island = islands_.find(i);
+		const bool is_held = bodies_.data(i).has_pins() || joints_.holds(i);
+		if (least_rest_[island] >= SLEEP_TIME && !is_held) {
+			const Real mass = bodies_.data(i).shape().total_mass();
+			pulls_[island] += pull_on(i) * mass;
+			masses_[island] += mass;
+			++bodies_in_[island];
 		}
 	}
-	surroundings_.collect(box, near_);
-	if (!near_.empty()) {
-		return false;
+	for (const std::uint32_t i : bodies_.awake()) {
+		const std::uint32_t island = islands_.find(i);
+		const Real least = (bodies_in_[island] == 1 ? FREE_PULL : FREE_PULL_OF_MANY) * world_.length_unit();
+		RestState &rest = bodies_.data(i).rest_state();
+		const bool is_pulled = length(pulls_[island]) > least * masses_[island];
+		if (least_rest_[island] < SLEEP_TIME || (!is_pulled && !rest.pulled)) {
+			continue;
+		}
+		if (is_pulled && !rest.pulled && bodies_.data(i).is_free()) {
+			const Vec2 velocity = rest.drowsy_velocity + pull_on(i) * (rest.rest_time - DROWSY_TIME);
+			const Vec2 missing = velocity - measure_frame(bodies_.data(i)).velocity;
+			for (Vec2 &v : bodies_.data(i).mutable_velocities()) {
+				v += missing;
+			}
+		}
+		rest.pulled = is_pulled;
+		rest.rest_time = 0;
 	}
-	surroundings_.collect_dynamic(box, near_);
-	return near_.empty();
+	for (const std::uint32_t i : bodies_.awake()) {
+		Real &least = least_rest_[islands_.find(i)];
+		least = std::min(least, bodies_.data(i).rest_time());
+	}
 }
 
 void SleepWatch::let_sleep(std::span<const BodyPair> pairs, std::span<const char> touched, std::span<const BodyPair> joined,
-		std::span<const char> restless, Real dt) {
+		std::span<const char> restless) {
 	if (bodies_.awake().empty()) {
 		return;
 	}
 	islands_.reset(bodies_.count());
-	touching_.assign(bodies_.count(), 0);
 	for (std::size_t i = 0; i < pairs.size(); ++i) {
 		if (touched[i]) {
 			join(pairs[i]);
@@ -170,14 +203,6 @@ void SleepWatch::let_sleep(std::span<const BodyPair> pairs, std::span<const char
 	}
 	for (const BodyPair pair : joined) {
 		join(pair);
-	}
-	for (const std::uint32_t i : bodies_.awake()) {
-		RestState &rest = bodies_.data(i).rest_state();
-		// Asked once each time that it begins to move slowly, before it would be slowed.
-		const bool will_be_drowsy = rest.rest_time <= DROWSY_TIME && rest.rest_time + dt > DROWSY_TIME;
-		if (will_be_drowsy && !touching_[i] && is_pulled_freely(i)) {
-			rest.rest_time = 0;
-		}
 	}
 	least_rest_.assign(bodies_.count(), std::numeric_limits<Real>::max());
 	bool any_may_sleep = false;
@@ -191,6 +216,7 @@ void SleepWatch::let_sleep(std::span<const BodyPair> pairs, std::span<const char
 	if (!any_may_sleep) {
 		return;
 	}
+	release_pulled();
 	names_.assign(bodies_.count(), 0);
 	for (std::uint32_t i = 0; i < bodies_.count(); ++i) {
 		const std::uint32_t island = islands_.find(i);

@@ -35,10 +35,10 @@ public:
 	void take_over() { take_over(false); }
 	/// Updates sleep after a step of `dt` [s]. A sleeping body touched by an awake one wakes for the next step, and islands at rest
 	/// fall asleep. `pairs` with `touched` are the contacts of the step. `joined` are pairs held together by joints or
-	/// lying beside one rigid body. Bodies whose `restless` is set stay awake; `restless` may be empty. A body that is pulled
-	/// and held by nothing is not at rest, however slowly it begins to move. O(bodies + pairs).
+	/// lying beside one rigid body. Bodies whose `restless` is set stay awake; `restless` may be empty. An island that
+	/// something accelerates (FREE_PULL) is not at rest, however slowly it begins to move. O(bodies + pairs).
 	void let_sleep(std::span<const BodyPair> pairs, std::span<const char> touched, std::span<const BodyPair> joined,
-			std::span<const char> restless, Real dt);
+			std::span<const char> restless);
 
 private:
 	void take_over(bool is_rearranged);
@@ -46,7 +46,8 @@ private:
 	void wake_by_rigid_ends();
 	void wake_by_frozen_bodies();
 	void join(BodyPair pair);
-	bool is_pulled_freely(std::uint32_t active_index);
+	Vec2 pull_on(std::uint32_t active_index) const;
+	void release_pulled();
 	Aabb rest_box(std::uint32_t active_index) const;
 	/// Hash of a body's environment and of the rigid ends of its joints (RestState::surroundings).
 	std::uint64_t describe(std::uint32_t active_index) {
@@ -59,9 +60,10 @@ private:
 	const JointSolver &joints_;
 	ColliderWatch watch_;
 	Islands islands_;
-	std::vector<char> touching_; ///< not 0 for each body of a touched or joined pair
-	std::vector<std::uint32_t> near_;
 	std::vector<Real> least_rest_; ///< of each island [s]
+	std::vector<Vec2> pulls_; ///< on each island, times its mass
+	std::vector<Real> masses_; ///< of each island
+	std::vector<std::uint32_t> bodies_in_; ///< each island
 	std::vector<std::uint64_t> names_; ///< of the islands that fall asleep, otherwise 0
 	std::uint64_t seen_restores_ = 0;
 };

@@ -92,7 +92,9 @@ void SoftBodyData::put_to_sleep() {
 	std::ranges::fill(mutable_velocities(), Vec2{});
 	clear_external_forces();
 	note_change(); // the step determines sleeping bodies anew
-	memory_.rest = { 0, true, NOT_OF_A_STEP | (changes_ ? ++changes_->put_to_sleep : 0) };
+	memory_.rest = {};
+	memory_.rest.asleep = true;
+	memory_.rest.island = NOT_OF_A_STEP | (changes_ ? ++changes_->put_to_sleep : 0);
 }
 
 void SoftBodyData::note_change() {

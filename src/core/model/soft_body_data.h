@@ -177,7 +177,7 @@ public:
 	std::vector<OneWayMemory> &one_ways() { return memory_.one_ways; }
 	std::span<const OneWayMemory> one_ways() const { return memory_.one_ways; }
 	RestState &rest_state() { return memory_.rest; }
-	/// The hull of a body with self-collision at its last environment contacts, if it has pushed itself since.
+	/// The hull at its last contacts with colliders, if other bodies, or the body itself, may have pushed it since.
 	/// Otherwise empty.
 	std::vector<Vec2> &last_valid_hull() { return memory_.last_valid_hull; }
 
