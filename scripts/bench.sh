@@ -11,7 +11,7 @@
 #   table-4-1       the thesis's table: how many of its bodies a step of 1/60 s holds, with and without collisions
 #   pile            piles between walls: time, penetration, folded bodies, rest
 #   scaling         step time from 100 to 100,000 bodies, by phase, and what a second thread saves
-#   contact-accuracy friction, restitution and momentum against theory; penetration against time
+#   contact-accuracy friction, restitution and momentum against theory; penetration against time; scenes of the field
 #   contact-books   where contacts gain or lose energy, height, way or rest, against theory; part of it fails today
 #   stress          scenes made to break bodies, under every method at 30 to 240 ticks a second
 #   soak            ten simulated hours: drift at rest, memory, bodies lost; with --quick, a third of an hour

@@ -24,6 +24,10 @@ class Walker extends CharacterBody2D:
 		move_and_slide()
 
 
+func time_limit() -> int:
+	return 9000
+
+
 func _add_walker(position: Vector2, shape: Shape2D = rectangle(30, 50)) -> Walker:
 	var walker := Walker.new(shape)
 	walker.position = position
@@ -69,7 +73,7 @@ func test_a_character_stands_on_a_jelly_and_presses_it_in() -> void:
 	var top := bounds_of(polygon_of(body)).position.y
 	for round: bool in [false, true]:
 		var walker := _add_capsule(Vector2(0, top - 60)) if round else _add_walker(Vector2(0, top - 60))
-		await seconds(2)
+		await seconds(6) # it bobs like a rigid body of its mass
 		check_above(walker.position.y + 25, top + 1.5, "y of the soles, which press the top in")
 		check_below(walker.position.y + 25, top + 12, "y of the soles, which are carried")
 		await _check_stands(walker, body, "a capsule" if round else "a box")
@@ -97,7 +101,7 @@ func test_a_character_stands_on_jellies_of_all_kinds() -> void:
 	var walkers := {}
 	for body: SoftBody2D in stage.find_children("*", "SoftBody2D", true, false):
 		walkers[body] = _add_walker(Vector2(body.position.x, bounds_of(polygon_of(body)).position.y - 40))
-	await seconds(3)
+	await seconds(8)
 	for body: SoftBody2D in walkers:
 		await _check_stands(walkers[body], body, "on a %s body" % body.name)
 
@@ -109,7 +113,7 @@ func test_a_character_stands_at_other_tick_rates() -> void:
 		var body := add_body(Vector2(0, 50))
 		await seconds(2)
 		var walker := _add_walker(Vector2(0, -40))
-		await seconds(3)
+		await seconds(8)
 		await _check_stands(walker, body, "at %d ticks" % rate)
 		walker.free()
 		body.free()
@@ -121,7 +125,7 @@ func test_a_character_jumps_off_a_jelly() -> void:
 	add_floor(100)
 	var body := add_body(Vector2(0, 50))
 	var walker := _add_walker(Vector2(0, -40))
-	await seconds(3)
+	await seconds(8)
 	var start := walker.position.y
 	walker.jump = true
 	var highest := start
@@ -129,10 +133,9 @@ func test_a_character_jumps_off_a_jelly() -> void:
 		await ticks(1)
 		highest = minf(highest, walker.position.y)
 	check_near(start - highest, 400.0 * 400 / (2 * GRAVITY), 12, "height of the jump")
-	await seconds(3)
+	await seconds(8)
 	await _check_stands(walker, body, "after the jump")
-	# How deep it sinks depends a little on how it lands: no more than the margin of 0.06 R.
-	check_near(walker.position.y, start, 3, "where it stands after the jump")
+	check_near(walker.position.y, start, 1, "where it stands after the jump")
 
 
 func test_a_character_walks_into_a_jelly_and_pushes_it_along() -> void:
@@ -207,7 +210,7 @@ func test_a_margin_of_zero_is_a_hard_surface() -> void:
 	await _check_stands(walker, body, "on a hard surface")
 
 
-func test_a_deep_margin_lets_a_character_sink_in_so_far() -> void:
+func test_a_character_stands_in_a_deep_margin() -> void:
 	add_floor(100)
 	var body := add_body(Vector2(0, 50), { "collision_proxy_margin": 10.0,
 			"polygon": SoftBody2D.make_box_polygon(Vector2(120, 80), 20), "stiffness": 400.0 })
@@ -215,8 +218,7 @@ func test_a_deep_margin_lets_a_character_sink_in_so_far() -> void:
 	var top := bounds_of(polygon_of(body)).position.y
 	var walker := _add_walker(Vector2(0, top - 40))
 	await seconds(6) # the body gives way sideways for some seconds
-	check_near(walker.position.y + 25, top + 12, 8, "y of the soles")
-	check_above(walker.position.y + 25, top + 7, "y of the soles")
+	check_near(walker.position.y + 25, top + 4, 4, "y of the soles, which its weight presses in")
 	# Pressed in deep, a body takes some seconds to find its balance, and carries along a character that stands on it.
 	await _check_stands(walker, body, "in a deep margin", 1.5)
 

@@ -140,3 +140,37 @@ func test_a_one_way_lift_carries() -> void:
 		await ticks(1)
 	await ticks(30)
 	check_near(bounds_of(polygon_of(soft)).end.y, 112.0, 2, "lower side on the one-way lift")
+
+
+func _add_boundary(solid: CollisionObject2D, normal := Vector2.UP) -> void:
+	var boundary := WorldBoundaryShape2D.new()
+	boundary.normal = normal
+	var collision := CollisionShape2D.new()
+	collision.shape = boundary
+	collision.one_way_collision = true
+	solid.add_child(collision)
+	stage.add_child(solid)
+
+
+## As through a platform: from below, and held from above, also far beside the boundary's own place.
+func test_a_one_way_world_boundary_holds_from_one_side() -> void:
+	for rate: int in [30, 60, 240]:
+		for x: float in [0.0, -3000.0]:
+			Engine.physics_ticks_per_second = rate
+			var what := "at x = %s, %d ticks" % [x, rate]
+			add_solid(rectangle(400, 100), Transform2D(0, Vector2(x, 450)))
+			var solid := StaticBody2D.new()
+			solid.position = Vector2(0, 240)
+			_add_boundary(solid)
+			var soft := _box(Vector2(x, 368))
+			await seconds(0.5)
+			check_near(bounds_of(polygon_of(soft)).end.y, 400.0, 2, "lower side of what lies below, " + what)
+			soft.apply_central_impulse(Vector2(0, -750))
+			var highest := 400.0
+			for i in rate:
+				await ticks(1)
+				highest = minf(highest, bounds_of(polygon_of(soft)).end.y)
+			check_below(highest, 180, "highest place of the lower side over a boundary " + what)
+			await seconds(2)
+			check_near(bounds_of(polygon_of(soft)).end.y, 240.0, 1, "lower side on a boundary " + what)
+			await _clear_stage()

@@ -311,3 +311,41 @@ func test_the_center_of_mass_decides_how_a_body_turns() -> void:
 		await ticks(2)
 	check_below(spins[0] * spins[2], -0.1, "product of the spins with the center on either side")
 	check_near(spins[1], 0.0, 0.1, "spin with the center in the middle")
+
+
+func test_a_crate_in_a_frozen_body_is_moved_out() -> void:
+	for rate in TICK_RATES:
+		Engine.physics_ticks_per_second = rate
+		for depth: float in [0.0, 2.0, 10.0, 25.0]:
+			var body := add_body(Vector2.ZERO, { "freeze": true, "polygon": SoftBody2D.make_box_polygon(Vector2(200, 80), 20) })
+			await ticks(2)
+			var crate := add_rigid(rectangle(30, 50), Vector2(0, -65 + depth), 1.0)
+			await seconds(3)
+			var what := "of what was put %d px into a frozen body, at %d ticks" % [depth, rate]
+			check_near(crate.position.y, -65.0, 0.8, "y " + what)
+			check_below(crate.linear_velocity.length(), 1, "speed " + what)
+			crate.free()
+			body.free()
+			await ticks(2)
+
+
+## Both sleep when something wakes the crate within the engine's step, to which nothing was handed over.
+func test_a_crate_that_is_woken_on_a_soft_body_stays_where_it_is() -> void:
+	for rate in TICK_RATES:
+		Engine.physics_ticks_per_second = rate
+		add_floor(0)
+		var body := add_body(Vector2(0, -40), { "polygon": SoftBody2D.make_box_polygon(Vector2(200, 80), 20) })
+		var crate := add_rigid(rectangle(30, 50), Vector2(0, -108), 1.0)
+		await seconds(12)
+		check(crate.sleeping and body.sleeping, "crate and soft body do not both sleep at %d ticks" % rate)
+		var level := crate.position.y
+		crate.sleeping = false
+		await ticks(2) # the engine has let it fall in the first
+		var farthest := 0.0
+		for i in rate:
+			await ticks(1)
+			farthest = maxf(farthest, absf(crate.position.y - level))
+		check_below(farthest, 0.15, "way of the woken crate in px at %d ticks" % rate)
+		for node in stage.get_children():
+			node.free()
+		await ticks(2)

@@ -461,3 +461,32 @@ func test_freeing_during_a_tick_leaves_nothing_behind() -> void:
 		await ticks(i % 3)
 		await _clear_stage()
 	check(true, "nothing crashed")
+
+
+## The engine tests 2048 shapes in a query, whatever their layers, and says nothing of the others.
+func test_floors_that_appear_among_thousands_of_other_shapes_are_found() -> void:
+	var server := PhysicsServer2D
+	var shape := server.rectangle_shape_create()
+	server.shape_set_data(shape, Vector2(3, 3))
+	var rids: Array[RID] = []
+	for i in 20000:
+		var other := server.body_create()
+		server.body_set_mode(other, PhysicsServer2D.BODY_MODE_STATIC)
+		server.body_add_shape(other, shape)
+		server.body_set_collision_layer(other, 2)
+		server.body_set_state(other, PhysicsServer2D.BODY_STATE_TRANSFORM, Transform2D(0, Vector2(-800 + 11.3 * (i % 142), -800 + 11.3 * (i / 142))))
+		server.body_set_space(other, tree.root.world_2d.space)
+		rids.append(other)
+	var bodies: Array[SoftBody2D] = []
+	for k in 6:
+		bodies.append(add_weightless_body(Vector2(-600 + 220 * k, 0), { "polygon": SoftBody2D.make_circle_polygon(30, 12) }))
+	await seconds(1.5)
+	for body in bodies:
+		add_solid(rectangle(100, 30), Transform2D(0, body.position + Vector2(0, 150)))
+		body.gravity_scale = 1
+	await seconds(2)
+	for body in bodies:
+		check_below(body.position.y, 140, "y of a body above its floor")
+	for rid in rids:
+		server.free_rid(rid)
+	server.free_rid(shape)

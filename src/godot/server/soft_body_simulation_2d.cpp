@@ -2,16 +2,21 @@
 // The singleton that steps every soft body once a physics tick.
 #include "godot/server/soft_body_simulation_2d.h"
 
+#include "godot/convert.h"
 #include "godot/server/shape_cache.h"
+#include "godot/surroundings/hull_proxy.h"
+#include "godot/surroundings/hull_query.h"
 
 #include <godot_cpp/classes/os.hpp>
 #include <godot_cpp/classes/performance.hpp>
+#include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/classes/world2d.hpp>
 #include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <algorithm>
@@ -219,7 +224,38 @@ double SoftBodySimulation2D::measure_max_penetration() const {
 	return deepest;
 }
 
+TypedArray<Node2D> SoftBodySimulation2D::intersect_shape(const Ref<PhysicsShapeQueryParameters2D> &p_parameters, const Ref<World2D> &p_world) const {
+	TypedArray<Node2D> found;
+	ERR_FAIL_COND_V_MSG(p_parameters.is_null(), found, "SoftBodySimulation2D.intersect_shape: the parameters must not be null.");
+	const RID shape = p_parameters->get_shape_rid();
+	ERR_FAIL_COND_V_MSG(!shape.is_valid(), found, "SoftBodySimulation2D.intersect_shape: the parameters have no shape; set shape or shape_rid.");
+	const SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(watched_tree_));
+	if (p_world.is_null() && tree == nullptr) {
+		return found; // there has been no soft body yet
+	}
+	const RID rid = (p_world.is_valid() ? p_world : tree->get_root()->get_world_2d())->get_space();
+	const auto space = std::find_if(spaces_.begin(), spaces_.end(), [&](const Space &p_space) { return p_space.rid == rid; });
+	if (space == spaces_.end()) {
+		return found;
+	}
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	const softbody::HullQuery query(softbody::translate_shape(server->shape_get_type(shape), server->shape_get_data(shape), p_parameters->get_transform()),
+			softbody::Real(std::max(0.0, double(p_parameters->get_margin()))));
+	const TypedArray<RID> excluded = p_parameters->get_exclude();
+	const softbody::WorldData &world = space->content->world();
+	space->content->nodes().for_each([&](softbody::SteppedNode &r_node) {
+		const softbody::SoftBodyData *body = world.find(r_node.get_body_id());
+		if (body == nullptr || (body->settings().collision_layer & p_parameters->get_collision_mask()) == 0 ||
+				!query.overlaps(body->hull()) || (!excluded.is_empty() && excluded.has(r_node.proxy().rid()))) {
+			return;
+		}
+		found.push_back(Object::cast_to<Node2D>(ObjectDB::get_instance(r_node.instance_id())));
+	});
+	return found;
+}
+
 void SoftBodySimulation2D::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("intersect_shape", "parameters", "world"), &SoftBodySimulation2D::intersect_shape, DEFVAL(Variant()));
 	ClassDB::bind_method(D_METHOD("get_body_count"), &SoftBodySimulation2D::get_body_count);
 	ClassDB::bind_method(D_METHOD("get_awake_body_count"), &SoftBodySimulation2D::get_awake_body_count);
 	ClassDB::bind_method(D_METHOD("get_contact_count"), &SoftBodySimulation2D::get_contact_count);

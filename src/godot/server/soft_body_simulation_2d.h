@@ -9,10 +9,14 @@
 #include "godot/server/step_threads.h"
 
 #include <godot_cpp/classes/canvas_item.hpp>
+#include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/classes/object.hpp>
+#include <godot_cpp/classes/physics_shape_query_parameters2d.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/classes/world2d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -53,6 +57,8 @@ public:
 	double get_mean_step_usec() const;
 	double get_last_drawing_usec() const { return last_drawing_usec_; }
 	int64_t get_last_drawn_count() const { return last_drawn_count_; }
+	/// Every soft body of the world that overlaps the shape, each once; of the first tree's own world for null.
+	TypedArray<Node2D> intersect_shape(const Ref<PhysicsShapeQueryParameters2D> &p_parameters, const Ref<World2D> &p_world) const;
 	void reset_statistics();
 	Dictionary get_step_profile() const;
 	double measure_max_penetration() const;

@@ -20,6 +20,10 @@ namespace softbody {
 
 namespace {
 
+// Overlap of a rigid body with a frozen soft one from which on the engine moves it out [px]. Smaller: the engine, which
+// leaves 0.3 px, would begin again and again.
+constexpr Real FROZEN_OVERLAP = Real(0.5);
+
 // Most bodies with dents that are shown to the engine with them without need. The others are shown without dents.
 constexpr int MAX_DETAILED_PROXIES = 16;
 
@@ -61,6 +65,7 @@ SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for)
 void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
 	world_.set_contact_substeps(p_settings.contact_substeps);
 	world_.set_sleeping(p_settings.can_sleep);
+	character_mass_ = p_settings.character_mass;
 	if (default_substeps_ != p_settings.substeps) {
 		default_substeps_ = p_settings.substeps;
 		nodes_.for_each([](SteppedNode &r_node) { r_node.note_project_settings(); });
@@ -159,6 +164,7 @@ void SoftBodySpace2D::read_environment(double p_delta) {
 	});
 	reader_.read(state, busy_rows_, joined_, p_delta, world_);
 	tell_proxies();
+	reader_.begin_rides(character_mass_, p_delta, world_);
 }
 
 void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals, TickProfile &r_profile) {
@@ -173,6 +179,7 @@ void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals, TickProfile &
 	r_profile.surroundings += watch.lap();
 	const StepReport report = simulator_.simulate(Real(p_delta));
 	reader_.give_back_impulses(world_, p_delta);
+	reader_.end_rides(world_, p_delta);
 	r_profile.simulate += watch.lap();
 	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
 	simulator_.list_awake(awake_);
@@ -188,6 +195,7 @@ void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals, TickProfile &
 	}
 	busy_.for_each([](SteppedNode &r_node) { r_node.finish_step(); });
 	r_profile.finish += watch.lap();
+	tell_riders();
 	move_proxies();
 	reader_.keep_rigid_bodies_asleep();
 	r_profile.proxies += watch.lap();
@@ -215,8 +223,14 @@ void SoftBodySpace2D::tell_proxies() {
 		bool is_near = false;
 		proxy.begin_near();
 		if (body != nullptr) {
-			reader_.for_moving_near(std::size_t(body - first), [&](const RID &p_body, PhysicsServer2D::BodyMode p_mode) {
-				proxy.note_near(p_body, p_mode);
+			reader_.for_moving_near(std::size_t(body - first), [&](BodyRecord &r_near) {
+				// The core moves hulls out of overlaps; what is inside a frozen one is left to the engine.
+				if (!body->is_frozen() || !r_near.is_rigid() || !r_near.reaches_in(body->hull(), FROZEN_OVERLAP)) {
+					proxy.note_near(r_near.rid(), r_near.mode());
+				}
+				if (r_near.character() != nullptr && proxy.is_in_space() && r_near.meets_layer(body->settings().collision_layer)) {
+					r_near.character()->note_near(*body, r_near.bounds(), proxy.is_hard());
+				}
 				is_near = true;
 			});
 		}
@@ -225,23 +239,50 @@ void SoftBodySpace2D::tell_proxies() {
 			busy_.add(node);
 		}
 		if (!is_near) {
+			proxy.set_riders({});
 			near_moving_.remove(node);
+		}
+	}
+}
+
+// Proxies show characters what the step has made of both.
+void SoftBodySpace2D::tell_riders() {
+	const SoftBodyData *first = world_.soft_bodies().data();
+	for (std::size_t i = 0; i < near_moving_.count(); i++) {
+		SteppedNode &node = near_moving_[i];
+		riders_.clear();
+		if (const SoftBodyData *body = world_.find(node.get_body_id())) {
+			reader_.for_moving_near(std::size_t(body - first), [&](BodyRecord &r_near) {
+				if (r_near.character() != nullptr && r_near.character()->acts()) {
+					riders_.push_back(r_near.character()->rider(r_near.bounds()));
+				}
+			});
+		}
+		if (node.proxy().set_riders(riders_)) {
+			busy_.add(node);
 		}
 	}
 }
 
 void SoftBodySpace2D::move_proxies() {
 	RID changed;
+	RID moved;
 	busy_.for_each([&](SteppedNode &r_node) {
 		detailed_count_ -= int(r_node.is_counted_detailed);
 		if (r_node.follow_with_proxy(detailed_count_ < MAX_DETAILED_PROXIES)) {
 			changed = r_node.proxy().rid();
+		}
+		if (r_node.proxy().is_in_space()) {
+			moved = r_node.proxy().rid();
 		}
 		r_node.is_counted_detailed = r_node.proxy().is_detailed();
 		detailed_count_ += int(r_node.is_counted_detailed);
 	});
 	if (changed.is_valid()) {
 		flush_hull_proxies(changed);
+	}
+	if (moved.is_valid()) {
+		await_hull_proxies(moved);
 	}
 }
 

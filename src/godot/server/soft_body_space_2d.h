@@ -76,6 +76,7 @@ private:
 	void read_environment(double p_delta);
 	void collect_signals(StepSignals &r_signals);
 	void tell_proxies();
+	void tell_riders();
 	void move_proxies();
 	void let_idle();
 	/// The node of a body; null if the body has left the world.
@@ -93,12 +94,14 @@ private:
 	std::vector<Owner> owners_; ///< by the index of the body's id
 	std::vector<SteppedJoint *> joints_;
 	std::vector<BodyId> awake_; ///< after the last step
+	std::vector<Rider> riders_; ///< scratch memory of `tell_riders`
 	std::vector<uint32_t> busy_rows_; ///< scratch memory of `read_environment`
 	std::vector<BodyId> stirred_; ///< bodies at rest whose proxies the engine works out anew
 	std::size_t next_look_ = 0; ///< place in `nodes_` of the next node at rest that looks at areas
 	std::size_t look_credit_ = 0; ///< looks due, times LOOK_INTERVAL
 	std::size_t urgent_looks_ = 0;
 	int default_substeps_ = 0; ///< as the nodes know it
+	Real character_mass_ = 0; ///< [kg]
 	int detailed_count_ = 0; ///< proxies that show dents
 	int64_t contact_count_ = 0;
 };

@@ -20,7 +20,9 @@ constexpr const char *THREADS = "physics/soft_body_2d/solver/threads";
 constexpr const char *CONTACT_SUBSTEPS = "physics/soft_body_2d/solver/contact_substeps";
 constexpr const char *SUBSTEPS = "physics/soft_body_2d/solver/default_substeps";
 constexpr const char *CAN_SLEEP = "physics/soft_body_2d/sleep/enabled";
+constexpr const char *CHARACTER_MASS = "physics/soft_body_2d/characters/mass";
 constexpr int MAX_THREADS = 64;
+constexpr double MAX_CHARACTER_MASS = 1e6; // [kg]
 
 void add_setting(const char *p_name, const Variant &p_default, PropertyHint p_hint, const String &p_hint_string) {
 	ProjectSettings *settings = ProjectSettings::get_singleton();
@@ -35,6 +37,16 @@ void add_setting(const char *p_name, const Variant &p_default, PropertyHint p_hi
 	info["hint"] = p_hint;
 	info["hint_string"] = p_hint_string;
 	settings->add_property_info(info);
+}
+
+double read_number(const char *p_name, double p_least, double p_most, double p_default) {
+	const double value = ProjectSettings::get_singleton()->get_setting(p_name, p_default);
+	const Status status = check_between(p_name, value, p_least, p_most, "");
+	if (status) {
+		ERR_PRINT("Project setting " + to_godot(status->message()) + ". " + rtos(p_default) + " is used instead.");
+		return p_default;
+	}
+	return value;
 }
 
 int read_count(const char *p_name, int p_least, int p_most, int p_default) {
@@ -54,6 +66,7 @@ void register_step_settings() {
 	add_setting(THREADS, defaults.threads, PROPERTY_HINT_RANGE, "0," + itos(MAX_THREADS) + ",1");
 	add_setting(CONTACT_SUBSTEPS, defaults.contact_substeps, PROPERTY_HINT_RANGE, "1," + itos(MAX_SUBSTEPS) + ",1");
 	add_setting(SUBSTEPS, defaults.substeps, PROPERTY_HINT_RANGE, "0," + itos(MAX_SUBSTEPS) + ",1");
+	add_setting(CHARACTER_MASS, double(defaults.character_mass), PROPERTY_HINT_RANGE, "0,10,0.01,or_greater,suffix:kg");
 	add_setting(CAN_SLEEP, defaults.can_sleep, PROPERTY_HINT_NONE, "");
 }
 
@@ -63,6 +76,7 @@ StepSettings read_step_settings() {
 	settings.threads = read_count(THREADS, 0, MAX_THREADS, defaults.threads);
 	settings.contact_substeps = read_count(CONTACT_SUBSTEPS, 1, MAX_SUBSTEPS, defaults.contact_substeps);
 	settings.substeps = read_count(SUBSTEPS, 0, MAX_SUBSTEPS, defaults.substeps);
+	settings.character_mass = Real(read_number(CHARACTER_MASS, 0, MAX_CHARACTER_MASS, double(defaults.character_mass)));
 	settings.can_sleep = ProjectSettings::get_singleton()->get_setting(CAN_SLEEP, defaults.can_sleep);
 	return settings;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/constants.h"
+#include "core/base/real.h"
 
 namespace softbody {
 
@@ -12,6 +13,7 @@ struct StepSettings {
 	int contact_substeps = MIN_CONTACT_SUBSTEPS; ///< see `WorldData::contact_substeps`
 	int substeps = 0; ///< of bodies with 0 substeps; 0: automatic
 	bool can_sleep = true; ///< whether any body may fall asleep
+	Real character_mass = 1; ///< of a CharacterBody2D on soft bodies [kg], >= 0; see `CharacterMotion`
 };
 
 /// Registers the settings with the engine and its editor, with their defaults and ranges.

@@ -4,6 +4,7 @@
 
 #include "core/model/rigid_body.h"
 #include "core/model/surroundings.h"
+#include "godot/surroundings/character_motion.h"
 #include "godot/surroundings/shape_traits.h"
 #include "godot/surroundings/shape_translation.h"
 
@@ -15,6 +16,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace softbody {
@@ -95,10 +97,21 @@ public:
 	/// Wakes the body if it sleeps supported by soft bodies that are about to leave.
 	void let_go();
 
+	/// What a CharacterBody2D does beside going its way; null for any other body.
+	CharacterMotion *character() { return character_ ? &*character_ : nullptr; }
+	/// Whether a shape of the body, where it is, reaches into the hull by more than `p_depth` [px].
+	bool reaches_in(std::span<const Vec2> p_hull, Real p_depth) const;
+	/// Whether a character is stopped by what is on these layers.
+	bool meets_layer(uint32_t p_layer) const;
+	/// Called after `poll`, once the soft bodies near are noted: makes the rigid body of a character whose mass acts.
+	/// `p_mass` [kg] holds where the node has none of its own. MOVED if it has one, REBUILT if it must get one.
+	BodyChange ride(Real p_mass, double p_delta);
+
 private:
 	BodyChange poll_driven(const godot::Transform2D &p_transform, double p_delta);
 	BodyChange settle();
 	void poll_rigid(godot::PhysicsDirectBodyState2D *p_state, double p_delta);
+	Vec2 take_back_fall(double p_delta);
 	void estimate_support(godot::PhysicsDirectBodyState2D *p_state, double p_delta, RigidBody &r_body) const;
 	bool read_surface();
 	void read_shape(int32_t p_index, const ShapeTraits &p_traits, ShapeRecord &r_shape);
@@ -125,6 +138,7 @@ private:
 	bool is_sleeping_ = false; ///< in the engine, until it gets impulses
 	Vec2 weight_; ///< acceleration by gravity and constant forces [px/s²]
 	Reaction last_reaction_;
+	std::optional<CharacterMotion> character_;
 	Reaction withheld_; ///< impulses since it fell asleep, its weight included
 	std::vector<ShapeRecord> shapes_;
 	Aabb bounds_; ///< in `frame()`

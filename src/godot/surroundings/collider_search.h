@@ -4,6 +4,7 @@
 
 #include "core/geometry/aabb.h"
 #include "core/model/world_data.h"
+#include "godot/surroundings/crowd_watch.h"
 
 #include <godot_cpp/classes/physics_direct_space_state2d.hpp>
 #include <godot_cpp/classes/physics_shape_query_parameters2d.hpp>
@@ -27,7 +28,7 @@ struct FoundShape {
 /// Asks the engine by one rectangle around each group of close soft bodies. Known bodies (the list of `exclude`, and
 /// proxies) are left out of the answers. Sleeping bodies are asked for every second tick, or more seldom and in larger
 /// rectangles if there are thousands. The engine tests at most 2048 shapes in one query and does not report more, so
-/// rectangles with many known shapes are asked in pieces.
+/// rectangles with many shapes, known ones or others (`CrowdWatch`), are asked in pieces.
 /// See docs/decisions/reading-the-engine.md.
 class ColliderSearch {
 public:
@@ -43,6 +44,9 @@ public:
 	/// Adds shapes that overlap a group, on layers that its bodies collide with. May repeat known shapes.
 	void find(godot::PhysicsDirectSpaceState2D *p_state, std::vector<FoundShape> &r_found);
 
+	/// Waits until a physics server on a thread of its own has done what it was told: bodies that were freed or added
+	/// since are gone or there.
+	void await_server() const;
 	/// Longest time between two queries that cover a body [ticks].
 	int64_t interval() const;
 	/// Counts answers of the last `find` that were known already.
@@ -105,6 +109,7 @@ private:
 	void measure_groups();
 	/// The groups from `p_begin` on that one query covers: one whose bodies are awake, or several asleep side by side.
 	std::size_t end_of_run(std::size_t p_begin, Aabb &r_box) const;
+	void watch_crowds(godot::PhysicsDirectSpaceState2D *p_state);
 	void query(godot::PhysicsDirectSpaceState2D *p_state, const Aabb &p_box, int p_splits, int p_depth,
 			std::vector<FoundShape> &r_found);
 
@@ -119,6 +124,8 @@ private:
 	int64_t tick_ = 0;
 	int64_t regrouped_ = 0; ///< tick of the last regrouping
 
+	CrowdWatch crowds_;
+	std::size_t watched_group_ = 0; ///< whose crowd was counted last
 	int64_t needless_ = 0; ///< since the list was handed over
 	uint64_t listed_proxies_ = 0; ///< number of proxies at that time
 	bool is_list_valid_ = false;

@@ -39,6 +39,7 @@ constexpr Real SEAM_TOLERANCE = Real(1) / 16;
 
 EnvironmentReader::~EnvironmentReader() {
 	if (PhysicsServer2D::get_singleton() != nullptr) {
+		search_.await_server();
 		for (auto &[id, body] : bodies_) {
 			body.let_go();
 		}
@@ -48,6 +49,7 @@ EnvironmentReader::~EnvironmentReader() {
 void EnvironmentReader::read(PhysicsDirectSpaceState2D *p_state, std::span<const uint32_t> p_changed,
 		const std::vector<RID> &p_joined, double p_delta, WorldData &r_world) {
 	tick_++;
+	search_.await_server();
 	search_.follow(r_world, p_changed, p_delta);
 	take_back();
 	take_joined(p_joined);
@@ -60,7 +62,7 @@ void EnvironmentReader::read(PhysicsDirectSpaceState2D *p_state, std::span<const
 	if (!is_handed_over_) {
 		hand_over(p_delta, r_world);
 	}
-	list_moving();
+	list_moving(p_delta);
 }
 
 void EnvironmentReader::list_known() {
@@ -253,12 +255,18 @@ void EnvironmentReader::poll(double p_delta, WorldData &r_world) {
 	}
 }
 
-void EnvironmentReader::list_moving() {
+void EnvironmentReader::list_moving(double p_delta) {
 	moving_.clear();
-	for (const BodyRecord *body : leaders_) {
-		if (body->mode() != PhysicsServer2D::BODY_MODE_STATIC) {
-			moving_.push_back({ body, body->bounds() });
+	for (BodyRecord *body : leaders_) {
+		if (body->mode() == PhysicsServer2D::BODY_MODE_STATIC) {
+			continue;
 		}
+		Aabb box = body->bounds();
+		if (CharacterMotion *character = body->character()) {
+			character->begin_tick();
+			box = box.grown(length(body->rigid_body().linear_velocity) * Real(p_delta)); // known before it lands
+		}
+		moving_.push_back({ body, box });
 	}
 	moving_near_.resize(search_.group_count());
 	rows_near_moving_.clear();
@@ -271,6 +279,29 @@ void EnvironmentReader::list_moving() {
 		}
 		if (!moving_near_[group].empty()) {
 			search_.append_rows(group, rows_near_moving_);
+		}
+	}
+}
+
+void EnvironmentReader::begin_rides(Real p_mass, double p_delta, WorldData &r_world) {
+	for (const Moving &moving : moving_) {
+		if (moving.body->character() == nullptr) {
+			continue;
+		}
+		const BodyChange change = moving.body->ride(p_mass, p_delta);
+		if (change == BodyChange::MOVED && moving.body->rigid_index != NO_RIGID_BODY) {
+			r_world.set_rigid_body(moving.body->rigid_index, moving.body->rigid_body());
+		}
+		is_handed_over_ &= change != BodyChange::REBUILT;
+	}
+}
+
+void EnvironmentReader::end_rides(const WorldData &p_world, double p_delta) {
+	for (const Moving &moving : moving_) {
+		CharacterMotion *character = moving.body->character();
+		if (character != nullptr && character->acts() && moving.body->rigid_index != NO_RIGID_BODY) {
+			const uint32_t index = moving.body->rigid_index;
+			character->end_step(p_world.rigid_bodies()[index], p_world.reactions()[index], Real(p_delta));
 		}
 	}
 }

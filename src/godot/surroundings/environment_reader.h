@@ -33,7 +33,7 @@ public:
 			const std::vector<godot::RID> &p_joined, double p_delta, WorldData &r_world);
 	/// Rows of the soft bodies whose group (`ColliderSearch`) has bodies near it that move, or may.
 	std::span<const uint32_t> rows_near_moving() const { return rows_near_moving_; }
-	/// Calls `p_work(body, mode)` for the bodies that move, or may, and are near the soft body stored at `p_row`.
+	/// Calls `p_work(body)` for the bodies that move, or may, and are near the soft body stored at `p_row`.
 	template <class Work>
 	void for_moving_near(std::size_t p_row, const Work &p_work) const {
 		const uint32_t group = search_.group_of(p_row);
@@ -43,10 +43,15 @@ public:
 		for (const uint32_t i : moving_near_[group]) {
 			const Moving &moving = moving_[i];
 			if ((moving.body->surface().layer & search_.mask(p_row)) != 0 && moving.box.overlaps(search_.reach(p_row))) {
-				p_work(moving.body->rid(), moving.body->mode());
+				p_work(*moving.body);
 			}
 		}
 	}
+	/// Called after soft bodies near characters are noted (`CharacterMotion::note_near`): gives characters that fall or
+	/// stand on them a mass for the step of `p_delta` [s]. `p_mass` [kg] is that of characters without a mass of their own.
+	void begin_rides(Real p_mass, double p_delta, WorldData &r_world);
+	/// Called after the step: takes over where it has left them.
+	void end_rides(const WorldData &p_world, double p_delta);
 	/// Hands impulses of soft bodies in the step of `p_delta` [s] to the physics server. Bodies without impulses are not
 	/// touched, so that they can sleep.
 	void give_back_impulses(const WorldData &p_world, double p_delta);
@@ -56,8 +61,8 @@ public:
 private:
 	/// A body of the engine that moves, or may.
 	struct Moving {
-		const BodyRecord *body;
-		Aabb box; ///< in the world [px]
+		BodyRecord *body;
+		Aabb box; ///< that it may reach in the coming tick, in the world [px]
 	};
 
 	/// The tick since when a query has found every shape there is.
@@ -78,7 +83,7 @@ private:
 	void check_in_turn(int64_t &r_from, int p_budget, const Check &p_check);
 	void reread(BodyRecord &r_body);
 	void count_shapes();
-	void list_moving();
+	void list_moving(double p_delta);
 	void hand_over(double p_delta, WorldData &r_world);
 	void hand_over_shapes(const BodyRecord &p_body, double p_delta, WorldData &r_world);
 

@@ -157,7 +157,7 @@ HullParts divide_hull(std::span<const Vec2> rest_hull) {
 	return parts;
 }
 
-Real gather_part(std::span<const Vec2> hull, const std::vector<std::uint32_t> &part, std::vector<Vec2> &r_workspace,
+Dent gather_part(std::span<const Vec2> hull, const std::vector<std::uint32_t> &part, std::vector<Vec2> &r_workspace,
 		std::vector<Vec2> &r_outline) {
 	r_workspace.clear();
 	for (const std::uint32_t point : part) {
@@ -165,19 +165,23 @@ Real gather_part(std::span<const Vec2> hull, const std::vector<std::uint32_t> &p
 	}
 	if (is_convex(r_workspace) && turn(r_workspace[0], r_workspace[1], r_workspace[2]) > 0) {
 		r_outline.assign(r_workspace.begin(), r_workspace.end());
-		return 0;
+		return {};
 	}
 	enclose(r_workspace, r_outline);
-	Real deepest = 0;
+	Dent deepest;
 	for (const Vec2 point : r_workspace) {
-		Real depth = std::numeric_limits<Real>::max();
+		Dent dent{ std::numeric_limits<Real>::max(), {} };
 		for (std::size_t i = 0; i < r_outline.size(); ++i) {
 			const Vec2 from = r_outline[i];
-			const Vec2 along = r_outline[(i + 1) % r_outline.size()] - from;
-			depth = std::min(depth, cross(along, point - from) / length(along));
+			const Vec2 side = r_outline[(i + 1) % r_outline.size()] - from;
+			const Vec2 along = side * (1 / length(side));
+			const Real depth = cross(along, point - from);
+			if (depth < dent.depth) {
+				dent = { depth, point - perpendicular(along) * (depth / 2) };
+			}
 		}
-		if (!r_outline.empty()) {
-			deepest = std::max(deepest, depth);
+		if (!r_outline.empty() && dent.depth > deepest.depth) {
+			deepest = dent;
 		}
 	}
 	return deepest;

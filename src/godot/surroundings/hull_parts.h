@@ -26,10 +26,16 @@ struct HullParts {
 /// `rest_hull`: a simple polygon of positive winding. O(n²) once a hull.
 HullParts divide_hull(std::span<const Vec2> rest_hull);
 
+/// A dent, as a convex hull fills it.
+struct Dent {
+	Real depth = 0; ///< how far its deepest point lies inside of the convex hull [length]
+	Vec2 middle; ///< of what is filled there
+};
+
 /// Writes the convex hull of a part's points, of positive winding, into `r_outline`; nothing for points in line.
-/// `r_workspace` is kept by the caller, so that it grows once. Returns the depth of the deepest dent: how far a point
-/// lies inside its part's convex hull [length]. O(n), O(n log n) where the points are not convex.
-Real gather_part(std::span<const Vec2> hull, const std::vector<std::uint32_t> &part, std::vector<Vec2> &r_workspace,
+/// `r_workspace` is kept by the caller, so that it grows once. Returns the deepest dent. O(n), O(n log n) where the
+/// points are not convex.
+Dent gather_part(std::span<const Vec2> hull, const std::vector<std::uint32_t> &part, std::vector<Vec2> &r_workspace,
 		std::vector<Vec2> &r_outline);
 
 /// Writes the convex hull of a wedge.

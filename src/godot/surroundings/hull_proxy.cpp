@@ -4,11 +4,14 @@
 
 #include "godot/convert.h"
 
+#include <godot_cpp/classes/physics_direct_space_state2d.hpp>
+#include <godot_cpp/classes/physics_point_query_parameters2d.hpp>
 #include <godot_cpp/variant/transform2d.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 using namespace godot;
 
@@ -22,12 +25,18 @@ constexpr Real OUTLINE_TOLERANCE = Real(0.05);
 // Largest distance of the engine body's origin, at which areas with point gravity pull, from the center of mass [px].
 constexpr Real ORIGIN_TOLERANCE = Real(0.5);
 
-// Depth from which on a dent is shown, as a share of the body's radius, and at least in px.
-constexpr Real DENT_TOLERANCE = Real(0.03);
+// Depth from which on a dent is shown, as a share of the body's radius, and at least in px: that of a body alone, and of
+// one that a kinematic body presses. Smaller: bodies that are squashed in a pile are many shapes each, and shape queries
+// with few results miss bodies.
+constexpr Real DENT_TOLERANCE = Real(0.08);
+constexpr Real PRESSED_DENT_TOLERANCE = Real(0.03);
 constexpr Real LEAST_DENT_TOLERANCE = 1;
 
 // Ticks without a deep dent before a hull is shown in one piece again.
 constexpr int SMOOTH_FOLLOWS = 30;
+
+// Distance from a rider within which the outline is the hull [px].
+constexpr Real RIDER_MARGIN = 8;
 
 // Speeds below which the engine's body counts as still [px/s, rad/s]. A floor carries a character, and the character
 // moves the floor by friction: with the tremor of a pressed jelly passed on, the two wander off together.
@@ -78,6 +87,11 @@ void flush_hull_proxies(const RID &any) {
 	PhysicsServer2D::get_singleton()->body_apply_torque_impulse(any, 0);
 }
 
+// Commands wait in a queue. A question that the server's thread answers comes after them.
+void await_hull_proxies(const RID &any) {
+	PhysicsServer2D::get_singleton()->body_get_mode(any);
+}
+
 HullProxy::~HullProxy() {
 	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
 	if (!rid_.is_valid() || server == nullptr) {
@@ -110,6 +124,7 @@ void HullProxy::set_layer(std::uint32_t layer) {
 
 void HullProxy::enter(const RID &space, const SoftBodyData &body, Real inset) {
 	in_space_ = true;
+	space_ = space;
 	still_ = false;
 	placed_ = false;
 	follow(body, inset, false);
@@ -132,7 +147,8 @@ void HullProxy::divide(const SoftBodyData &body) {
 	polygons_.resize(parts_.convex.size());
 	rest_normals_ = corner_normals(body.shape().rest_hull());
 	shown_.clear();
-	wedged_ = false;
+	divided_ = false;
+	has_cuts_ = false;
 	drop_slots(parts_.convex.size());
 }
 
@@ -144,7 +160,11 @@ void HullProxy::trace(const SoftBodyData &body, const BodyFrame &frame, Real ins
 		return;
 	}
 	const std::span<const Vec2> rest = body.shape().rest_hull();
+	mark_at_riders(hull, riders_, RIDER_MARGIN, under_rider_);
 	for (std::size_t i = 0; i < hull.size(); ++i) {
+		if (under_rider_[i]) {
+			continue; // the step has pressed it in
+		}
 		const Vec2 normal = frame.rotation.apply(rest_normals_[i]);
 		const Real pressed_in = dot(frame.center + frame.rotation.apply(rest[i]) - hull[i], normal);
 		outline_[i] -= normal * std::clamp(inset - pressed_in, Real(0), inset);
@@ -217,49 +237,105 @@ bool HullProxy::has_moved(const std::vector<std::uint32_t> &part, std::size_t fi
 	return false;
 }
 
-// Wedges come a tick before the convex parts go, and go a tick after those have come back: no area sees the body leave
-// in between. The first slots show either; the slots behind them are for wedges only.
+// Wedges and pieces come a tick before the convex parts go, and go a tick after those have come back: no area sees the
+// body leave in between. The first slots show either; the slots behind them are for wedges and pieces only.
 void HullProxy::show(bool may_detail) {
-	const std::size_t part_count = parts_.convex.size();
 	Real radius = 0;
 	for (const Vec2 point : outline_) {
 		radius = std::max(radius, length_squared(point));
 	}
-	Real deepest = 0;
-	for (std::size_t i = 0; i < part_count; ++i) {
-		deepest = std::max(deepest, gather_part(outline_, parts_.convex[i], workspace_, polygons_[i]));
+	Dent deepest;
+	for (std::size_t i = 0; i < parts_.convex.size(); ++i) {
+		const Dent dent = gather_part(outline_, parts_.convex[i], workspace_, polygons_[i]);
+		deepest = dent.depth > deepest.depth ? dent : deepest;
 	}
-	const bool has_wedges = is_detailed();
-	const bool is_deep = deepest > std::max(LEAST_DENT_TOLERANCE, DENT_TOLERANCE * std::sqrt(radius)) &&
-			(may_detail || pressed_ || has_wedges);
+	const Real tolerance = std::max(LEAST_DENT_TOLERANCE, (pressed_ ? PRESSED_DENT_TOLERANCE : DENT_TOLERANCE) * std::sqrt(radius));
+	const bool is_deep = deepest.depth > tolerance &&
+			(pressed_ || ((may_detail || is_detailed()) && !is_filled(deepest.middle + origin_)));
 	smooth_follows_ = is_deep ? 0 : smooth_follows_ + 1;
+	if (!sinking_.empty()) {
+		show_cuts();
+	} else if (is_deep || (is_detailed() && smooth_follows_ < SMOOTH_FOLLOWS)) {
+		show_wedges();
+	} else {
+		show_whole(std::exchange(divided_, false));
+	}
+}
 
-	const bool dented = is_deep || (has_wedges && smooth_follows_ < SMOOTH_FOLLOWS);
-	const bool was_wedged = wedged_;
-	wedged_ = dented && has_wedges;
-	for (std::size_t i = 0; i < part_count; ++i) {
-		const HullParts::Wedge &wedge = parts_.wedges[i];
-		if (wedged_ && (!was_wedged || has_moved(parts_.convex[wedge.part], wedge.first, wedge.count))) {
-			gather_wedge(outline_, parts_, wedge, workspace_, polygons_[i]);
-			show_slot(i, polygons_[i]);
-		} else if (!wedged_ && (was_wedged || has_moved(parts_.convex[i], 0, parts_.convex[i].size()))) {
+// Whether another body is in the dent: what looks into it finds that one.
+bool HullProxy::is_filled(Vec2 place) const {
+	PhysicsDirectSpaceState2D *state = PhysicsServer2D::get_singleton()->space_get_direct_state(space_);
+	if (state == nullptr) {
+		return false;
+	}
+	Ref<PhysicsPointQueryParameters2D> query;
+	query.instantiate();
+	query->set_position(to_godot(place));
+	query->set_exclude(Array::make(rid_));
+	return !state->intersect_point(query, 1).is_empty();
+}
+
+// The parts, and nothing else once they have been shown for a tick.
+void HullProxy::show_whole(bool is_new) {
+	for (std::size_t i = 0; i < parts_.convex.size(); ++i) {
+		if (is_new || has_moved(parts_.convex[i], 0, parts_.convex[i].size())) {
 			show_slot(i, polygons_[i]);
 		}
 	}
-	if (!dented && !was_wedged) {
-		drop_slots(part_count);
-		return;
+	if (!is_new) {
+		drop_slots(parts_.convex.size());
+		has_cuts_ = false;
 	}
-	for (std::size_t i = part_count; i < parts_.wedges.size(); ++i) {
+}
+
+void HullProxy::show_wedges() {
+	const std::size_t part_count = parts_.convex.size();
+	const bool is_ready = is_detailed();
+	const bool is_new = !divided_ || has_cuts_;
+	for (std::size_t i = 0; i < parts_.wedges.size(); ++i) {
 		const HullParts::Wedge &wedge = parts_.wedges[i];
-		if (i >= slots_.size() || has_moved(parts_.convex[wedge.part], wedge.first, wedge.count)) {
+		if (i < part_count && !is_ready) {
+			if (divided_ || has_moved(parts_.convex[i], 0, parts_.convex[i].size())) {
+				show_slot(i, polygons_[i]);
+			}
+		} else if (i >= slots_.size() || is_new || has_moved(parts_.convex[wedge.part], wedge.first, wedge.count)) {
 			gather_wedge(outline_, parts_, wedge, workspace_, polygon_);
 			show_slot(i, polygon_);
 		}
 	}
+	divided_ = is_ready;
+	has_cuts_ = false;
+	drop_slots(std::max(part_count, parts_.wedges.size()));
 }
 
-void HullProxy::send_velocity(const BodyFrame &frame, bool asleep) {
+// An empty piece is shown as another piece once more: as a speck it could be in the way.
+void HullProxy::show_cuts() {
+	const std::size_t part_count = parts_.convex.size();
+	const std::size_t more = pieces_for(sinking_.size()) - 1;
+	const bool is_ready = has_cuts_ && slots_.size() >= part_count * (1 + more);
+	has_cuts_ = true;
+	pieces_.resize(part_count);
+	const std::vector<Vec2> *filler = nullptr;
+	for (std::size_t part = 0; part < part_count; ++part) {
+		cut_for_riders(polygons_[part], sinking_, pieces_[part]);
+		for (const std::vector<Vec2> &piece : pieces_[part]) {
+			filler = filler != nullptr || piece.empty() ? filler : &piece;
+		}
+	}
+	const auto filled = [&](const std::vector<Vec2> &piece) { return piece.empty() && filler != nullptr ? *filler : piece; };
+	for (std::size_t part = 0; part < part_count; ++part) {
+		show_slot(part, is_ready ? filled(pieces_[part].front()) : polygons_[part]);
+	}
+	for (std::size_t i = 0; i < part_count * more; ++i) {
+		show_slot(part_count + i, filled(pieces_[i / more][1 + i % more]));
+	}
+	divided_ = is_ready;
+	drop_slots(part_count * (1 + more));
+}
+
+void HullProxy::send_velocity(const SoftBodyData &body, BodyFrame frame) {
+	const bool asleep = body.is_asleep();
+	move_with_riders(body.hull(), body.velocities(), riders_, frame);
 	Real spin = asleep ? 0 : frame.angular_velocity;
 	Vec2 velocity = asleep ? Vec2{} : frame.velocity + perpendicular(origin_ - frame.center) * spin;
 	if (length_squared(velocity) < SPEED_TOLERANCE * SPEED_TOLERANCE && std::abs(spin) < SPIN_TOLERANCE) {
@@ -278,7 +354,9 @@ void HullProxy::send_velocity(const BodyFrame &frame, bool asleep) {
 
 bool HullProxy::follow(const SoftBodyData &body, Real inset, bool may_detail) {
 	const Real wanted = pressed_ ? std::min(inset, body.shape().width() / 4) : 0;
-	if (!in_space_ || (still_ && body.is_asleep() && wanted == inset_ && !parts_.convex.empty())) {
+	asked_inset_ = inset;
+	const bool has_new_riders = std::exchange(has_new_riders_, false);
+	if (!in_space_ || (still_ && body.is_asleep() && wanted == inset_ && !has_new_riders && !parts_.convex.empty())) {
 		return false;
 	}
 	if (parts_.convex.empty()) {
@@ -304,15 +382,36 @@ bool HullProxy::follow(const SoftBodyData &body, Real inset, bool may_detail) {
 			outline_[i] = shown_[i];
 		}
 	}
-	if (is_changed || is_detailed()) {
+	gather_riders(body.hull());
+	if (is_changed || is_detailed() || has_cuts_ || !sinking_.empty()) {
 		show(may_detail);
 	}
-	send_velocity(frame, asleep);
+	send_velocity(body, frame);
 	if (!asleep && !is_placed) {
 		stir(); // the engine updates areas for bodies that seem to move
 	}
-	still_ = rests && (!is_detailed() || (wedged_ && smooth_follows_ == 0));
+	still_ = rests && riders_.empty() && !has_cuts_ && (!is_detailed() || (divided_ && smooth_follows_ == 0));
 	return slots_.size() > 1;
+}
+
+bool HullProxy::set_riders(const std::vector<Rider> &riders) {
+	if (riders == riders_) {
+		return false;
+	}
+	riders_ = riders;
+	has_new_riders_ = true;
+	return true;
+}
+
+// Riders in the frame of the shapes.
+void HullProxy::gather_riders(std::span<const Vec2> hull) {
+	sinking_.clear();
+	for (const Rider &rider : riders_) {
+		if (sinks_in(hull, rider)) {
+			sinking_.push_back(rider);
+			sinking_.back().box = { rider.box.min - origin_, rider.box.max - origin_ };
+		}
+	}
 }
 
 void HullProxy::stir() {

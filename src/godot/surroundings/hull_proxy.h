@@ -5,6 +5,7 @@
 #include "core/model/body_frame.h"
 #include "core/model/soft_body_data.h"
 #include "godot/surroundings/hull_parts.h"
+#include "godot/surroundings/rider.h"
 
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/variant/rid.hpp>
@@ -12,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace softbody {
@@ -20,7 +22,8 @@ namespace softbody {
 /// convex polygons that follow the hull at once, within OUTLINE_TOLERANCE. A part with a dent (`HullParts::convex`) is
 /// shown as its convex hull; a dent deeper than DENT_TOLERANCE is shown in wedges, at many times the cost, if the
 /// caller allows it or a kinematic body is near. Near kinematic bodies (`begin_near`) the outline is drawn in by
-/// `inset`, so that they press the hull. Collision exceptions leave near rigid bodies to the core. A sleeping body
+/// `inset`, so that they press the hull. Under characters with a mass (`set_riders`) it is the hull, cut so that they find
+/// a floor where the step has left them. Collision exceptions leave near rigid bodies to the core. A sleeping body
 /// costs nothing. RIDs stay constant for the life of the proxy. See docs/decisions/engine-proxy.md.
 class HullProxy {
 public:
@@ -47,7 +50,7 @@ public:
 	/// `flush_hull_proxies` must be called before any query.
 	bool follow(const SoftBodyData &body, Real inset, bool may_detail);
 	/// Whether it is shown in wedges.
-	bool is_detailed() const { return !parts_.convex.empty() && slots_.size() > parts_.convex.size(); }
+	bool is_detailed() const { return !parts_.convex.empty() && slots_.size() > parts_.convex.size() && !has_cuts_; }
 
 	/// Encloses the reports of bodies near this one; a body not reported in between is no longer near.
 	void begin_near();
@@ -55,7 +58,12 @@ public:
 	void end_near();
 	/// Whether a kinematic body is near.
 	bool is_pressed() const { return pressed_; }
-	/// Whether `follow` has nothing to do until the body moves or `is_pressed` changes.
+	/// Whether characters find it hard: its outline is not drawn in for them.
+	bool is_hard() const { return !(asked_inset_ > 0); }
+	/// Characters on it or above it after a step, until the next call. Under them the outline is the hull, and it moves
+	/// with those that stand on it. True if they differ from those before.
+	bool set_riders(const std::vector<Rider> &riders);
+	/// Whether `follow` has nothing to do until the body moves, or `is_pressed` or the riders change.
 	bool is_still() const { return !in_space_ || still_; }
 
 	void add_exception(const godot::RID &body);
@@ -75,11 +83,17 @@ private:
 	bool place(const BodyFrame &frame, bool exactly);
 	bool has_moved(const std::vector<std::uint32_t> &part, std::size_t first, std::size_t count) const;
 	void show(bool may_detail);
+	void gather_riders(std::span<const Vec2> hull);
+	bool is_filled(Vec2 place) const;
+	void show_wedges();
+	void show_cuts();
+	void show_whole(bool is_new);
 	void show_slot(std::size_t index, const std::vector<Vec2> &outline);
 	void drop_slots(std::size_t count);
-	void send_velocity(const BodyFrame &frame, bool asleep);
+	void send_velocity(const SoftBodyData &body, BodyFrame frame);
 
 	godot::RID rid_;
+	godot::RID space_;
 	std::vector<Slot> slots_;
 	HullParts parts_;
 	std::vector<Vec2> rest_normals_; ///< outward, one a hull point
@@ -90,10 +104,16 @@ private:
 	Vec2 origin_;
 	Vec2 velocity_;
 	Real angular_velocity_ = 0;
+	Real asked_inset_ = 0; ///< that of the last `follow`
 	Real inset_ = 0;
+	std::vector<Rider> riders_;
+	std::vector<Rider> sinking_; ///< riders that sink in, relative to the origin
+	bool has_new_riders_ = false;
+	bool has_cuts_ = false; ///< the slots behind the parts show pieces
+	std::vector<bool> under_rider_; ///< hull points at riders
 	bool in_space_ = false;
 	bool still_ = false; ///< the body rests, and all of it has been shown
-	bool wedged_ = false; ///< the first slots show wedges
+	bool divided_ = false; ///< the first slots show wedges or pieces, not parts
 	int smooth_follows_ = 0; ///< ticks without a deep dent
 	bool placed_ = false;
 
@@ -104,6 +124,7 @@ private:
 
 	std::vector<Vec2> workspace_;
 	std::vector<std::vector<Vec2>> polygons_; ///< one a convex part
+	std::vector<std::vector<std::vector<Vec2>>> pieces_; ///< of each convex part
 	std::vector<Vec2> polygon_;
 };
 
@@ -117,5 +138,9 @@ std::uint64_t hull_proxies_made();
 
 /// Makes the engine process all polygons changed since the last call. `any` is the RID of any proxy.
 void flush_hull_proxies(const godot::RID &any);
+
+/// Waits until a physics server on a thread of its own has done what it was told, so that queries in this tick find
+/// proxies where they are now. `any` is the RID of any proxy.
+void await_hull_proxies(const godot::RID &any);
 
 } // namespace softbody

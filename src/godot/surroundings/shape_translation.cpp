@@ -25,6 +25,9 @@ namespace {
 // Points of a half circle, where a circle is squeezed by a scale that differs along x and y.
 constexpr int ARC_POINTS = 16;
 
+// Depth of a one-way border behind its front [px]. Smaller: a pile presses points through to its back.
+constexpr Real ONE_WAY_DEPTH = 1000;
+
 // Largest difference of the scales along x and y at which a circle stays round, over the scale.
 constexpr double ROUND_TOLERANCE = 1e-4;
 
@@ -124,6 +127,20 @@ void add_segments(const PackedVector2Array &p_ends, const Transform2D &p_to_fram
 }
 
 } // namespace
+
+void make_border_finite(Vec2 middle, TranslatedShape &r_shape) {
+	if (!r_shape.border) {
+		return;
+	}
+	const Vec2 normal = r_shape.border->normal;
+	const Vec2 front = middle - normal * signed_distance(*r_shape.border, middle);
+	const Vec2 along = perpendicular(normal) * ONE_WAY_REACH;
+	const Vec2 depth = normal * ONE_WAY_DEPTH;
+	Collider collider;
+	collider.vertices = { front - along, front + along, front + along - depth, front - along - depth };
+	r_shape.border.reset();
+	r_shape.colliders.push_back(std::move(collider));
+}
 
 TranslatedShape translate_shape(PhysicsServer2D::ShapeType p_type, const Variant &p_data, const Transform2D &p_to_frame) {
 	TranslatedShape shape;

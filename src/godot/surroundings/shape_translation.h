@@ -28,4 +28,11 @@ struct TranslatedShape {
 TranslatedShape translate_shape(godot::PhysicsServer2D::ShapeType p_type, const godot::Variant &p_data,
 		const godot::Transform2D &p_to_frame);
 
+/// Half the width of a one-way border [px]. Larger: single precision rounds contacts more coarsely.
+inline constexpr Real ONE_WAY_REACH = 40000;
+
+/// Turns a border, if there is one, into a collider with the same front, as only colliders can be one-way. It ends
+/// ONE_WAY_REACH to either side of `middle`, a place in the same frame.
+void make_border_finite(Vec2 middle, TranslatedShape &r_shape);
+
 } // namespace softbody
