@@ -25,6 +25,10 @@ nlohmann::json pile(const Options &options);
 nlohmann::json scaling(const Options &options);
 nlohmann::json contact_accuracy(const Options &options);
 nlohmann::json contact_books(const Options &options);
+/// A part of `contact_accuracy`.
+nlohmann::json field_scenes(const Options &options);
+/// A part of `contact_accuracy`.
+nlohmann::json contact_chart(const Options &options);
 nlohmann::json stress(const Options &options);
 nlohmann::json soak(const Options &options);
 nlohmann::json model(const Options &options);

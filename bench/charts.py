@@ -410,6 +410,46 @@ def chart_contacts(section):
     save(figure, "contacts")
 
 
+ERROR_FLOOR = 1e-4  # smaller ones are drawn there: rounding
+
+
+def chart_contact_errors(section):
+    """Each error of contacts that a player sees over the time of a step, one point a number of contact substeps."""
+    rows = section["chart"]
+    kinds = list(dict.fromkeys((row["error"], row["unit"]) for row in rows))
+    figure, grid = plt.subplots(2, (len(kinds) + 1) // 2, figsize=(13, 7.6), sharex=True, layout="constrained")
+    names = list(dict.fromkeys(row["integrator"] for row in rows))
+    for axes, (kind, unit) in zip(grid.flat, kinds):
+        for name in names:
+            curve = [row for row in rows if row["integrator"] == name and row["error"] == kind]
+            times = [row["us_per_body_step"] for row in curve]
+            errors = [max(row["value"], ERROR_FLOOR) for row in curve]
+            style = STYLES[name]
+            axes.plot(times, errors, color=style["color"], marker=style["marker"], ms=5, lw=1.6)
+            for row, time, error in zip(curve, times, errors):
+                below = name == "xpbd"
+                axes.annotate(f"{row['contact_substeps']}", (time, error), xytext=(3, -11 if below else 5),
+                              textcoords="offset points", fontsize=8, color=style["color"])
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        low, high = axes.get_ylim()
+        axes.set_ylim(min(low, high / 30) / 1.6, high * 1.6)
+        ticks = [tick for tick in (2, 5, 10, 20, 50, 100) if axes.get_xlim()[0] <= tick <= axes.get_xlim()[1]]
+        axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+        axes.minorticks_off()
+        axes.set_title(kind)
+        axes.set_ylabel(f"error [{unit}]")
+    for axes in grid[-1]:
+        axes.set_xlabel("time of a body and step, one thread [µs]")
+    labels = {"semi_implicit_euler": "forces: semi-implicit Euler", "xpbd": "constraints: XPBD"}
+    handles = [Line2D([], [], color=STYLES[name]["color"], marker=STYLES[name]["marker"], ms=5, label=labels[name])
+               for name in names]
+    figure.legend(handles=handles, loc="outside upper center", ncols=len(names),
+                  title="Default nodes: errors of contacts over their cost; number: contact substeps a step")
+    source_note(figure, section)
+    save(figure, "contact-errors")
+
+
 # --- Models
 
 
@@ -424,7 +464,7 @@ CHARTS_OF = {
     "stability": (chart_stability,),
     "energy": (chart_energy,),
     "recovery": (chart_recovery,),
-    "contact-accuracy": (chart_contacts,),
+    "contact-accuracy": (chart_contacts, chart_contact_errors),
     "model": (chart_model,),
 }
 

@@ -402,7 +402,8 @@ json separation_force(bool quick) {
 json contact_accuracy(const Options &options) {
 	return { { "slopes", slopes(options.quick) }, { "restitutions", restitutions() }, { "bounces", bounces() },
 		{ "penetrations", penetrations(options.quick) }, { "separation_force", separation_force(options.quick) },
-		{ "books", contact_books(options)["rows"] } };
+		{ "books", contact_books(options)["rows"] }, { "field_scenes", field_scenes(options) },
+		{ "chart", contact_chart(options) } };
 }
 
 } // namespace bench

@@ -5,6 +5,7 @@ import math
 import os
 
 import tables_books
+import tables_fields
 from tables_b import number, rounded, verdict
 
 OVERLAP_LIMIT = 0.05  # of R, as the programs count overlapping pairs
@@ -227,6 +228,7 @@ def summarize_contacts(result):
             max(row["restitution"] - row["effective_restitution"] for row in rebounds)
         ),
         **{key: value for key, value in books.items() if key not in ("rows", "targets")},
+        **tables_fields.summarize(result["field_scenes"]),
         **load(),
         **rounded(result),
     }
@@ -256,6 +258,8 @@ def print_contacts(summary):
               f" {percent(row['mean_penetration']):>10} {percent(row['worst_penetration']):>10}"
               f" {percent(row['mean_penetration_at_end']):>12} {row['folded_ever']:>7} {row['overlapping_ever']:>8}")
     print_separation_force(summary["separation_force"])
+    tables_fields.print_table(summary["field_scenes"])
+    tables_fields.print_chart(summary["chart"])
     print_load(summary)
 
 
