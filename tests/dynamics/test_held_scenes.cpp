@@ -2,6 +2,7 @@
 // Scenes in which contacts and joints must hold against everything else that moves points.
 #include "core/creator/soft_body_creator.h"
 #include "core/dynamics/simulator.h"
+#include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 #include "scenes/jelly.h"
 #include "scenes/thesis_body.h"
@@ -44,12 +45,11 @@ TEST_CASE("nothing that is thrown at a floor of one segment gets through, at any
 			WorldData world = pixel_world();
 			const Rotation turn = Rotation::from_angle(random.real(-0.3, 0.3));
 			Collider floor;
-			floor.vertices = { turn.apply({ -size / 2, 0 }), turn.apply({ size / 2, 0 }) };
+			floor.vertices = { {}, turn.apply({ size, 0 }) };
 			REQUIRE(!world.add_collider(floor));
 			BodySettings settings = jelly_settings();
 			settings.friction = Real(0.4);
-			const Real along = std::min(Real(0.4) * size, size / 2 - 1500); // it slides on by a thousand pixels
-			SoftBodyData body = jelly_circle(turn.apply({ random.real(-1, 1) * along, -200 }), settings);
+			SoftBodyData body = jelly_circle(turn.apply({ random.real(1500, size - 1500), -200 }), settings); // slides by 1,000 px
 			const Vec2 velocity = turn.apply({ random.real(-300, 300), random.real(300, 2500) });
 			for (std::uint32_t i = 0; i < body.point_count(); ++i) {
 				REQUIRE(!body.set_point(i, body.positions()[i], velocity));
@@ -100,6 +100,68 @@ TEST_CASE("rigid joints hold where load draws bodies out past their limits") {
 			}
 		}
 		CHECK(widest < 1); // px
+	}
+}
+
+TEST_CASE("a chain that is shaken by 100 px a tick keeps its joints, and has its shape back after 3 s: 20 ways to shake it") {
+	for (int seed = 0; seed < 20; ++seed) {
+		CAPTURE(seed);
+		WorldData world = pixel_world();
+		BodySettings settings = jelly_settings();
+		set_default_limits(settings);
+		std::vector<BodyId> links;
+		constexpr int LINKS = 10;
+		for (int i = 0; i < LINKS; ++i) {
+			links.push_back(world.add_soft_body(jelly_circle({ Real(2 * JELLY_RADIUS * i), 0 }, settings)));
+		}
+		const Vec2 hook = world.find(links[0])->positions()[JELLY_HULL_POINTS / 2];
+		REQUIRE(!world.find(links[0])->set_pinned(JELLY_HULL_POINTS / 2, true));
+		for (int i = 0; i + 1 < LINKS; ++i) {
+			Joint joint;
+			joint.first = JointAnchor::on_point(links[std::size_t(i)], 0);
+			joint.second = JointAnchor::on_point(links[std::size_t(i) + 1], JELLY_HULL_POINTS / 2);
+			REQUIRE(world.add_joint(joint));
+		}
+		Simulator simulator(world);
+		Random random(std::uint64_t(seed) + 900);
+		for (int step = 0; step < 300; ++step) {
+			if (step < 120) {
+				REQUIRE(!world.find(links[0])->set_pin_target(JELLY_HULL_POINTS / 2, hook + random.vector(100)));
+			}
+			simulator.simulate(FRAME);
+		}
+		for (int i = 0; i < LINKS; ++i) {
+			const SoftBodyData &body = *world.find(links[std::size_t(i)]);
+			CHECK(signed_area(body.hull()) > Real(0.6) * signed_area(body.shape().rest_hull()));
+			if (i + 1 < LINKS) {
+				const SoftBodyData &next = *world.find(links[std::size_t(i) + 1]);
+				CHECK(length(body.positions()[0] - next.positions()[JELLY_HULL_POINTS / 2]) < 1); // px
+			}
+		}
+	}
+}
+
+TEST_CASE("where other bodies have pushed a body is forgotten when they or the colliders near it are gone") {
+	for (const bool without_neighbor : { true, false }) {
+		CAPTURE(without_neighbor);
+		WorldData world = pixel_world();
+		Collider floor;
+		floor.vertices = { { -400, 0 }, { 400, 0 } };
+		REQUIRE(!world.add_collider(floor));
+		const BodyId below = world.add_soft_body(jelly_circle({ 0, -JELLY_RADIUS }));
+		const BodyId above = world.add_soft_body(jelly_circle({ 0, Real(-2.9) * JELLY_RADIUS }));
+		Simulator simulator(world);
+		for (int step = 0; step < 20; ++step) {
+			simulator.simulate(FRAME);
+		}
+		CHECK(!world.find(below)->last_valid_hull().empty());
+		if (without_neighbor) {
+			world.remove_soft_body(above);
+		} else {
+			world.clear_environment();
+		}
+		simulator.simulate(FRAME);
+		CHECK(world.find(below)->last_valid_hull().empty());
 	}
 }
 

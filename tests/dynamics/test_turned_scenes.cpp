@@ -59,7 +59,8 @@ TEST_CASE("a scene that is turned by any angle takes the same way for half a sec
 		CAPTURE(scene);
 		std::vector<Start> starts;
 		for (int i = 0; i < 6; ++i) {
-			starts.push_back({ { Real(-140 + 110 * (i % 3)) + random.real(-4, 4), Real(-60 - 110 * (i / 3)) + random.real(-4, 4) },
+			const int apart = scene % 2 == 0 ? 110 : 75; // px: every second scene starts with bodies inside one another
+			starts.push_back({ { Real(-140 + apart * (i % 3)) + random.real(-4, 4), Real(-60 - apart * (i / 3)) + random.real(-4, 4) },
 					random.vector(200), i % 2 == 0 ? Real(0) : random.real(0, 1) });
 		}
 		const Rotation turn = Rotation::from_angle(random.real(-3, 3));

@@ -26,7 +26,7 @@ BodyState full_state() {
 	state.touch = { true, 5, Real(0.5), { 0, 1 }, { 3, 2 }, 1.5 };
 	state.pair_touches = { { { 3, 9 }, { true, 4 } }, { { 5, 1 }, { true, 2 } } };
 	state.one_ways = { { 77, true }, { 78, false } };
-	state.rest = { Real(0.25), { 1, 2 }, { 3, 4 }, true, true, 12, 0x123456789abcdefu, 0 };
+	state.rest = { Real(0.25), { 1, 2 }, { 3, 4 }, true, 12, 0x123456789abcdefu, 0 };
 	state.last_valid_hull.assign(body.hull().begin(), body.hull().end());
 	state.active = false;
 	state.frozen = true;

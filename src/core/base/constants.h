@@ -118,10 +118,6 @@ inline constexpr Real DEFAULT_SHAPE_MATCHING = Real(0.4);
 /// so that rounding can never put it on the other side. Larger: visible gap. Smaller: leaks far from the origin.
 inline constexpr Real LINEAR_SLOP = Real(0.001);
 
-/// Least half thickness of a segment, in steps by which positions are rounded at its place [1]. It exceeds LINEAR_SLOP
-/// beyond 100,000 px from the origin in float. Larger: visible gap there. Smaller: leaks there.
-inline constexpr Real ROUNDING_SLOP = 8;
-
 /// Depth up to which a one-way collider still holds a body, if it sets none [length, times WorldData::length_unit].
 /// Larger: bodies that have hardly come through from behind are held. Smaller: pressed bodies may fall through.
 inline constexpr Real ONE_WAY_MARGIN = Real(0.01);

@@ -21,12 +21,6 @@ Real fastest(std::span<const Vec2> velocities) {
 	return std::sqrt(greatest_lane(most));
 }
 
-// Far from the origin, positions are rounded to more than LINEAR_SLOP.
-Real slop_at(const Aabb &place, Real length_unit) {
-	const Real farthest = std::max({ -place.min.x, -place.min.y, place.max.x, place.max.y });
-	return std::max(LINEAR_SLOP * length_unit, ROUNDING_SLOP * farthest * std::numeric_limits<Real>::epsilon());
-}
-
 constexpr Aabb NOWHERE{ { std::numeric_limits<Real>::quiet_NaN(), 0 }, { std::numeric_limits<Real>::quiet_NaN(), 0 } };
 
 } // namespace
@@ -77,7 +71,6 @@ void EnvironmentContactSolver::forget_one_ways(SoftBodyData &body) const {
 
 void EnvironmentContactSolver::gather(const SoftBodyData &body, Real margin) {
 	near().reach = bounding_box(body.hull()).grown(margin);
-	near().slop = slop_at(near().reach, surroundings_->world().length_unit());
 	surroundings_->collect(near().reach, near().colliders);
 	std::erase_if(near().colliders, [&](std::uint32_t i) {
 		return !notices(body, surroundings_->world().colliders()[i].surface);

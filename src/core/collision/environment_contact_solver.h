@@ -43,7 +43,7 @@ public:
 private:
 	Real solve(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, std::uint32_t feature);
 	std::uint32_t index_of(const SoftBodyData &body) const;
-	Real slop() const { return near().slop; }
+	Real slop() const { return LINEAR_SLOP * surroundings_->world().length_unit(); }
 	ColliderMotion motion_of(const Collider &collider) const;
 	void gather(const SoftBodyData &body, Real margin);
 	void handle_borders(SoftBodyData &body);
@@ -62,7 +62,6 @@ private:
 		std::vector<std::uint32_t> colliders; ///< colliders that the body may meet
 		Aabb reach; ///< box for which `colliders` is complete
 		Real margin = 0;
-		Real slop = 0; ///< half thickness of bare segments [length]
 		Real elapsed = 0; ///< time since the step began, at the start of the coming substep [s]
 		bool has_one_way = false; ///< whether `colliders` holds a one-way collider
 	};

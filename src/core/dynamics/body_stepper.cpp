@@ -259,15 +259,11 @@ void BodyStepper::time_rest(const Batch &batch, Real dt) {
 				twice_energy < slow * slow * mass * wobble * wobble;
 		RestState &rest = data.rest_state();
 		rest.rest_time = is_slow ? rest.rest_time + dt : Real(0);
-		rest.pulled &= is_slow;
 		if (batch.settings->can_sleep && rest.rest_time > DROWSY_TIME) {
 			if (rest.rest_time - dt <= DROWSY_TIME) {
 				rest.drowsy_center = measure_frame(data).center;
 				rest.drowsy_velocity = momentum * (1 / mass);
 				continue; // slowed from the next step on
-			}
-			if (rest.pulled) {
-				continue;
 			}
 			const Real keep = std::max(Real(0), 1 - dt / DROWSY_DECAY);
 			for (std::size_t i = 0; i < masses.size(); ++i) {

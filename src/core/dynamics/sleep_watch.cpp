@@ -133,20 +133,20 @@ void SleepWatch::join(BodyPair pair) {
 	islands_.join(a, b);
 }
 
-// The constant acceleration that has moved a body from where it became drowsy to where it is. In a time t it goes
-// v0 t + a t²/2. With the decay d of a drowsy body it goes v0 d s + a d (t - d s), where s = 1 - exp(-t/d). None if its
-// velocity is another than such an acceleration leaves: then it wobbles.
+// The constant acceleration that has moved a body from where it became drowsy to where it is. Its velocity decays
+// within d, so that in a time t it goes v0 d s + a d (t - d s), where s = 1 - exp(-t/d). None if its velocity is another
+// than such an acceleration leaves: then it wobbles.
 Vec2 SleepWatch::pull_on(std::uint32_t active_index) const {
 	SoftBodyData &body = bodies_.data(active_index);
 	const RestState &rest = body.rest_state();
 	const Real time = rest.rest_time - DROWSY_TIME;
 	const Real share = 1 - std::exp(-time / DROWSY_DECAY);
-	const Real coasted = rest.pulled ? time : DROWSY_DECAY * share;
-	const Real gained = rest.pulled ? time * time / 2 : DROWSY_DECAY * (time - coasted);
+	const Real coasted = DROWSY_DECAY * share;
+	const Real gained = DROWSY_DECAY * (time - coasted);
 	const BodyFrame frame = measure_frame(body);
 	const Vec2 pull = (frame.center - rest.drowsy_center - rest.drowsy_velocity * coasted) * (1 / gained);
-	const Vec2 left = rest.drowsy_velocity * (rest.pulled ? 1 : 1 - share);
-	const Vec2 faster = pull * (rest.pulled ? time : DROWSY_DECAY * share);
+	const Vec2 left = rest.drowsy_velocity * (1 - share);
+	const Vec2 faster = pull * coasted;
 	return length(frame.velocity - left - faster) <= length(faster) / 2 ? pull : Vec2{};
 }
 
@@ -170,18 +170,16 @@ void SleepWatch::release_pulled() {
 		const std::uint32_t island = islands_.find(i);
 		const Real least = (bodies_in_[island] == 1 ? FREE_PULL : FREE_PULL_OF_MANY) * world_.length_unit();
 		RestState &rest = bodies_.data(i).rest_state();
-		const bool is_pulled = length(pulls_[island]) > least * masses_[island];
-		if (least_rest_[island] < SLEEP_TIME || (!is_pulled && !rest.pulled)) {
+		if (least_rest_[island] < SLEEP_TIME || length(pulls_[island]) <= least * masses_[island]) {
 			continue;
 		}
-		if (is_pulled && !rest.pulled && bodies_.data(i).is_free()) {
+		if (bodies_.data(i).is_free()) {
 			const Vec2 velocity = rest.drowsy_velocity + pull_on(i) * (rest.rest_time - DROWSY_TIME);
 			const Vec2 missing = velocity - measure_frame(bodies_.data(i)).velocity;
 			for (Vec2 &v : bodies_.data(i).mutable_velocities()) {
 				v += missing;
 			}
 		}
-		rest.pulled = is_pulled;
 		rest.rest_time = 0;
 	}
 	for (const std::uint32_t i : bodies_.awake()) {

@@ -174,7 +174,7 @@ void visit_state(State &state, auto &archive) {
 	archive.visit_list(state.one_ways, sizeof(std::uint64_t) + 1, [&](auto &memory) { each(memory.collider, memory.held); });
 	each(state.rotation_memory.c, state.rotation_memory.s);
 	each(state.touch.touching, state.touch.approach, state.touch.restitution, state.touch.normal, state.touch.surface_velocity, state.touch.account);
-	each(state.rest.rest_time, state.rest.drowsy_center, state.rest.drowsy_velocity, state.rest.pulled, state.rest.asleep, state.rest.island, state.rest.surroundings);
+	each(state.rest.rest_time, state.rest.drowsy_center, state.rest.drowsy_velocity, state.rest.asleep, state.rest.island, state.rest.surroundings);
 	each(state.active, state.frozen, state.load.force, state.load.torque, state.acceleration);
 }
 

@@ -77,7 +77,6 @@ struct RestState {
 	Real rest_time = 0; ///< [s]
 	Vec2 drowsy_center; ///< center of mass when it became drowsy
 	Vec2 drowsy_velocity; ///< of the center of mass at that time [length/s]
-	bool pulled = false; ///< something has moved it when it was drowsy; it is slowed no more while that lasts
 	bool asleep = false;
 	std::uint64_t island = 0; ///< while asleep: common to all bodies that fell asleep together
 	std::uint64_t surroundings = 0; ///< while asleep: stands for its environment and joints, see `SleepWatch`
