@@ -32,6 +32,10 @@ const char *const AWAKE_MONITOR = "SoftBody2D/Awake Bodies";
 const char *const CONTACT_MONITOR = "SoftBody2D/Contacts";
 const char *const STEP_MONITOR = "SoftBody2D/Step (usec)";
 
+// Time that the engine's physics thread gets to end its step before the first call of a tick [us]. Godot waits for ever if
+// such a call meets the thread between telling that the step is done and clearing its queue (godotengine/godot#120941).
+constexpr int32_t PHYSICS_THREAD_PAUSE = 100;
+
 } // namespace
 
 SoftBodySimulation2D *SoftBodySimulation2D::get_singleton() {
@@ -121,6 +125,9 @@ void SoftBodySimulation2D::step() {
 	const double delta = tree->get_root()->get_physics_process_delta_time();
 	if (!(delta > 0)) {
 		return; // Engine.time_scale is 0
+	}
+	if (settings_.has_physics_thread) {
+		OS::get_singleton()->delay_usec(PHYSICS_THREAD_PAUSE);
 	}
 	const uint64_t start = Time::get_singleton()->get_ticks_usec();
 	step_spaces(delta);

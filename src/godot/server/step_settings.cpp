@@ -20,6 +20,7 @@ constexpr const char *THREADS = "physics/soft_body_2d/solver/threads";
 constexpr const char *CONTACT_SUBSTEPS = "physics/soft_body_2d/solver/contact_substeps";
 constexpr const char *SUBSTEPS = "physics/soft_body_2d/solver/default_substeps";
 constexpr const char *CAN_SLEEP = "physics/soft_body_2d/sleep/enabled";
+constexpr const char *PHYSICS_THREAD = "physics/2d/run_on_separate_thread"; // the engine's
 constexpr const char *CHARACTER_MASS = "physics/soft_body_2d/characters/mass";
 constexpr int MAX_THREADS = 64;
 constexpr double MAX_CHARACTER_MASS = 1e6; // [kg]
@@ -73,6 +74,7 @@ void register_step_settings() {
 StepSettings read_step_settings() {
 	const StepSettings defaults;
 	StepSettings settings;
+	settings.has_physics_thread = ProjectSettings::get_singleton()->get_setting(PHYSICS_THREAD, false);
 	settings.threads = read_count(THREADS, 0, MAX_THREADS, defaults.threads);
 	settings.contact_substeps = read_count(CONTACT_SUBSTEPS, 1, MAX_SUBSTEPS, defaults.contact_substeps);
 	settings.substeps = read_count(SUBSTEPS, 0, MAX_SUBSTEPS, defaults.substeps);
