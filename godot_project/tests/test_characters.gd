@@ -14,6 +14,13 @@ class Walker extends CharacterBody2D:
 		collision.shape = shape
 		add_child(collision)
 
+	func _ready() -> void:
+		# A server with a thread of its own knows a body after the tick in which it came; until then the engine reports an error.
+		if ProjectSettings.get_setting("physics/2d/run_on_separate_thread"):
+			set_physics_process(false)
+			await get_tree().physics_frame
+			set_physics_process.call_deferred(true)
+
 	func _physics_process(delta: float) -> void:
 		if not is_on_floor():
 			velocity.y += GRAVITY * delta
@@ -244,5 +251,7 @@ func test_bodies_whose_proxy_is_off_stop_no_character() -> void:
 	add_body(Vector2(0, 50), { "collision_proxy_enabled": false, "collision_mask": 0, "gravity_scale": 0.0 })
 	var walker := _add_walker(Vector2(-150, 74))
 	walker.walk = 200
+	await ticks(5)
+	var start := walker.position.x
 	await seconds(1.5)
-	check_near(walker.position.x, 150.0, 5, "x of the character")
+	check_near(walker.position.x - start, 300.0, 1, "way of the character")

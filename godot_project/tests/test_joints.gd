@@ -263,3 +263,64 @@ func test_godots_own_joints_to_a_soft_body_name_the_node_to_use() -> void:
 	stage.add_child(between_rigid)
 	await ticks(3)
 	check_equal(take_errors().size(), 0, "warnings of a joint that has nothing to do with soft bodies")
+
+
+## Ten capsules in a row, tied to one another, the first pinned to a node: the returned dictionary's "mouse".
+func _add_chain(place: Vector2) -> Dictionary:
+	var bodies: Array[SoftBody2D] = []
+	var joints: Array[SoftBodyJoint2D] = []
+	for i in 10:
+		bodies.append(add_body(place + Vector2(90 * i, 0), {
+			"polygon": SoftBody2D.make_capsule_polygon(20, 90, 12), "rotation": PI / 2 }))
+		if i > 0:
+			joints.append(join(place + Vector2(90 * i - 45, 0), bodies[i - 1], bodies[i]))
+	var points := bodies[0].get_point_positions()
+	var outer := 0
+	for i in points.size():
+		outer = i if points[i].x < points[outer].x else outer
+	var mouse := Node2D.new()
+	mouse.position = points[outer]
+	stage.add_child(mouse)
+	bodies[0].set_point_pinned(outer, true, bodies[0].get_path_to(mouse))
+	return { "bodies": bodies, "joints": joints, "mouse": mouse }
+
+
+func _kinetic_energy(chains: Array[Dictionary]) -> float:
+	var energy := 0.0
+	for chain in chains:
+		for body: SoftBody2D in chain.bodies:
+			energy += body.get_kinetic_energy()
+	return energy
+
+
+func test_chains_that_a_mouse_has_shaken_by_100_px_a_tick_have_their_shapes_back_within_3_s() -> void:
+	set_default_damp(0.1, 1) # as in a new project
+	var random := RandomNumberGenerator.new()
+	random.seed = 23
+	var chains: Array[Dictionary] = []
+	for i in 48:
+		@warning_ignore("integer_division")
+		chains.append(_add_chain(Vector2(6000 * (i % 10), 6000 * (i / 10))))
+	await ticks(20)
+	for tick in 120:
+		for i in chains.size():
+			# Most mice jump by 100 px, some by up to 100 px, some stay within 100 px of their place.
+			var jump := Vector2.from_angle(random.randf() * TAU) * 100 * (1.0 if i % 6 < 4 else random.randf())
+			var mouse: Node2D = chains[i].mouse
+			var home := Vector2(6000 * (i % 10) - 45, 6000 * (i / 10)) if i % 6 == 5 else mouse.position
+			mouse.position = home + jump
+		await ticks(1)
+	await seconds(3)
+	var widest := 0.0
+	var least := INF
+	for chain in chains:
+		for joint: SoftBodyJoint2D in chain.joints:
+			widest = maxf(widest, joint.get_anchor_a().distance_to(joint.get_anchor_b()))
+		for body: SoftBody2D in chain.bodies:
+			var turn := 1.0 if Geometry2D.is_polygon_clockwise(body.polygon) == Geometry2D.is_polygon_clockwise(polygon_of(body)) else -1.0
+			least = minf(least, turn * absf(body.get_area()) / body.get_rest_area())
+	check_below(widest, 1, "widest gap of a joint in px")
+	check_above(least, 0.6, "least area of a body as a share of its rest area, negative if it is inside out")
+	var energy := _kinetic_energy(chains)
+	await seconds(15)
+	check_below(_kinetic_energy(chains), 0.2 * energy, "kinetic energy after 15 more seconds")

@@ -5,6 +5,8 @@
 #include "core/dynamics/simulator.h"
 #include "core/model/body_frame.h"
 #include "core/model/rigid_motion.h"
+#include "core/geometry/polygon.h"
+#include "scenes/jelly.h"
 #include "scenes/loose_points.h"
 #include "scenes/thesis_body.h"
 #include "support/compare.h"
@@ -20,7 +22,6 @@ using namespace softbody::testing;
 
 namespace {
 
-constexpr Real FRAME = Real(1) / 60;
 constexpr double G = 10;
 
 // Point 2 is the topmost, point 6 the lowest; a meter lies between them.
@@ -537,6 +538,39 @@ TEST_CASE("a chain ends in the same bits on any number of threads" * doctest::te
 	}
 	CHECK(identical(ends[0], ends[1]));
 	CHECK(identical(ends[0], ends[2]));
+}
+
+TEST_CASE("a chain whose bodies are crumpled in one place comes out of the knot") {
+	for (int seed = 0; seed < 10; ++seed) {
+		CAPTURE(seed);
+		WorldData world = pixel_world();
+		BodySettings settings = jelly_settings();
+		set_default_limits(settings);
+		Random random(std::uint64_t(seed) + 40);
+		std::vector<BodyId> links;
+		constexpr int LINKS = 10;
+		for (int i = 0; i < LINKS; ++i) {
+			links.push_back(world.add_soft_body(jelly_circle({}, settings)));
+			for (Vec2 &p : world.find(links.back())->mutable_positions()) {
+				p = random.vector(JELLY_RADIUS / 10);
+			}
+		}
+		REQUIRE(!world.find(links[0])->set_pinned(JELLY_HULL_POINTS / 2, true));
+		for (int i = 0; i + 1 < LINKS; ++i) {
+			Joint joint;
+			joint.first = JointAnchor::on_point(links[std::size_t(i)], 0);
+			joint.second = JointAnchor::on_point(links[std::size_t(i) + 1], JELLY_HULL_POINTS / 2);
+			REQUIRE(world.add_joint(joint));
+		}
+		Simulator simulator(world);
+		for (int step = 0; step < 180; ++step) {
+			simulator.simulate(FRAME);
+		}
+		for (const BodyId id : links) {
+			const SoftBodyData &body = *world.find(id);
+			CHECK(signed_area(body.hull()) > Real(0.6) * body.shape().rest_area());
+		}
+	}
 }
 
 TEST_CASE("joints that are not possible are refused by name") {

@@ -181,6 +181,10 @@ inline constexpr Real JOINT_GAP_CLOSING = Real(0.02);
 /// as its engine moves the body once a step. Smaller: the gap closes slowly.
 inline constexpr Real JOINT_PULL = Real(0.2);
 
+/// Share of its rest area below which a joined body does not collide with the bodies that it is tied to, directly or
+/// through others [1]. Larger: bodies that are merely pressed pass through their structure. Smaller: a knotted chain stays a knot.
+inline constexpr Real CRUSHED_AREA = Real(0.25);
+
 /// Least inverse mass of a place on a hull edge, as a share of its lighter end's [1]. An end is moved by at most 1 /
 /// sqrt of this, 5 times the motion of the place.
 inline constexpr Real LEAST_EDGE_INVERSE_MASS = Real(0.04);

@@ -4,6 +4,7 @@
 
 #include "core/base/constants.h"
 #include "core/base/hash.h"
+#include "core/geometry/polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,7 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> bo
 	const std::span<const Joint> joints = world.joints();
 	const bool has_changed = is_rearranged || seen_joints_ != world.change_counts().joints || world_ != &world;
 	world_ = &world;
+	body_indices_ = body_indices;
 	dt_ = dt;
 	seen_joints_ = world.change_counts().joints;
 	if (has_changed) {
@@ -67,6 +69,7 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> bo
 		}
 	}
 	if (joints.empty()) {
+		separated_now_.clear();
 		return;
 	}
 	tags_.clear();
@@ -115,9 +118,56 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> bo
 	}
 	if (has_changed) {
 		std::ranges::sort(separated_);
+		find_structures();
 	}
+	separate_crushed();
 	std::ranges::sort(held_to_rigid_);
 	held_to_rigid_.erase(std::unique(held_to_rigid_.begin(), held_to_rigid_.end()), held_to_rigid_.end());
+}
+
+void JointSolver::find_structures() {
+	members_.clear();
+	structures_.reset(std::uint32_t(is_held_.size()));
+	for (const BodyPair pair : joined_) {
+		structures_.join(pair.a, pair.b);
+	}
+	for (const BodyPair pair : joined_) {
+		for (const std::uint32_t active_index : { pair.a, pair.b }) {
+			members_.push_back({ structures_.find(active_index), active_index });
+		}
+	}
+	std::ranges::sort(members_);
+	members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
+}
+
+// A chain that was shaken until its bodies lie in one another is a knot: each body is kept crushed by the others, and the
+// joints let none of them leave. A crushed body unfolds as soon as nothing of its structure presses on it.
+void JointSolver::separate_crushed() {
+	separated_now_.assign(separated_.begin(), separated_.end());
+	for (std::size_t begin = 0, end = 0; begin < members_.size(); begin = end) {
+		while (end < members_.size() && members_[end].first == members_[begin].first) {
+			++end;
+		}
+		if (end - begin < 3) {
+			continue; // these are joined, and collide only if told to
+		}
+		for (std::size_t i = begin; i < end; ++i) {
+			const SoftBodyData &body = world_->soft_bodies()[body_indices_[members_[i].second]];
+			if (signed_area(body.hull()) >= CRUSHED_AREA * body.shape().rest_area()) {
+				continue;
+			}
+			for (std::size_t other = begin; other < end; ++other) {
+				const auto [a, b] = std::minmax(members_[i].second, members_[other].second);
+				if (a != b) {
+					separated_now_.push_back({ a, b });
+				}
+			}
+		}
+	}
+	if (separated_now_.size() > separated_.size()) {
+		std::ranges::sort(separated_now_);
+		separated_now_.erase(std::unique(separated_now_.begin(), separated_now_.end()), separated_now_.end());
+	}
 }
 
 // Sums hashes, so that the order of the joints does not matter. A missing rigid body has a hash, too.

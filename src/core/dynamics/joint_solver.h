@@ -5,6 +5,7 @@
 #include "core/collision/broad_phase.h"
 #include "core/collision/point_edge_constraint.h"
 #include "core/collision/substep_group.h"
+#include "core/dynamics/islands.h"
 #include "core/model/world_data.h"
 
 #include <algorithm>
@@ -42,8 +43,9 @@ public:
 	bool has_dynamic_ends() const { return std::ranges::any_of(is_held_, [](char held) { return held > 1; }); }
 	/// Whether a joint holds the body to a dynamic rigid body.
 	bool holds_to_dynamic(std::uint32_t active_index) const { return !is_held_.empty() && is_held_[active_index] > 1; }
-	/// Joined pairs that must not collide, sorted.
-	std::span<const BodyPair> separated() const { return separated_; }
+	/// Pairs that must not collide in this step, sorted: joined ones, and crushed bodies with all others of their
+	/// structure (bodies tied to one another, directly or through others).
+	std::span<const BodyPair> separated() const { return separated_now_; }
 	/// Pairs of bodies that are joined to each other.
 	std::span<const BodyPair> joined() const { return joined_; }
 
@@ -93,8 +95,11 @@ private:
 	void keep_spin(Active &active, Real closed);
 	bool is_still(const Side &side) const;
 	void note_rigid_ends(const Joint &joint, const std::array<Side, 2> &sides);
+	void find_structures();
+	void separate_crushed();
 
 	WorldData *world_ = nullptr;
+	std::span<const std::uint32_t> body_indices_; ///< of the active bodies, during the step
 	std::uint64_t seen_joints_ = 0;
 	Real dt_ = 0;
 	std::vector<std::uint32_t> active_indices_; ///< of every body in the world
@@ -103,7 +108,10 @@ private:
 	std::vector<std::uint64_t> rigid_ends_; ///< one for each active index
 	std::vector<std::uint32_t> held_to_rigid_;
 	std::vector<BodyPair> joined_;
-	std::vector<BodyPair> separated_; ///< sorted
+	std::vector<BodyPair> separated_; ///< joined pairs that do not collide, sorted
+	std::vector<BodyPair> separated_now_; ///< the same and those of crushed bodies, sorted
+	Islands structures_; ///< bodies tied to one another, by active index
+	std::vector<std::pair<std::uint32_t, std::uint32_t>> members_; ///< structure and active index of each joined body, sorted
 	std::vector<std::pair<std::uint64_t, std::uint32_t>> tags_; ///< of rigid bodies, sorted
 };
 

@@ -143,9 +143,8 @@ void SoftBodySimulation2D::step_spaces(double p_delta) {
 	stepping_ = true;
 	const size_t count = spaces_.size(); // spaces added meanwhile wait for the next tick
 	for (size_t i = 0; i < count; i++) {
-		spaces_[i].content->step(p_delta, signals_, profile_);
+		spaces_[i].content->step(p_delta, threads_, signals_, profile_);
 	}
-	threads_.end_step();
 	stepping_ = false;
 	drop_empty_spaces();
 }

@@ -167,7 +167,7 @@ void SoftBodySpace2D::read_environment(double p_delta) {
 	reader_.begin_rides(character_mass_, p_delta, world_);
 }
 
-void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals, TickProfile &r_profile) {
+void SoftBodySpace2D::step(double p_delta, StepThreads &p_threads, StepSignals &r_signals, TickProfile &r_profile) {
 	Stopwatch watch;
 	read_gravity();
 	busy_.for_each([](SteppedNode &r_node) { r_node.prepare_step(); });
@@ -178,6 +178,8 @@ void SoftBodySpace2D::step(double p_delta, StepSignals &r_signals, TickProfile &
 	read_environment(p_delta);
 	r_profile.surroundings += watch.lap();
 	const StepReport report = simulator_.simulate(Real(p_delta));
+	// A physics server with a thread of its own may be running a helper on it, and would answer only after that.
+	p_threads.end_step();
 	reader_.give_back_impulses(world_, p_delta);
 	reader_.end_rides(world_, p_delta);
 	r_profile.simulate += watch.lap();

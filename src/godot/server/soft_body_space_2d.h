@@ -6,6 +6,7 @@
 #include "core/model/world_data.h"
 #include "godot/server/node_list.h"
 #include "godot/server/step_settings.h"
+#include "godot/server/step_threads.h"
 #include "godot/server/stepped_node.h"
 #include "godot/surroundings/area_effects.h"
 #include "godot/surroundings/environment_reader.h"
@@ -60,8 +61,9 @@ public:
 	void add_joint(SteppedJoint &r_joint) { joints_.push_back(&r_joint); }
 	void remove_joint(SteppedJoint &r_joint) { std::erase(joints_, &r_joint); }
 	/// Reads gravity and environment, steps the core by `p_delta` [s], and hands the result to the nodes and to the
-	/// rigid bodies of the engine. Adds the signals of the step to `r_signals`, and its times to `r_profile`.
-	void step(double p_delta, StepSignals &r_signals, TickProfile &r_profile);
+	/// rigid bodies of the engine. Sends the helpers of `p_threads` away before it asks the physics server anything more.
+	/// Adds the signals of the step to `r_signals`, and its times to `r_profile`.
+	void step(double p_delta, StepThreads &p_threads, StepSignals &r_signals, TickProfile &r_profile);
 
 private:
 	struct Owner {

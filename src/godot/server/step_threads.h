@@ -26,7 +26,7 @@ public:
 
 	/// The parallel-for of simulators, which this object must outlive.
 	ParallelFor parallel_for();
-	/// Sends away the helpers of this step.
+	/// Sends away the helpers of this step. The next division of work asks for helpers again.
 	void end_step();
 
 private:

@@ -48,7 +48,9 @@ void CrowdWatch::watch(const Aabb &box) {
 
 // Contacts are counted, not results of `intersect_shape`, which cost ten times as much each.
 bool CrowdWatch::is_crowded(PhysicsDirectSpaceState2D *state, const Aabb &box) {
-	PhysicsServer2D::get_singleton()->shape_set_data(shape_, to_godot(box.half_size()));
+	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
+	server->shape_set_data(shape_, to_godot(box.half_size()));
+	server->shape_get_type(shape_); // Commands wait in a queue where the server has a thread; the answer comes after them.
 	query_->set_transform(Transform2D(0, to_godot(box.center())));
 	return state->collide_shape(query_, CROWD).size() >= 2 * CROWD; // two ends each
 }
