@@ -63,8 +63,10 @@ WorldData floor_world() {
 	return world;
 }
 
+// All bodies start at rest shape.
 int needed(WorldData &world, std::size_t place) {
-	return Simulator(world).plan(world.soft_bodies()[place], FRAME).substeps;
+	const SoftBodyData &body = world.soft_bodies()[place];
+	return plan_near_rest(Simulator(world).plan(body, FRAME), body.shape(), body.settings(), FRAME).substeps;
 }
 
 enum class Elsewhere { NOTHING,

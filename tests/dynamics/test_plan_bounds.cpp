@@ -234,6 +234,53 @@ TEST_CASE("explicit Euler, midpoint, Heun and Runge-Kutta do not grow within the
 	CHECK(stable_steps > 100);
 }
 
+TEST_CASE("at rest the springs of 300 random bodies are as fast as the eigenvalues of their Hessians say, and no faster than their bound") {
+	Random random(417);
+	double least_share = 1;
+	for (int round = 0; round < 300; ++round) {
+		Drawn drawn = random_body(random, Integrator::SEMI_IMPLICIT_EULER);
+		drawn.settings = {};
+		const SoftBodyShape &shape = *drawn.shape;
+		const Linear linear = linearized(shape, drawn.settings);
+		const double frequency_squared = largest_eigenvalue(linear.stiffness);
+		const double rate = largest_eigenvalue(linear.damping);
+		CHECK(double(shape.rest_spring_frequency_squared()) <= 1.0001 * frequency_squared);
+		CHECK(double(shape.rest_spring_frequency_squared()) >= 0.9 * frequency_squared);
+		CHECK(double(shape.rest_spring_damping_rate()) >= 0.9 * rate);
+		CHECK(shape.rest_spring_frequency_squared() <= shape.spring_frequency_squared());
+		least_share = std::min(least_share, double(shape.rest_spring_frequency_squared()) / double(shape.spring_frequency_squared()));
+	}
+	CHECK(least_share < 0.7); // the bound for any shape is farther off
+}
+
+TEST_CASE("bodies near their rest shape take fewer substeps and never show twice their energy: 500 random bodies for two seconds") {
+	Random random(418);
+	int fewer = 0;
+	for (int round = 0; round < 500; ++round) {
+		CAPTURE(round);
+		Drawn drawn = random_body(random, Integrator::AUTOMATIC);
+		drawn.settings.pressure_stiffness = 0;
+		const SoftBodyShape &shape = *drawn.shape;
+		WorldData world;
+		world.add_border({ { { 0, -1000 }, { 0, 1 } }, {} }); // far away, but bodies are planned for contacts
+		world.add_soft_body(SoftBodyData::create(drawn.shape, drawn.settings, {}).value());
+		SoftBodyData &body = world.soft_bodies()[0];
+		for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+			REQUIRE(!body.set_point(i, body.positions()[i] + random.vector(double(CALM_STRAIN) / 2) * shape.radius(), {}));
+		}
+		Simulator simulator(world);
+		const double first = measure_energy(body, {}).total();
+		const SubstepPlan plan = simulator.plan(body, Real(1) / 60);
+		for (int tick = 0; tick < 120; ++tick) {
+			const StepReport report = simulator.simulate(Real(1) / 60);
+			fewer += tick == 0 && report.substeps < std::uint64_t(plan.substeps);
+			CHECK(report.reset_bodies.empty());
+			CHECK(measure_energy(body, {}).total() <= 2 * first);
+		}
+	}
+	CHECK(fewer > 100);
+}
+
 TEST_CASE("stiffness is nowhere more than damping over the damping time, in no mode") {
 	Random random(42);
 	for (int round = 0; round < 60; ++round) {

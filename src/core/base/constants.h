@@ -90,6 +90,11 @@ inline constexpr int SELF_CONTACT_PASSES = 4;
 /// crumpled bodies. Figures: docs/accuracy.md, "The automatic choice".
 inline constexpr Real STABILITY_BUDGET = Real(1.3);
 
+/// Distance of points from their places at rest up to which a body is near its rest shape, over its radius [1]. There
+/// STABILITY_BUDGET is spent on the frequency at rest. Larger: springs may line up and be faster than planned for.
+/// Smaller: pressed bodies take substeps that they do not need.
+inline constexpr Real CALM_STRAIN = Real(0.15);
+
 /// Most substeps the automatic choice spends on explicit springs [1]. A body that needs more gets XPBD, which gains no
 /// energy with any stiffness, but damps wobbles far too fast for its substeps.
 inline constexpr int EXPLICIT_SUBSTEP_CAP = 32;

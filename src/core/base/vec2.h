@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <type_traits>
 
@@ -134,6 +135,13 @@ BasicVec2<RealPack> gather(const std::array<V *, PACK_WIDTH> &lanes, std::size_t
 /// The PACK_WIDTH vectors that begin at `first`.
 inline BasicVec2<RealPack> consecutive(const Vec2 *first) {
 	return gather<const Vec2>({ first, first + 1, first + 2, first + 3 }, 0);
+}
+
+/// Components of two vectors in a row: x, y, x, y.
+inline RealPack two_at(const Vec2 *first) {
+	RealPack::Reals lanes;
+	std::memcpy(&lanes, first, sizeof(lanes));
+	return RealPack::of_lanes(lanes);
 }
 
 /// Number of packs that hold `count` vectors.

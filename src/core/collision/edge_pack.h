@@ -74,31 +74,53 @@ struct NearestEdges {
 	}
 };
 
-/// Index of the nearest edge that has p on its inner side and an outward normal opposing `outward`. If there is none,
-/// the nearest of all edges. None if all distances are NaN or infinite.
-inline std::optional<std::size_t> nearest_edge(std::span<const EdgePack> edges, const BasicVec2<RealPack> &p, Vec2 outward) {
-	const BasicVec2<RealPack> out = in_all_lanes<RealPack>(outward);
-	NearestEdges nearest;
-	for (std::size_t i = 0; i < edges.size(); ++i) {
-		const BasicVec2<RealPack> way = edges[i].end - edges[i].start;
-		const BasicVec2<RealPack> offset = p - edges[i].start;
-		// The outward normal of an edge is its direction turned by -90 degrees; its product with `out` is cross(out,
+/// An edge of a hull, as a search from a point finds it.
+struct FoundEdge {
+	std::size_t edge = 0;
+	bool is_inside = false; ///< whether the hull winds around the point
+};
+
+/// Searches the edges of a hull from the point p, in one pass: whether the hull contains p, the edge nearest to p, and the
+/// nearest one that faces p: p is on its inner side, and its outward normal opposes `outward`.
+class EdgeSearch {
+public:
+	EdgeSearch(Vec2 p, Vec2 outward) : p_(in_all_lanes<RealPack>(p)), out_(in_all_lanes<RealPack>(outward)) {}
+
+	void consider(std::size_t i, const EdgePack &edges) {
+		const BasicVec2<RealPack> way = edges.end - edges.start;
+		const BasicVec2<RealPack> offset = p_ - edges.start;
+		const RealPack distance = squared_distance(way, offset);
+		winding_ += winding_of(edges, p_);
+		// The outward normal of an edge is its direction turned by -90 degrees; its product with `out_` is cross(out_,
 		// way). If p lies on the outer side of an edge, the way to it crosses other edges first.
-		nearest.consider(i, squared_distance(way, offset), both(cross(out, way) < RealPack(0), !(cross(way, offset) < RealPack(0))));
+		facing_.consider(i, distance, both(cross(out_, way) < RealPack(0), !(cross(way, offset) < RealPack(0))));
+		nearest_.consider(i, distance, distance < RealPack(NearestEdges::FAR));
 	}
-	Real least = least_lane(nearest.distance);
-	if (!(least < NearestEdges::FAR)) {
-		for (std::size_t i = 0; i < edges.size(); ++i) {
-			const RealPack distance = squared_distance(edges[i].end - edges[i].start, p - edges[i].start);
-			nearest.consider(i, distance, distance < RealPack(NearestEdges::FAR));
+	/// Inside a hull, the nearest edge that faces p, or the nearest of all if none does. Outside, the nearest edge if it
+	/// is nearer than `margin`. None if all distances are NaN or infinite.
+	std::optional<FoundEdge> found(Real margin) const {
+		if (winding_ == 0) {
+			return margin > 0 ? edge_of(nearest_, margin * margin, false) : std::nullopt;
 		}
-		least = least_lane(nearest.distance);
-		if (!(least < NearestEdges::FAR)) {
+		const std::optional<FoundEdge> facing = edge_of(facing_, NearestEdges::FAR, true);
+		return facing ? facing : edge_of(nearest_, NearestEdges::FAR, true);
+	}
+
+private:
+	static std::optional<FoundEdge> edge_of(const NearestEdges &edges, Real limit, bool is_inside) {
+		const Real least = least_lane(edges.distance);
+		if (!(least < limit)) {
 			return {};
 		}
+		const std::size_t lane = std::size_t(std::countr_zero(bits(!(edges.distance > RealPack(least)))));
+		return FoundEdge{ std::size_t(edges.number[lane]) * PACK_WIDTH + lane, is_inside };
 	}
-	const std::size_t lane = std::size_t(std::countr_zero(bits(!(nearest.distance > RealPack(least)))));
-	return std::size_t(nearest.number[lane]) * PACK_WIDTH + lane;
-}
+
+	BasicVec2<RealPack> p_;
+	BasicVec2<RealPack> out_;
+	int winding_ = 0;
+	NearestEdges nearest_;
+	NearestEdges facing_;
+};
 
 } // namespace softbody

@@ -34,11 +34,12 @@ bool HullEdges::contains(Vec2 p) const {
 	return winding != 0;
 }
 
-std::optional<std::size_t> HullEdges::find_among_many(Vec2 p, Vec2 outward) const {
-	if (!contains(p)) {
-		return {};
+std::optional<FoundEdge> HullEdges::search_many(Vec2 p, Vec2 outward, Real margin) const {
+	EdgeSearch search(p, outward);
+	for (std::size_t i = 0; i < packs_for(hull_.size()); ++i) {
+		search.consider(i, edges_[i]);
 	}
-	return nearest_edge({ edges_.data(), packs_for(hull_.size()) }, in_all_lanes<RealPack>(p), outward);
+	return search.found(margin);
 }
 
 } // namespace softbody

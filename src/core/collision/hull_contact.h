@@ -38,17 +38,31 @@ public:
 	/// direction out of the body that p belongs to. So a point that was pushed through a thin body finds its way back.
 	/// If no edge faces the point, or if `outward` is 0, it leaves through the nearest edge. O(hull points).
 	std::optional<HullContact> find(Vec2 p, Vec2 outward) const;
+	/// As `find`, but also finds a point outside that is nearer than `margin` to the hull: its `depth` is negative, and
+	/// only its `edge` is set. O(hull points).
+	std::optional<HullContact> find_near(Vec2 p, Vec2 outward, Real margin) const;
 
 private:
 	template <std::size_t PACKS>
-	std::optional<std::size_t> find_among(const BasicVec2<RealPack> &p, Vec2 outward) const;
-	std::optional<std::size_t> find_among_many(Vec2 p, Vec2 outward) const;
+	std::optional<FoundEdge> search(Vec2 p, Vec2 outward, Real margin) const;
+	std::optional<FoundEdge> search_many(Vec2 p, Vec2 outward, Real margin) const;
 	std::optional<HullContact> contact_at(std::size_t edge, Vec2 p) const;
 
 	// Room for 32 edges from the start keeps the buffers of different threads on separate cache lines.
 	std::vector<EdgePack> edges_ = std::vector<EdgePack>(8);
 	std::span<const Vec2> hull_;
 };
+
+/// What is known of a point beside an edge that it was near before.
+enum class Followed : std::uint8_t {
+	APART, ///< outside the hull
+	INSIDE, ///< a contact
+	LOST, ///< only a search among all edges can tell
+};
+
+/// The contact of the point p with a hull, where `contact.edge` was the edge nearest to p when p was a little way from
+/// here. Walks along the hull to the edge beside p, and leaves it in `contact.edge`. O(1).
+Followed follow_contact(std::span<const Vec2> hull, Vec2 p, HullContact &contact);
 
 /// Direction out of a body at hull point `i`: the sum of the normals of its two edges, weighted by their lengths.
 inline Vec2 outward_at(std::span<const Vec2> hull, std::size_t i) {
@@ -57,28 +71,66 @@ inline Vec2 outward_at(std::span<const Vec2> hull, std::size_t i) {
 	return -perpendicular(after - before);
 }
 
-// Up to three packs are read again for each query. They stay in registers, and most contacts change the hull.
 inline std::optional<HullContact> HullEdges::find(Vec2 p, Vec2 outward) const {
-	const BasicVec2<RealPack> point = in_all_lanes<RealPack>(p);
-	std::optional<std::size_t> edge;
+	return find_near(p, outward, 0);
+}
+
+// Up to three packs are read again for each query. They stay in registers, and most contacts change the hull.
+inline std::optional<HullContact> HullEdges::find_near(Vec2 p, Vec2 outward, Real margin) const {
+	std::optional<FoundEdge> found;
 	switch (packs_for(hull_.size())) {
-		case 1: edge = find_among<1>(point, outward); break;
-		case 2: edge = find_among<2>(point, outward); break;
-		case 3: edge = find_among<3>(point, outward); break;
-		default: edge = find_among_many(p, outward);
+		case 1: found = search<1>(p, outward, margin); break;
+		case 2: found = search<2>(p, outward, margin); break;
+		case 3: found = search<3>(p, outward, margin); break;
+		default: found = search_many(p, outward, margin);
 	}
-	return edge ? contact_at(*edge, p) : std::nullopt;
+	if (found && !found->is_inside) {
+		return HullContact{ std::uint32_t(found->edge < hull_.size() ? found->edge : 0), 0, {}, -1 };
+	}
+	return found ? contact_at(found->edge, p) : std::nullopt;
 }
 
 template <std::size_t PACKS>
-std::optional<std::size_t> HullEdges::find_among(const BasicVec2<RealPack> &p, Vec2 outward) const {
-	std::array<EdgePack, PACKS> edges;
-	int winding = 0;
+std::optional<FoundEdge> HullEdges::search(Vec2 p, Vec2 outward, Real margin) const {
+	EdgeSearch search(p, outward);
 	for (std::size_t i = 0; i < PACKS; ++i) {
-		edges[i] = edges_at(hull_, i * PACK_WIDTH);
-		winding += winding_of(edges[i], p);
+		search.consider(i, edges_at(hull_, i * PACK_WIDTH));
 	}
-	return winding != 0 ? nearest_edge(edges, p, outward) : std::nullopt;
+	return search.found(margin);
+}
+
+inline Followed follow_contact(std::span<const Vec2> hull, Vec2 p, HullContact &contact) {
+	constexpr int MOST_STEPS = 4;
+	Vec2 last_way;
+	int direction = 0;
+	for (int step = 0; step < MOST_STEPS; ++step) {
+		const std::uint32_t next = contact.edge + 1 == hull.size() ? 0 : contact.edge + 1;
+		const Vec2 start = hull[contact.edge];
+		const Vec2 way = hull[next] - start;
+		const Vec2 offset = p - start;
+		const Real along = dot(offset, way);
+		const Real size_squared = length_squared(way);
+		if (along >= 0 && along <= size_squared) {
+			const Real side = cross(way, offset);
+			if (!(side > 0)) {
+				return size_squared > 0 ? Followed::APART : Followed::LOST;
+			}
+			const Real size = std::sqrt(size_squared);
+			contact.depth = side / size;
+			contact.t = along / size_squared;
+			contact.normal = Vec2{ way.y, -way.x } * (1 / size);
+			// Deeper than the way to a corner, the edge beyond it may be nearer.
+			return side > std::min(along, size_squared - along) ? Followed::LOST : Followed::INSIDE;
+		}
+		const int beyond = along < 0 ? -1 : 1;
+		if (direction == -beyond) { // beyond both edges of a corner: outside one that sticks out
+			return cross(last_way, way) * Real(direction) > 0 ? Followed::APART : Followed::LOST;
+		}
+		direction = beyond;
+		last_way = way;
+		contact.edge = beyond > 0 ? next : std::uint32_t(contact.edge == 0 ? hull.size() : contact.edge) - 1;
+	}
+	return Followed::LOST;
 }
 
 inline std::optional<HullContact> HullEdges::contact_at(std::size_t edge, Vec2 p) const {

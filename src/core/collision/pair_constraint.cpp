@@ -8,11 +8,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace softbody {
 
-void SolverBody::begin_substep() {
+void SolverBody::begin_step() {
 	std::ranges::copy(hull(), before.begin());
+	path = 0;
+}
+
+void SolverBody::begin_substep() {
+	const Vec2 *now = positions.data();
+	Vec2 *old = before.data();
+	const std::size_t last = before.size() - 2; // of an odd number of points, the last but one is measured twice
+	RealPack longest(0); // path along an axis
+	for (std::size_t next = 0; next < before.size(); next += 2) {
+		const std::size_t i = std::min(next, last);
+		const RealPack way = two_at(now + i) - two_at(old + i);
+		longest = greater(greater(way, -way), longest);
+	}
+	std::copy_n(now, before.size(), old);
+	path += std::numbers::sqrt2_v<Real> * greatest_lane(longest);
 }
 
 void SolverBody::measure_extent() {

@@ -23,6 +23,7 @@ struct alignas(64) SolverBody { // one cache line holds all that is read for a p
 	Vec2 center; ///< mean of the hull's points, center of a circle around them, now and before
 	Real radius = 0; ///< of that circle [length]
 	Real way = 0; ///< longest path of a hull point in this substep [length]
+	Real path = 0; ///< bound of the path of any hull point in the substeps of this step that have ended [length]
 	Real width = 0; ///< of the body's thinner part (SoftBodyShape::width) [length]
 	Real inverse_mass = 0; ///< of the body as a whole; 0 when a point is pinned
 	Real friction = 0; ///< negative when rough; see `combine_friction`
@@ -47,7 +48,10 @@ struct alignas(64) SolverBody { // one cache line holds all that is read for a p
 	/// Measure of the body's size for deep contacts, the same from all directions [length].
 	Real reach() const { return rest_radius + way; }
 	std::span<Vec2> hull() const { return positions.first(before.size()); }
-	/// Stores the hull points as `before`.
+	/// Stores the hull points as `before`, in the first substep of a step.
+	void begin_step();
+	/// Stores the hull points as `before`, and adds to `path` how far they have come since the last substep began.
+	/// O(hull points).
 	void begin_substep();
 	/// Measures box, circle and way. O(hull points).
 	void measure_extent();
@@ -119,8 +123,9 @@ inline Real solve_pair_contact(SolverBody &body, SolverBody &other, const PairCo
 	}
 	// No change if the two already part. Without a branch: half of all contacts part, which no processor can predict.
 	const Real normal_change = std::max(Real(0), std::min(approach, deepening));
-	const ContactChange<Real> change = contact_change(relative, normal, push, normal_change,
-			combine_friction(body.friction, other.friction), h * std::min(body.implicit_share, other.implicit_share));
+	const Real friction = combine_friction(body.friction, other.friction);
+	const ContactChange<Real> change = contact_change(relative, normal, push, normal_change, friction,
+			h * std::min(body.implicit_share, other.implicit_share));
 	const Real per_impulse = 1 / inverse_mass;
 	const Vec2 shift = change.position * per_impulse;
 	const Vec2 impulse = change.velocity * per_impulse;

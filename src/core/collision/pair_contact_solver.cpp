@@ -16,20 +16,49 @@ void PairContactSolver::begin_substep(Real h) {
 	h_ = h;
 }
 
-std::size_t PairContactSolver::handle(SolverBody &a, SolverBody &b) {
+namespace {
+
+// Factor by which bodies may become faster in a step before candidates are listed anew, and the least path for which
+// they are listed, as a share of the smaller radius.
+constexpr Real FASTER = Real(1.5);
+constexpr Real LEAST_PATH = Real(0.001);
+
+// Path of both bodies for which candidates are listed in this substep [length]; 0 if a list would not pay.
+Real path_ahead(const SolverBody &a, const SolverBody &b, int substeps_left) {
+	const Real way = a.way + b.way;
+	const Real wanted = FASTER * way * Real(substeps_left + 1) + LEAST_PATH * std::min(a.rest_radius, b.rest_radius);
+	const Real most = SWEEP_SHARE * std::min(a.width, b.width);
+	return substeps_left > 0 && most > 2 * FASTER * way ? std::min(wanted, most) : Real(0);
+}
+
+} // namespace
+
+std::size_t PairContactSolver::handle(SolverBody &a, SolverBody &b, PairCandidates &candidates, int substeps_left) {
 	impulse_ = 0;
 	push_ = {};
-	const Real reach = a.radius + b.radius;
+	const Real way = a.way + b.way;
+	const Real path = a.path + b.path;
+	if (candidates.holds_at(path + way)) {
+		return handle_candidates(a, b, candidates);
+	}
+	candidates.clear();
+	const Real margin = path_ahead(a, b, substeps_left);
+	const Real reach = a.radius + b.radius + margin;
 	const Real distance_squared = length_squared(a.center - b.center);
-	if (!a.box.overlaps(b.box) || distance_squared > reach * reach) {
-		return 0;
+	std::size_t contacts = 0;
+	if (a.box.grown(margin).overlaps(b.box) && distance_squared <= reach * reach) {
+		const bool are_fast = way > SWEEP_SHARE * std::min(a.width, b.width);
+		const Real near = std::max(a.radius, b.radius);
+		if (!are_fast && distance_squared < near * near && handle_crossing(a, b)) {
+			return 1;
+		}
+		contacts = handle_points(a, b, are_fast, margin, candidates);
 	}
-	const bool are_fast = a.way + b.way > SWEEP_SHARE * std::min(a.width, b.width);
-	const Real near = std::max(a.radius, b.radius);
-	if (!are_fast && distance_squared < near * near && handle_crossing(a, b)) {
-		return 1;
+	if (margin > 0) {
+		// What the contacts take back of the way of this substep counts once more in its path.
+		candidates.hold_until(path - way + margin);
 	}
-	return handle_points(a, b, are_fast);
+	return contacts;
 }
 
 // Two hulls can cross without a point of either inside the other; then contacts of points cannot separate them.
@@ -82,27 +111,6 @@ std::uint32_t near_points(std::span<const Vec2> hull, std::uint32_t first, Vec2 
 
 } // namespace
 
-// One loop for the points of both bodies: processors mispredict the end of a loop.
-std::size_t PairContactSolver::handle_points(SolverBody &a, SolverBody &b, bool are_fast) {
-	const std::array<SolverBody *, 2> bodies = { &a, &b };
-	constexpr std::array<Real, 2> SIDES = { 1, -1 };
-	const Real reach_a = b.radius + (are_fast ? a.way : Real(0));
-	const Real reach_b = a.radius + (are_fast ? b.way : Real(0));
-	std::size_t contacts = 0;
-	edges_of_ = nullptr;
-	const std::uint32_t count = std::uint32_t(std::max(a.hull().size(), b.hull().size()));
-	for (std::uint32_t first = 0; first < count; first += NEAR_BITS) {
-		std::uint64_t near = near_points(a.hull(), first, b.center, reach_a) |
-				std::uint64_t(near_points(b.hull(), first, a.center, reach_b)) << NEAR_BITS;
-		for (; near != 0; near &= near - 1) {
-			const std::uint32_t bit = std::uint32_t(std::countr_zero(near));
-			const std::uint32_t which = bit / NEAR_BITS;
-			contacts += handle_point(*bodies[which], *bodies[1 - which], first + bit % NEAR_BITS, SIDES[which], are_fast);
-		}
-	}
-	return contacts;
-}
-
 namespace {
 
 // Contact of a point that passed edges from outside in this substep, both moving. Only a point still behind such an
@@ -137,30 +145,95 @@ std::optional<HullContact> find_passage(const SolverBody &body, const SolverBody
 
 } // namespace
 
-bool PairContactSolver::handle_point(SolverBody &body, SolverBody &other, std::uint32_t point, Real side, bool are_fast) {
-	std::optional<HullContact> found = are_fast ? find_passage(body, other, point) : std::nullopt;
-	const bool is_fresh = found.has_value();
-	if (!found) {
-		if (edges_of_ != &other) {
-			edges_.assign(other.hull());
-			edges_of_ = &other;
+// One loop for the points of both bodies: processors mispredict the end of a loop.
+std::size_t PairContactSolver::handle_points(SolverBody &a, SolverBody &b, bool are_fast, Real margin, PairCandidates &candidates) {
+	const std::array<SolverBody *, 2> bodies = { &a, &b };
+	constexpr std::array<Real, 2> SIDES = { 1, -1 };
+	const Real reach_a = b.radius + (are_fast ? a.way : margin);
+	const Real reach_b = a.radius + (are_fast ? b.way : margin);
+	std::size_t contacts = 0;
+	edges_of_ = nullptr;
+	const std::uint32_t count = std::uint32_t(std::max(a.hull().size(), b.hull().size()));
+	for (std::uint32_t first = 0; first < count; first += NEAR_BITS) {
+		std::uint64_t near = near_points(a.hull(), first, b.center, reach_a) |
+				std::uint64_t(near_points(b.hull(), first, a.center, reach_b)) << NEAR_BITS;
+		for (; near != 0; near &= near - 1) {
+			const std::uint32_t bit = std::uint32_t(std::countr_zero(near));
+			const std::uint32_t which = bit / NEAR_BITS;
+			const std::uint32_t point = first + bit % NEAR_BITS;
+			SolverBody &body = *bodies[which];
+			SolverBody &other = *bodies[1 - which];
+			std::optional<HullContact> found = are_fast ? find_passage(body, other, point) : std::nullopt;
+			const bool is_fresh = found.has_value();
+			if (!found) {
+				read_edges(other);
+				found = edges_.find_near(body.positions[point], outward_at(body.hull(), point), margin);
+			}
+			if (!found) {
+				continue;
+			}
+			if (margin > 0) {
+				candidates.add({ std::uint16_t(point), std::uint8_t(which), std::uint16_t(found->edge) });
+			}
+			if (found->depth >= 0) {
+				solve(body, other, point, *found, SIDES[which], is_fresh);
+				++contacts;
+			}
 		}
-		found = edges_.find(body.positions[point], outward_at(body.hull(), point));
 	}
-	if (!found) {
+	return contacts;
+}
+
+std::size_t PairContactSolver::handle_candidates(SolverBody &a, SolverBody &b, PairCandidates &candidates) {
+	std::size_t contacts = 0;
+	edges_of_ = nullptr;
+	for (PairCandidate &candidate : candidates.list()) {
+		contacts += candidate.side == 0 ? handle_candidate(a, b, candidate, 1) : handle_candidate(b, a, candidate, -1);
+	}
+	return contacts;
+}
+
+bool PairContactSolver::handle_candidate(SolverBody &body, SolverBody &other, PairCandidate &candidate, Real side) {
+	HullContact contact;
+	contact.edge = candidate.edge;
+	const Vec2 p = body.positions[candidate.point];
+	const Followed followed = follow_contact(other.hull(), p, contact);
+	candidate.edge = std::uint16_t(contact.edge);
+	if (followed == Followed::APART) {
 		return false;
 	}
-	const std::uint32_t end = found->edge + 1 == other.before.size() ? 0 : found->edge + 1;
+	if (followed == Followed::LOST) {
+		read_edges(other);
+		const std::optional<HullContact> found = edges_.find(p, outward_at(body.hull(), candidate.point));
+		if (!found) {
+			return false;
+		}
+		contact = *found;
+		candidate.edge = std::uint16_t(contact.edge);
+	}
+	solve(body, other, candidate.point, contact, side, false);
+	return true;
+}
+
+void PairContactSolver::read_edges(const SolverBody &body) {
+	if (edges_of_ != &body) {
+		edges_.assign(body.hull());
+		edges_of_ = &body;
+	}
+}
+
+void PairContactSolver::solve(SolverBody &body, SolverBody &other, std::uint32_t point, const HullContact &contact, Real side,
+		bool is_fresh) {
+	const std::uint32_t end = contact.edge + 1 == other.before.size() ? 0 : contact.edge + 1;
 	edges_of_ = nullptr; // both hulls change
 	const Real impulse = solve_pair_contact(body, other,
-			{ point, found->edge, end, found->t, found->normal, found->depth, is_fresh }, h_);
+			{ point, contact.edge, end, contact.t, contact.normal, contact.depth, is_fresh }, h_);
 	impulse_ += impulse;
-	push_ += found->normal * (impulse * side);
+	push_ += contact.normal * (impulse * side);
 	if (body.is_monitored || other.is_monitored) {
-		log_.add({ body.body_index, ContactOther::Kind::SOFT_BODY, other.body_index, point, point, found->t < Real(0.5) ? found->edge : end,
-				body.positions[point], found->normal, impulse, found->depth });
+		log_.add({ body.body_index, ContactOther::Kind::SOFT_BODY, other.body_index, point, point, contact.t < Real(0.5) ? contact.edge : end,
+				body.positions[point], contact.normal, impulse, contact.depth });
 	}
-	return true;
 }
 
 } // namespace softbody

@@ -5,6 +5,7 @@
 #include "core/collision/broad_phase.h"
 #include "core/collision/contact_log.h"
 #include "core/collision/hull_contact.h"
+#include "core/collision/pair_candidates.h"
 #include "core/collision/pair_constraint.h"
 #include "core/model/world_data.h"
 
@@ -24,9 +25,10 @@ public:
 	/// Sets the length of the coming substep [s].
 	void begin_substep(Real h);
 
-	/// Solves every contact between the two bodies. Returns the number of contacts. O(points within the other's circle
-	/// × hull points).
-	std::size_t handle(SolverBody &a, SolverBody &b);
+	/// Solves every contact between the two bodies. Returns the number of contacts. Lists their candidates for the
+	/// `substeps_left` in the rest of the step, and uses the list while it holds. O(candidates), or without a list
+	/// O(points within the other's circle × hull points).
+	std::size_t handle(SolverBody &a, SolverBody &b, PairCandidates &candidates, int substeps_left);
 	/// Sum of the normal impulses of the last `handle` [mass·length/s].
 	Real last_impulse() const { return impulse_; }
 	/// Vector sum of the normal impulses of the last `handle`, as they act on the first body [mass·length/s].
@@ -35,8 +37,11 @@ public:
 	ContactLog &log() { return log_; }
 
 private:
-	std::size_t handle_points(SolverBody &a, SolverBody &b, bool are_fast);
-	bool handle_point(SolverBody &body, SolverBody &other, std::uint32_t point, Real side, bool are_fast);
+	std::size_t handle_points(SolverBody &a, SolverBody &b, bool are_fast, Real margin, PairCandidates &candidates);
+	std::size_t handle_candidates(SolverBody &a, SolverBody &b, PairCandidates &candidates);
+	bool handle_candidate(SolverBody &body, SolverBody &other, PairCandidate &candidate, Real side);
+	void solve(SolverBody &body, SolverBody &other, std::uint32_t point, const HullContact &contact, Real side, bool is_fresh);
+	void read_edges(const SolverBody &body);
 	bool handle_crossing(SolverBody &a, SolverBody &b);
 
 	HullEdges edges_;

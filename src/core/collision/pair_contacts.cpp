@@ -19,6 +19,8 @@ constexpr std::size_t GROUPS_A_TASK = 1;
 // Number of pairs by which the data of a body is prefetched ahead, and then its points.
 constexpr std::uint32_t BODIES_AHEAD = 8;
 constexpr std::uint32_t POINTS_AHEAD = 4;
+// Fewer bodies stay in the cache.
+constexpr std::size_t MANY_BODIES = 1500;
 
 // With too many bodies for the cache, contacts wait for memory. Prefetching changes only the time. Always inline: GCC
 // finds that a call has no effect and removes it.
@@ -123,6 +125,7 @@ void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t v
 	recall_touches(bodies);
 	touched_.assign(broad_phase_.pairs().size(), 0);
 	impulses_.assign(broad_phase_.pairs().size(), 0);
+	candidates_.assign(broad_phase_.pairs().size(), {});
 }
 
 void PairContacts::find_exceptions(const PairBodies &bodies, std::span<const BodyPair> separated) {
@@ -167,13 +170,14 @@ void PairContacts::begin_substeps(Real h) {
 	}
 }
 
-void PairContacts::solve(const PairBodies &bodies, const SubstepGroup &group, const ParallelFor &parallel_for) {
+void PairContacts::solve(const PairBodies &bodies, const SubstepGroup &group, int substeps_left, const ParallelFor &parallel_for) {
 	if (!is_used_) {
 		return; // coupled only through a rigid body
 	}
 	const auto bounce_threshold = [&](BodyPair pair) {
 		return RESTITUTION_SUBSTEPS * h_ * std::max(pull_on(bodies, pair.a), pull_on(bodies, pair.b));
 	};
+	const bool has_many = bodies.solver_bodies.size() > MANY_BODIES;
 	for (std::size_t phase = 0; phase < broad_phase_.phase_count(); ++phase) {
 		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(phase);
 		if (groups.empty()) {
@@ -184,12 +188,14 @@ void PairContacts::solve(const PairBodies &bodies, const SubstepGroup &group, co
 			std::uint64_t all_contacts = 0;
 			const std::span<const BodyPair> ours = pairs().first(groups[end - 1].end);
 			for (std::uint32_t k = groups[begin].begin; k < ours.size(); ++k) {
-				prefetch_pairs(bodies.solver_bodies, ours, k);
+				if (has_many) {
+					prefetch_pairs(bodies.solver_bodies, ours, k);
+				}
 				const BodyPair pair = ours[k];
 				if (!group.has(pair.a) && !group.has(pair.b)) {
 					continue;
 				}
-				const std::size_t contacts = handling.handle(bodies.solver_bodies[pair.a], bodies.solver_bodies[pair.b]);
+				const std::size_t contacts = handling.handle(bodies.solver_bodies[pair.a], bodies.solver_bodies[pair.b], candidates_[k], substeps_left);
 				all_contacts += contacts;
 				touched_[k] |= char(contacts > 0);
 				impulses_[k] += handling.last_impulse();

@@ -52,8 +52,8 @@ public:
 
 	/// Prepares the substeps of `h` [s] of a substep group.
 	void begin_substeps(Real h);
-	/// Solves the contacts of all pairs of the group after a substep.
-	void solve(const PairBodies &bodies, const SubstepGroup &group, const ParallelFor &parallel_for);
+	/// Solves the contacts of all pairs of the group after a substep, which `substeps_left` others follow in this step.
+	void solve(const PairBodies &bodies, const SubstepGroup &group, int substeps_left, const ParallelFor &parallel_for);
 	/// Applies rolling resistance by the impulses of all substeps, once the frames of the bodies have been taken.
 	void resist_rolling(const PairBodies &bodies);
 	/// Stores the memory of pairs in the bodies. Call it after the last substep.
@@ -83,6 +83,7 @@ private:
 	std::vector<char> has_pair_; ///< one for each active index
 	// One for each pair.
 	std::vector<char> touched_; ///< in this step
+	std::vector<PairCandidates> candidates_;
 	std::vector<Real> impulses_; ///< summed normal impulse in this step [mass·length/s]
 	std::vector<PairTouch> touches_; ///< empty when nothing bounces
 	struct Open {

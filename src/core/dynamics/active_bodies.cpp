@@ -3,6 +3,7 @@
 #include "core/dynamics/active_bodies.h"
 
 #include "core/dynamics/integrators/integrator_step.h"
+#include "core/model/body_frame.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -81,6 +82,9 @@ bool ActiveBodies::update(Real dt) {
 	}
 	before_.resize(hull_points);
 	sweep_start_.resize(hull_points);
+	for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
+		plans_.push_back(plan_near_rest(plans_[kind], *kinds_[kind].shape, *kinds_[kind].settings, dt));
+	}
 	for (const std::uint32_t active_index : pressed_) {
 		plan_of_[active_index] = std::uint32_t(plans_.size());
 		plans_.push_back(plans_[kind_of_[active_index]]);
@@ -136,6 +140,34 @@ void ActiveBodies::plan_pressure(Real dt) {
 	}
 }
 
+namespace {
+
+bool is_near_rest(const SoftBodyData &body) {
+	const BodyFrame frame = measure_frame(body);
+	const std::span<const Vec2> rest = body.shape().rest_positions();
+	Real farthest = 0;
+	for (std::size_t i = 0; i < rest.size(); ++i) {
+		farthest = std::max(farthest, length_squared(body.positions()[i] - frame.center - frame.rotation.apply(rest[i])));
+	}
+	const Real most = CALM_STRAIN * body.shape().radius();
+	return farthest <= most * most;
+}
+
+} // namespace
+
+void ActiveBodies::plan_near_rest_shapes(std::span<const std::uint32_t> listed, const ParallelFor &parallel_for) {
+	constexpr std::size_t BODIES_A_TASK = 64;
+	const std::uint32_t kinds = std::uint32_t(kinds_.size());
+	run_slices(parallel_for, listed.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
+		for (const std::uint32_t i : listed.subspan(begin, end - begin)) {
+			const std::uint32_t kind = kind_of_[i];
+			if (plan_of_[i] < 2 * kinds && plans_[kind].substeps != plans_[kinds + kind].substeps) {
+				plan_of_[i] = is_near_rest(data(i)) ? kinds + kind : kind;
+			}
+		}
+	});
+}
+
 std::span<const std::uint32_t> ActiveBodies::awake() {
 	if (!awake_is_current_) {
 		awake_is_current_ = true;
@@ -169,7 +201,7 @@ void ActiveBodies::set_resting(std::uint32_t active_index, bool resting) {
 	body.pair_memories().clear();
 	std::ranges::fill(body.mutable_velocities(), Vec2{});
 	std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
-	solver_bodies_[active_index].begin_substep();
+	solver_bodies_[active_index].begin_step();
 	solver_bodies_[active_index].measure_extent();
 }
 

@@ -2,6 +2,7 @@
 // The active bodies of a world: their data for a step, which are awake, and which share a batch.
 #pragma once
 
+#include "core/base/parallel_for.h"
 #include "core/collision/pair_contact_solver.h"
 #include "core/dynamics/batch.h"
 #include "core/dynamics/state_prefetch.h"
@@ -30,6 +31,10 @@ public:
 	/// Updates the substep plans of bodies under pressure: a stretched hull needs more substeps than one at rest.
 	/// O(bodies with pressure).
 	void plan_pressure(Real dt);
+
+	/// Chooses the plans of the `listed` bodies for this step, by whether each is near its rest shape (plan_near_rest).
+	/// O(points of bodies whose two plans differ).
+	void plan_near_rest_shapes(std::span<const std::uint32_t> listed, const ParallelFor &parallel_for);
 
 	std::uint32_t count() const { return std::uint32_t(solver_bodies_.size()); }
 	/// Indices into `WorldData::soft_bodies()`, ascending; one for each active index.
@@ -95,7 +100,7 @@ private:
 	std::vector<Vec2> sweep_start_;
 
 	std::vector<Kind> kinds_;
-	std::vector<SubstepPlan> plans_; ///< one for each kind, then one for each body under pressure
+	std::vector<SubstepPlan> plans_; ///< one for each kind, then one near rest for each kind, then one for each body under pressure
 	std::vector<std::uint32_t> pressed_; ///< bodies under pressure
 	std::vector<std::uint32_t> awake_; ///< empty while out of date
 	std::vector<std::uint32_t> starts_; ///< scratch memory of `awake`

@@ -227,7 +227,7 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 		restore_start(batch, lane);
 		reset(body_index, slice.duration);
 		if (slice.is_coupled && data.settings().self_collision) {
-			context_->bodies.solver_body(active_index).begin_substep(); // no path behind the body that a contact could block
+			context_->bodies.solver_body(active_index).begin_step(); // no path behind the body that a contact could block
 		}
 	}
 	context_->bodies.has_touch(active_index) = char(data.touch_memory().touching);

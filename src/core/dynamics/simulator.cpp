@@ -58,6 +58,7 @@ StepReport Simulator::simulate(Real dt) {
 	timer_.lap(profile_.begin);
 	if (!bodies_.awake().empty() || rigid_contacts_.has_bodies()) {
 		bodies_.plan_pressure(dt);
+		bodies_.plan_near_rest_shapes(bodies_.awake(), parallel_for_);
 		divide_bodies(dt);
 	}
 	timer_.lap(profile_.broad_phase);
@@ -247,7 +248,12 @@ void Simulator::step_islands(int substeps, Real dt) {
 				stepper.begin(batch);
 			}
 			for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
-				bodies_.solver_body(batch.active_indices[lane]).begin_substep();
+				SolverBody &body = bodies_.solver_body(batch.active_indices[lane]);
+				if (substep == 0) {
+					body.begin_step();
+				} else {
+					body.begin_substep();
+				}
 			}
 			stepper.advance(batch, slice, prefetch);
 			for (std::uint32_t lane = 0; surroundings_.has_colliders() && lane < batch.count; ++lane) {
@@ -256,7 +262,7 @@ void Simulator::step_islands(int substeps, Real dt) {
 			}
 		});
 		timer_.lap(profile_.bodies);
-		pair_contacts_.solve(pair_bodies(), group, parallel_for_);
+		pair_contacts_.solve(pair_bodies(), group, substeps - substep - 1, parallel_for_);
 		timer_.lap(profile_.pair_contacts);
 		joint_solver_.solve(Real(substep + 1) * duration, duration, group);
 		if (moves_rigid_bodies && rigid_contacts_.has_bodies()) {

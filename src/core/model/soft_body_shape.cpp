@@ -168,6 +168,8 @@ Status SoftBodyShape::derive() {
 
 	spring_frequency_squared_ = Real(largest_rate(&Spring2D::stiffness));
 	spring_damping_rate_ = Real(largest_rate(&Spring2D::damping));
+	rest_spring_frequency_squared_ = std::min(Real(rest_rate(&Spring2D::stiffness)), spring_frequency_squared_);
+	rest_spring_damping_rate_ = std::min(Real(rest_rate(&Spring2D::damping)), spring_damping_rate_);
 	const auto [shear, dilation] = largest_triangle_inverse_masses();
 	triangle_shear_inverse_mass_ = Real(shear);
 	triangle_dilation_inverse_mass_ = Real(dilation);
@@ -231,6 +233,51 @@ double SoftBodyShape::largest_rate(Real Spring2D::*coefficient) const {
 			image[spring.b] += sum;
 		}
 	});
+}
+
+// Largest eigenvalue of M^-1 H, where H is the sum of c d dᵀ over the springs, d their directions at rest.
+double SoftBodyShape::rest_rate(Real Spring2D::*coefficient) const {
+	constexpr int ITERATIONS = 32;
+	struct Vector {
+		double x = 0, y = 0;
+	};
+	std::vector<Vector> moved(point_count());
+	std::vector<Vector> image(point_count());
+	for (std::size_t i = 0; i < moved.size(); ++i) {
+		moved[i] = { double(i * 37 % 19) - 9.5, double(i * 53 % 23) - 11.5 }; // in no direction that a symmetric body prefers
+	}
+	double rate = 0;
+	for (int iteration = 0; iteration < ITERATIONS; ++iteration) {
+		std::fill(image.begin(), image.end(), Vector{});
+		for (const Spring2D &spring : springs_) {
+			const Vec2 way = rest_positions_[spring.b] - rest_positions_[spring.a];
+			const double size_squared = double(way.x) * way.x + double(way.y) * way.y;
+			const auto along = [&](const Vector &v) { return v.x * way.x + v.y * way.y; };
+			const double force = size_squared > 0 ? double(spring.*coefficient) * (along(moved[spring.b]) - along(moved[spring.a])) / size_squared : 0;
+			image[spring.a].x -= force * way.x;
+			image[spring.a].y -= force * way.y;
+			image[spring.b].x += force * way.x;
+			image[spring.b].y += force * way.y;
+		}
+		// Rayleigh's quotient of `moved`, then the next one, of unit length weighted by mass.
+		double product = 0;
+		double size = 0;
+		double image_size = 0;
+		for (std::size_t i = 0; i < moved.size(); ++i) {
+			product += moved[i].x * image[i].x + moved[i].y * image[i].y;
+			size += masses_[i] * (moved[i].x * moved[i].x + moved[i].y * moved[i].y);
+			image_size += (image[i].x * image[i].x + image[i].y * image[i].y) / masses_[i];
+		}
+		rate = product / size;
+		if (!(image_size > 0) || !std::isfinite(image_size)) {
+			break;
+		}
+		for (std::size_t i = 0; i < moved.size(); ++i) {
+			const double factor = 1 / (masses_[i] * std::sqrt(image_size));
+			moved[i] = { image[i].x * factor, image[i].y * factor };
+		}
+	}
+	return rate;
 }
 
 namespace {

@@ -80,6 +80,10 @@ public:
 	Real spring_frequency_squared() const { return spring_frequency_squared_; }
 	/// Upper bound of the springs' damping rate [1/s]: as `spring_frequency_squared`, over damping coefficients.
 	Real spring_damping_rate() const { return spring_damping_rate_; }
+	/// Highest squared angular frequency of the springs [1/s²] and their highest damping rate [1/s] at rest, where they
+	/// point in different directions: by power iteration, which may miss the last percent. At most the bounds above.
+	Real rest_spring_frequency_squared() const { return rest_spring_frequency_squared_; }
+	Real rest_spring_damping_rate() const { return rest_spring_damping_rate_; }
 
 	/// Upper bound of the highest squared angular frequency of the triangles' resistance to shear, over the shear
 	/// modulus [1/mass]; 0 without triangles. Its Hessian is equal in every configuration (see `add_triangle_forces`).
@@ -103,6 +107,7 @@ private:
 	Status derive();
 	Status check_derived() const;
 	double largest_rate(Real Spring2D::*coefficient) const;
+	double rest_rate(Real Spring2D::*coefficient) const;
 	std::array<double, 2> largest_triangle_inverse_masses() const;
 	template <class Apply>
 	double largest_eigenvalue(const Apply &apply) const;
@@ -122,6 +127,8 @@ private:
 	Real width_ = 0;
 	Real spring_frequency_squared_ = 0;
 	Real spring_damping_rate_ = 0;
+	Real rest_spring_frequency_squared_ = 0;
+	Real rest_spring_damping_rate_ = 0;
 	Real triangle_shear_inverse_mass_ = 0;
 	Real triangle_dilation_inverse_mass_ = 0;
 	Real area_inverse_mass_ = 0;
