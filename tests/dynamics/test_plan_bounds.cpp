@@ -281,6 +281,24 @@ TEST_CASE("bodies near their rest shape take fewer substeps and never show twice
 	CHECK(fewer > 100);
 }
 
+TEST_CASE("a body with a point farther from its place than a near one may be takes the substeps of any shape: 200 random bodies") {
+	Random random(419);
+	for (int round = 0; round < 200; ++round) {
+		CAPTURE(round);
+		Drawn drawn = random_body(random, Integrator::AUTOMATIC);
+		drawn.settings.pressure_stiffness = 0;
+		WorldData world;
+		world.add_border({ { { 0, -1000 }, { 0, 1 } }, {} });
+		world.add_soft_body(SoftBodyData::create(drawn.shape, drawn.settings, {}).value());
+		SoftBodyData &body = world.soft_bodies()[0];
+		const Vec2 center = body.positions()[1];
+		REQUIRE(!body.set_point(0, center - (body.positions()[0] - center) * Real(0.8), {})); // to the other side of its neighbor
+		Simulator simulator(world);
+		const SubstepPlan plan = simulator.plan(body, Real(1) / 60);
+		CHECK(simulator.simulate(Real(1) / 60).substeps == std::uint64_t(plan.substeps));
+	}
+}
+
 TEST_CASE("stiffness is nowhere more than damping over the damping time, in no mode") {
 	Random random(42);
 	for (int round = 0; round < 60; ++round) {
