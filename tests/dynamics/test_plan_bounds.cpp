@@ -291,8 +291,8 @@ TEST_CASE("a body with a point farther from its place than a near one may be tak
 		world.add_border({ { { 0, -1000 }, { 0, 1 } }, {} });
 		world.add_soft_body(SoftBodyData::create(drawn.shape, drawn.settings, {}).value());
 		SoftBodyData &body = world.soft_bodies()[0];
-		const Vec2 center = body.positions()[1];
-		REQUIRE(!body.set_point(0, center - (body.positions()[0] - center) * Real(0.8), {})); // to the other side of its neighbor
+		const Vec2 neighbor = body.positions()[1];
+		REQUIRE(!body.set_point(0, neighbor - (body.positions()[0] - neighbor) * Real(0.8), {})); // to its other side
 		Simulator simulator(world);
 		const SubstepPlan plan = simulator.plan(body, Real(1) / 60);
 		CHECK(simulator.simulate(Real(1) / 60).substeps == std::uint64_t(plan.substeps));

@@ -27,6 +27,7 @@ public:
 
 	/// Empties the list, which then holds at no path.
 	void clear() { *this = {}; }
+	/// Adds a candidate; past MOST the list can no longer become complete.
 	void add(PairCandidate candidate) {
 		overflows_ |= count_ == MOST;
 		if (!overflows_) {

@@ -17,7 +17,7 @@
 namespace softbody {
 
 /// View of a body for contacts between bodies. Valid until the list of bodies is rebuilt.
-struct alignas(64) SolverBody { // one cache line holds all that is read for a pair that does not touch
+struct alignas(64) SolverBody { // one cache line holds what most substeps read of a pair that does not touch
 	// Set by `measure_extent`.
 	Aabb box; ///< around the hull's points, now and before; may be too large by `way`
 	Vec2 center; ///< mean of the hull's points, center of a circle around them, now and before
