@@ -17,6 +17,16 @@ inline constexpr int MAX_HULL_POINTS = 4096;
 /// between them [1]. Larger: points are joined past others. Smaller: rounding decides which diagonals a lattice gets.
 inline constexpr Real CIRCLE_TOLERANCE = Real(1e-4);
 
+/// Tangent of half the largest turn between two edges of an outline that count as one round line in contacts (34
+/// degrees), and the largest ratio of the lengths of such edges. Larger: the corners of an octagon are rounded. Smaller:
+/// a circle of twelve points rolls like a polygon.
+inline constexpr double MOST_ROUND_HALF_TURN = 0.31;
+inline constexpr double MOST_ROUND_RATIO = 1.5;
+
+/// Share of its bulge at rest below which a round edge counts as pressed flat, so that only its ends touch. Larger: soft
+/// bodies roll over corners. Smaller: rounding decides where a flat edge touches.
+inline constexpr Real LEAST_BULGE = Real(0.01);
+
 /// Largest Poisson's ratio of a material [1]. At 1/2 the area cannot change and the moduli are infinite.
 inline constexpr Real MOST_POISSON_RATIO = Real(0.49);
 

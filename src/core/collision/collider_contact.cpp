@@ -2,8 +2,10 @@
 // Contacts between a hull and one collider.
 #include "core/collision/collider_contact.h"
 
+#include "core/base/constants.h"
 #include "core/collision/convex_query.h"
 #include "core/geometry/circle.h"
+#include "core/geometry/round_outline.h"
 #include "core/geometry/segment.h"
 
 #include <algorithm>
@@ -75,26 +77,67 @@ Vec2 put_beside(const Collider &segment, Vec2 p, Real distance, Vec2 center, Rea
 	return p + Vec2{ edge.y, -edge.x } * ((side - distance) / length(edge));
 }
 
-} // namespace
-
-std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std::size_t point,
-		const Collider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop) {
-	Vec2 from = motion.own_from(hull.from[point]);
-	const Vec2 to = motion.own_to(hull.to[point]);
-	if (!Aabb::between(from, to).overlaps(bounds)) {
-		return {};
-	}
+// Contact of a place of the hull that moved so in the collider's frame.
+std::optional<PointContact> find_contact_of_place(const HullMotion &hull, Vec2 from, Vec2 to, const Collider &collider,
+		const ColliderMotion &motion, Real slop) {
 	if (collider.vertices.size() == 2) {
 		const Real distance = distance_to_line(collider, from);
 		if (std::abs(distance) < slop / 2) {
 			from = put_beside(collider, from, distance, motion.own_from(mean_of(hull.from.first(hull.to.size()))), slop / 2);
 		}
 	}
-	const auto contact = find_point_contact(collider, from, to, slop);
+	return find_point_contact(collider, from, to, slop);
+}
+
+} // namespace
+
+std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std::size_t point,
+		const Collider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop) {
+	const Vec2 from = motion.own_from(hull.from[point]);
+	const Vec2 to = motion.own_to(hull.to[point]);
+	if (!Aabb::between(from, to).overlaps(bounds)) {
+		return {};
+	}
+	const auto contact = find_contact_of_place(hull, from, to, collider, motion, slop);
 	if (!contact) {
 		return {};
 	}
 	return SurfaceContact{ { point, point, 0 }, motion.turned(contact->normal), contact->depth };
+}
+
+std::optional<SurfaceContact> find_contact_of_edge(const HullMotion &hull, std::size_t edge, Real bulge_at_rest,
+		const Collider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop) {
+	const std::size_t count = hull.to.size();
+	const std::size_t next = edge + 1 < count ? edge + 1 : 0;
+	const Vec2 a = motion.own_to(hull.to[edge]);
+	const Vec2 b = motion.own_to(hull.to[next]);
+	if (!Aabb::between(a, b).grown(bulge_at_rest).overlaps(bounds)) {
+		return {};
+	}
+	const Real bulge = present_bulge<Real>(
+			{ hull.to[edge > 0 ? edge - 1 : count - 1], hull.to[edge], hull.to[next], hull.to[next + 1 < count ? next + 1 : 0] }, bulge_at_rest);
+	if (!(bulge > LEAST_BULGE * bulge_at_rest)) {
+		return {};
+	}
+	// The face below the middle decides. Over a seam of two colliders it may be the face below one of the ends.
+	for (const Real probe : { Real(0.5), Real(0), Real(1) }) {
+		const SurfaceDistance face = surface_distance(collider, a + (b - a) * probe, collider.vertices.size() == 2 ? slop : Real(0));
+		if (face.distance > 4 * bulge || !(dot(face.normal, perpendicular(b - a)) > 0)) { // not in front of the edge
+			continue;
+		}
+		const Real t = deepest_share(dot(face.normal, a), dot(face.normal, b), bulge);
+		if (!(t > 0 && t < 1)) {
+			continue;
+		}
+		// The place comes from its chord: the bulge itself may begin behind a thin collider.
+		const Vec2 from = motion.own_from(hull.from[edge]) * (1 - t) + motion.own_from(hull.from[next]) * t;
+		const Vec2 to = a + (b - a) * t - face.normal * height_of_bulge(t, bulge);
+		const auto contact = find_contact_of_place(hull, from, to, collider, motion, slop);
+		if (contact && dot(contact->normal, face.normal) > Real(0.99)) { // that face, and not the side of a tile
+			return SurfaceContact{ { edge, next, t }, motion.turned(contact->normal), contact->depth };
+		}
+	}
+	return {};
 }
 
 std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, const Aabb &box,

@@ -48,6 +48,12 @@ struct HullMotion {
 std::optional<SurfaceContact> find_contact_of_point(const HullMotion &hull, std::size_t point,
 		const Collider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop);
 
+/// Contact of a round edge of the hull (`SoftBodyShape::bulges`) with the collider, where the outline bulges deeper than
+/// both ends: as `find_contact_of_point`, for the deepest place. The edge goes from the hull point `edge` to the next.
+/// O(vertices).
+std::optional<SurfaceContact> find_contact_of_edge(const HullMotion &hull, std::size_t edge, Real bulge_at_rest,
+		const Collider &collider, const ColliderMotion &motion, const Aabb &bounds, Real slop);
+
 /// Contact of a collider's corner or round end with the hull: the depth by which the hull must retreat, and the place.
 /// A corner that entered during this substep leaves through the edge that it entered by; if its collider moves, this
 /// also holds for a corner that has left the hull on the other side. `box` contains the hull, and its start positions

@@ -21,6 +21,11 @@ Real fastest(std::span<const Vec2> velocities) {
 	return std::sqrt(greatest_lane(most));
 }
 
+// Whether a collider is one segment of a chain.
+bool is_link(const Collider &collider) {
+	return collider.vertices.size() == 2 && (collider.ghost_at_first || collider.ghost_at_second);
+}
+
 constexpr Aabb NOWHERE{ { std::numeric_limits<Real>::quiet_NaN(), 0 }, { std::numeric_limits<Real>::quiet_NaN(), 0 } };
 
 } // namespace
@@ -107,15 +112,29 @@ void EnvironmentContactSolver::handle_colliders(SoftBodyData &body, std::span<co
 	}
 	// Points of all colliders first. An edge between a point that has been moved out and one that has not dips into the
 	// seam of two colliders, and a corner there would push it back.
-	for (const bool corners : { false, true }) {
+	for (const Part part : { Part::POINTS, Part::ROUND_EDGES, Part::CORNERS }) {
+		if (part == Part::ROUND_EDGES && !has_round_edges(body.shape(), body.settings())) {
+			continue;
+		}
+		pressing_links_ = 0;
+		const Aabb reached = part == Part::ROUND_EDGES ? swept.grown(body.shape().greatest_bulge()) : swept;
 		for (const std::uint32_t i : near().colliders) {
-			handle_collider(body, before, swept, i, corners);
+			handle_collider(body, before, reached, i, part);
+		}
+		// In a corner of a chain, a point that one segment has moved out may have passed an earlier one.
+		if (part == Part::POINTS && pressing_links_ > 1) {
+			for (const std::uint32_t i : near().colliders) {
+				if (is_link(surroundings_->world().colliders()[i])) {
+					handle_collider(body, before, swept, i, part);
+				}
+			}
 		}
 	}
 }
 
 void EnvironmentContactSolver::handle_collider(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept,
-		std::uint32_t index, bool corners) {
+		std::uint32_t index, Part part) {
+	const bool corners = part == Part::CORNERS;
 	const Collider &collider = surroundings_->world().colliders()[index];
 	collider_ = index;
 	const Aabb bounds = surroundings_->bounds(index).grown(slop());
@@ -124,12 +143,12 @@ void EnvironmentContactSolver::handle_collider(SoftBodyData &body, std::span<con
 	}
 	const HullMotion hull{ before, body.hull() };
 	if (collider.rigid_body == NO_RIGID_BODY) {
-		solve_collider(body, hull, collider, collider.surface, {}, corners ? bounding_box(hull.to) : bounds, corners);
+		solve_collider(body, hull, collider, collider.surface, {}, corners ? bounding_box(hull.to) : bounds, part);
 		return;
 	}
 	const ColliderMotion motion = motion_of(collider);
 	const Surface surface = surface_in_motion(collider.surface, surroundings_->world().rigid_bodies()[collider.rigid_body], motion.to);
-	solve_collider(body, hull, collider, surface, motion, corners ? hull.box() : collider.bounds().grown(slop()), corners);
+	solve_collider(body, hull, collider, surface, motion, corners ? hull.box() : collider.bounds().grown(slop()), part);
 }
 
 ColliderMotion EnvironmentContactSolver::motion_of(const Collider &collider) const {
@@ -140,9 +159,9 @@ ColliderMotion EnvironmentContactSolver::motion_of(const Collider &collider) con
 	return { mover.pose_after(near().elapsed), mover.pose_after(near().elapsed + h_), false };
 }
 
-// `box` is the hull's box for the collider's corners, and the collider's box in its own frame for the hull's points.
+// `box` is the hull's box for the collider's corners, else the collider's box in its own frame.
 void EnvironmentContactSolver::solve_collider(SoftBodyData &body, const HullMotion &hull, const Collider &collider,
-		const Surface &surface, const ColliderMotion &motion, const Aabb &box, bool corners) {
+		const Surface &surface, const ColliderMotion &motion, const Aabb &box, Part part) {
 	std::optional<OneWay> one_way;
 	HullMotion seen = hull;
 	if (collider.is_one_way()) {
@@ -154,20 +173,33 @@ void EnvironmentContactSolver::solve_collider(SoftBodyData &body, const HullMoti
 		std::ranges::transform(hull.from.first(hull.to.size()), starts_.begin(), [&](Vec2 p) { return one_way->start_of(p); });
 		seen.from = starts_;
 	}
+	const auto find = [&](std::uint32_t i) -> std::optional<SurfaceContact> {
+		switch (part) {
+			case Part::POINTS:
+				return find_contact_of_point(seen, i, collider, motion, box, slop());
+			case Part::ROUND_EDGES: {
+				const Real bulge = body.shape().bulges()[i];
+				return bulge > 0 ? find_contact_of_edge(hull, i, bulge, collider, motion, box, slop()) : std::nullopt;
+			}
+			case Part::CORNERS:
+				return find_contact_of_corner(hull, box, collider, i, motion, slop());
+		}
+		return {};
+	};
 	Real pressed = 0;
 	// A point in an inner corner of a concave outline has passed two of its edges, and leaves through one after the other.
-	const int most = collider.concave && !corners ? 2 : 1;
-	const std::size_t count = corners ? collider.vertices.size() : hull.to.size();
+	const int most = collider.concave && part == Part::POINTS ? 2 : 1;
+	const std::size_t count = part == Part::CORNERS ? collider.vertices.size() : hull.to.size();
 	for (std::uint32_t i = 0; i < count; ++i) {
 		for (int edge = 0; edge < most; ++edge) {
-			const auto contact = corners ? find_contact_of_corner(hull, box, collider, i, motion, slop())
-										 : find_contact_of_point(seen, i, collider, motion, box, slop());
+			const std::optional<SurfaceContact> contact = find(i);
 			if (!contact || (one_way && !one_way->counts(*contact, hull))) {
 				break;
 			}
-			pressed += solve(body, *contact, surface, corners ? ContactPoint::CORNER | i : i);
+			pressed += solve(body, *contact, surface, part == Part::CORNERS ? ContactPoint::CORNER | i : nearest_point(contact->place));
 		}
 	}
+	pressing_links_ += is_link(collider) && pressed > 0 ? 1 : 0;
 	if (one_way && pressed > 0) {
 		one_way->hold(body.hull(), own_hull_);
 	}

@@ -41,6 +41,9 @@ public:
 	ContactLog &log() { return log_; }
 
 private:
+	/// What touches: points or round edges of the hull, or corners of the collider.
+	enum class Part { POINTS, ROUND_EDGES, CORNERS };
+
 	Real solve(SoftBodyData &body, const SurfaceContact &contact, const Surface &surface, std::uint32_t feature);
 	std::uint32_t index_of(const SoftBodyData &body) const;
 	Real slop() const { return LINEAR_SLOP * surroundings_->world().length_unit(); }
@@ -49,9 +52,9 @@ private:
 	void handle_borders(SoftBodyData &body);
 	void handle_colliders(SoftBodyData &body, std::span<const Vec2> before);
 	void handle_collider(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept, std::uint32_t index,
-			bool corners);
+			Part part);
 	void solve_collider(SoftBodyData &body, const HullMotion &hull, const Collider &collider, const Surface &surface,
-			const ColliderMotion &motion, const Aabb &box, bool corners);
+			const ColliderMotion &motion, const Aabb &box, Part part);
 	void begin_one_ways(SoftBodyData &body, std::span<const Vec2> before, const Aabb &swept);
 	bool is_beside_passed(const SoftBodyData &body, const Collider &collider) const;
 	void forget_one_ways(SoftBodyData &body) const;
@@ -75,6 +78,7 @@ private:
 	Real h_ = 0;
 	Real slide_time_ = 0; ///< in which a point has gone the way of its velocity in this substep [s]
 	ContactLoad load_;
+	int pressing_links_ = 0; ///< segments of chains that have pressed points in this pass
 	std::uint32_t collider_ = 0; ///< collider being solved
 	ContactLog log_;
 	std::vector<Vec2> own_hull_; ///< hull in the frame of a one-way collider

@@ -39,6 +39,11 @@ inline bool bounces_by_points(const SoftBodyShape &shape, const BodySettings &se
 	return shape.springs().empty() && !(settings.shape_stiffness > 0) && !settings.is_elastic();
 }
 
+/// Whether edges of the hull touch as parts of a round outline, see `edge_bulges`. Loose points have no outline.
+inline bool has_round_edges(const SoftBodyShape &shape, const BodySettings &settings) {
+	return !shape.bulges().empty() && !bounces_by_points(shape, settings);
+}
+
 /// Impulse of a contact [mass·length/s].
 struct SurfaceImpulse {
 	Real normal = 0;

@@ -3,6 +3,7 @@
 #include "core/model/soft_body_shape.h"
 
 #include "core/geometry/polygon.h"
+#include "core/geometry/round_outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -165,6 +166,11 @@ Status SoftBodyShape::derive() {
 		shortest_squared = std::min(shortest_squared, length_squared(rest_positions_[(i + 1) % hull_count_] - rest_positions_[i]));
 	}
 	shortest_hull_edge_ = std::sqrt(shortest_squared);
+	bulges_ = edge_bulges(rest_hull());
+	greatest_bulge_ = std::ranges::max(bulges_);
+	if (!(greatest_bulge_ > 0)) {
+		bulges_.clear();
+	}
 
 	spring_frequency_squared_ = Real(largest_rate(&Spring2D::stiffness));
 	spring_damping_rate_ = Real(largest_rate(&Spring2D::damping));

@@ -96,6 +96,10 @@ public:
 	Real area_inverse_mass() const { return area_inverse_mass_; }
 	Real least_hull_mass() const { return least_hull_mass_; } ///< [mass]
 	Real shortest_hull_edge() const { return shortest_hull_edge_; } ///< at rest [length], > 0
+	/// How far the round outline at rest bulges out from the middle of each hull edge [length], see `edge_bulges`. Empty
+	/// if all edges are straight.
+	std::span<const Real> bulges() const { return bulges_; }
+	Real greatest_bulge() const { return greatest_bulge_; } ///< [length]
 
 	/// Copy in which all lengths are `factor` times as large, and masses are scaled so that they sum to `total_mass`. Refuses
 	/// values not > 0. An elastic model is carried over, which is exact (see `ElasticModes`) and takes no time.
@@ -134,6 +138,8 @@ private:
 	Real area_inverse_mass_ = 0;
 	Real least_hull_mass_ = 0;
 	Real shortest_hull_edge_ = 0;
+	std::vector<Real> bulges_;
+	Real greatest_bulge_ = 0;
 };
 
 } // namespace softbody
