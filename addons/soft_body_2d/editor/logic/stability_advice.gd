@@ -77,6 +77,9 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 		found.append(Row.new(say.call("Cost"), say.call("%s µs a tick") % number(microseconds),
 				Level.BAD if share > BAD_SHARE else (Level.FAIR if share > FAIR_SHARE else Level.GOOD),
 				say.call("What a tick of this body takes on this machine while it lies awake on flat ground: %s %% of a tick. Asleep it costs next to nothing.") % number(100 * share)))
+	var unfit: bool = report["elastic_reason"] == "unfit"
+	found.append(Row.new(say.call("Elasticity"), say.call(MODEL_NAMES[report["elastic_model"]]),
+			Level.BAD if unfit else Level.GOOD, elastic_text(report, say)))
 	var factor: float = report.get("firm_factor", 1.0)
 	if factor > 1:
 		var decides: bool = report["weight_decides"]
@@ -84,9 +87,6 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 				(say.call("Made %s times as firm for its weight. Young's modulus is so low that it has no effect: %s is used, without which the body would fold.")
 				if decides else say.call("Made %s times as firm for its weight: a Young's modulus of %s is used, with which it sags like a light body of its material. Firm For Weight switches it off."))
 				% [number(factor), number(report["youngs_modulus_in_use"])]))
-	var unfit: bool = report["elastic_reason"] == "unfit"
-	found.append(Row.new(say.call("Elasticity"), say.call(MODEL_NAMES[report["elastic_model"]]),
-			Level.BAD if unfit else Level.GOOD, elastic_text(report, say)))
 	return found
 
 
