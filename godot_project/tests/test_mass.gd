@@ -150,7 +150,7 @@ func test_a_scene_keeps_the_mass_and_how_it_is_made() -> void:
 		body.free()
 
 
-## As versions before 0.5 wrote it: the mass alone.
+## As earlier versions wrote it: the mass alone.
 func test_the_mass_of_an_old_scene_is_one_that_was_set() -> void:
 	var path := "user://old_mass_test.tscn"
 	var file := FileAccess.open(path, FileAccess.WRITE)
