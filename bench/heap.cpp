@@ -163,7 +163,7 @@ Heap concave(const std::string &letter, int rows, int seed) {
 	return heap;
 }
 
-// 300 nodes scaled to radii of 5 to 100 px, each of the default mass, in shelves from the floor up.
+// 300 nodes scaled to radii of 5 to 100 px, each of 1 kg, in shelves from the floor up.
 Heap mixed(int seed) {
 	Heap heap{ "mixed radii", 0, Firmness::DEFAULT, seed, {} };
 	heap.width = 20 * RADIUS;

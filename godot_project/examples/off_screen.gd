@@ -21,6 +21,7 @@ func _ready() -> void:
 		body.polygon = SoftBody2D.make_circle_polygon(34, 14)
 		body.position = Vector2(80 + SPACING * i, 250 + 90 * (i % 3))
 		body.stiffness = 180
+		body.mass = 1
 		body.physics_material_override = rubber
 		body.can_sleep = false
 		body.simulate_off_screen = false

@@ -34,6 +34,7 @@ func _add(place: Vector2) -> void:
 		2:
 			body.polygon = SoftBody2D.make_circle_polygon(42, 6)
 	body.stiffness = 400
+	body.mass = 1
 	body.damping = 0.3
 	body.color = COLORS[_count % COLORS.size()]
 	body.position = place

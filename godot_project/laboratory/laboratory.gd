@@ -99,6 +99,7 @@ func _add_body(row: int, index: int, place: Vector2, radius: float) -> void:
 	body.polygon = SoftBody2D.make_circle_polygon(radius, 16)
 	body.position = place
 	body.soft_body_material = SoftBodyMaterial2D.new()
+	body.mass = 1
 	body.color = COLORS[index]
 	body.smooth = true
 	body.antialiased = true

@@ -9,7 +9,7 @@ var other_values := {
 	"polygon": SoftBody2D.make_box_polygon(Vector2(120, 70), 25), "inner_points": PackedVector2Array([Vector2(10, 5), Vector2(-20, 0)]),
 	"springs": PackedInt32Array([0, 1, 1, 2, 2, 3, 0, 8, 16, 5]), "spring_stiffness_scales": _scales(2), "spring_damping_scales": _scales(3),
 	"spring_length_scales": _scales(0.9), "pinned_points": PackedInt32Array([0, 3]), "pin_targets": [^".."] as Array[NodePath],
-	"poisson_ratio": 0.25, "vertex_colors": PackedColorArray([Color.RED]), "uv": PackedVector2Array([Vector2.ONE]), "texture": PlaceholderTexture2D.new(),
+	"poisson_ratio": 0.25, "mass_mode": SoftBody2D.MASS_MODE_CUSTOM, "vertex_colors": PackedColorArray([Color.RED]), "uv": PackedVector2Array([Vector2.ONE]), "texture": PlaceholderTexture2D.new(),
 	"outline_texture": PlaceholderTexture2D.new(), "soft_body_material": SoftBodyMaterial2D.new(), "material": CanvasItemMaterial.new(),
 	"integrator": SoftBody2D.INTEGRATOR_XPBD, "physics_material_override": PhysicsMaterial.new(),
 }
@@ -44,6 +44,7 @@ func _changes() -> Dictionary:
 	var changes := {}
 	var body := SoftBody2D.new()
 	body.stiffness = body.stiffness # or a network's raw values are not stored
+	body.mass = body.mass # or it follows from the area and is not stored
 	for property in body.get_property_list():
 		var name: String = property["name"]
 		if not property["usage"] & PROPERTY_USAGE_STORAGE or name in ["script", "unique_name_in_owner"]:

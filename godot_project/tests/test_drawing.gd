@@ -143,7 +143,7 @@ func test_spin_on_the_screen_is_even_with_and_without_the_engines_interpolation(
 		tree.physics_interpolation = interpolated
 		Engine.physics_ticks_per_second = 10
 		var polygon := SoftBody2D.make_box_polygon(Vector2(160, 60), 20)
-		var body := add_to_view({ "polygon": polygon, "color": Color.WHITE, "stiffness": 900.0 })
+		var body := add_to_view({ "polygon": polygon, "mass": 1.0, "color": Color.WHITE, "stiffness": 900.0 })
 		body.reset_physics_interpolation()
 		for i in polygon.size():
 			body.apply_point_impulse(i, Vector2(-polygon[i].y, polygon[i].x) * 2.5 / (polygon.size() + 1)) # 2.5 rad/s

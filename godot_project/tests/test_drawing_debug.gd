@@ -40,7 +40,7 @@ func test_stretched_springs_are_red_and_pressed_ones_blue() -> void:
 	if not open_viewport():
 		return
 	tree.debug_collisions_hint = true
-	var body := add_to_view({ "color": CLEAR, "polygon": SoftBody2D.make_box_polygon(Vector2(120, 120), 60), "collision_mask": 0,
+	var body := add_to_view({ "color": CLEAR, "polygon": SoftBody2D.make_box_polygon(Vector2(120, 120), 60), "mass": 1.0, "collision_mask": 0,
 			"stiffness": 0.0, "shape_matching": 0.0, "damping": 0.0 })
 	tree.debug_collisions_hint = false
 	for i in body.polygon.size():

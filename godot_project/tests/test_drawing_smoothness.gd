@@ -41,7 +41,7 @@ class Course:
 
 
 func _ball(properties := {}, parent: Node = viewport) -> SoftBody2D:
-	var body := add_to_view({ "polygon": SoftBody2D.make_circle_polygon(RADIUS, 32), "antialiased": true, "stiffness": 400.0,
+	var body := add_to_view({ "polygon": SoftBody2D.make_circle_polygon(RADIUS, 32), "mass": 1.0, "antialiased": true, "stiffness": 400.0,
 			"position": Vector2(70, 45) }.merged(properties, true), parent)
 	body.reset_physics_interpolation()
 	return body

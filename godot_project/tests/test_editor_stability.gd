@@ -97,6 +97,23 @@ func test_a_good_body_is_green_and_needs_no_advice() -> void:
 	check_equal(soft[3].level, Advice.Level.BAD, "light of the sag of a soft body")
 
 
+func test_a_body_made_firmer_for_its_weight_has_a_line_that_says_how_much() -> void:
+	var body := add_body(Vector2.ZERO, {"mass": 5.0})
+	var line := Advice.rows(body.get_stability_report(LONG), 1.0 / 60, Words.say)[6]
+	check_equal([line.title, line.text, line.level], ["Firmness", "4.96 × for its weight", Advice.Level.GOOD], "line")
+	check("%s is used" % Advice.number(body.get_youngs_modulus_in_use()) in line.hint, "the hint names the value: " + line.hint)
+	check_equal(_advice_for(body), {}, "advice")
+	body.youngs_modulus = 5
+	line = Advice.rows(body.get_stability_report(LONG), 1.0 / 60, Words.say)[6]
+	check_equal(line.level, Advice.Level.FAIR, "light of a Young's modulus without effect")
+	check("no effect" in line.hint, "the hint says so: " + line.hint)
+	var changes := _advice_for(body)
+	if check(changes.has(&"youngs_modulus"), "there is advice"):
+		body.youngs_modulus = changes[&"youngs_modulus"]
+		check_equal(_advice_for(body), {}, "no more advice")
+		check_below(body.get_stability_report(LONG)["sag"], 0.1, "sag with the advised value")
+
+
 func test_bodies_that_hang_float_or_are_frozen_have_a_report() -> void:
 	var hanging := add_body(Vector2.ZERO, {"pinned_points": PackedInt32Array([12])})
 	var report := hanging.get_stability_report(LONG)

@@ -2,7 +2,7 @@
 extends "res://tests/support/suite.gd"
 ## The inspector shows what every body needs first, and the rest in groups that are folded away.
 
-const FIRST: Array[String] = ["soft_body_material", "preset", "youngs_modulus", "mass", "physics_material_override"]
+const FIRST: Array[String] = ["soft_body_material", "preset", "youngs_modulus", "mass_mode", "mass", "physics_material_override"]
 
 
 ## Names by group; those of no group under "". Only what the inspector shows.
@@ -19,7 +19,7 @@ func _groups() -> Dictionary:
 	return groups
 
 
-func test_five_properties_come_first_and_all_others_are_in_groups() -> void:
+func test_six_properties_come_first_and_all_others_are_in_groups() -> void:
 	check_equal(_groups()[""], FIRST, "properties outside all groups")
 
 

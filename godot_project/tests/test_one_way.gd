@@ -8,7 +8,7 @@ func time_limit() -> int:
 
 
 func _box(position: Vector2, properties := {}) -> SoftBody2D:
-	return add_body(position, { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "rolling_resistance": 0.1 }.merged(properties))
+	return add_body(position, { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "mass": 1.0, "rolling_resistance": 0.1 }.merged(properties))
 
 
 func _add_platform(solid: CollisionObject2D, transform := Transform2D.IDENTITY) -> CollisionShape2D:

@@ -279,7 +279,7 @@ func test_a_body_falls_when_its_floor_is_freed() -> void:
 
 func test_a_conveyor_carries_a_body() -> void:
 	add_floor(100).constant_linear_velocity = Vector2(120, 0)
-	var body := add_body(Vector2.ZERO, { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20) })
+	var body := add_body(Vector2.ZERO, { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "mass": 1.0 })
 	await seconds(4)
 	check_near(body.get_linear_velocity().x, 120.0, 10, "speed on the conveyor")
 
@@ -288,7 +288,7 @@ func test_an_icy_floor_holds_nothing() -> void:
 	var ice := add_floor(100)
 	ice.physics_material_override = PhysicsMaterial.new()
 	ice.physics_material_override.friction = 0
-	var body := add_body(Vector2(0, 40), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20) })
+	var body := add_body(Vector2(0, 40), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "mass": 1.0 })
 	await seconds(1)
 	body.apply_central_impulse(Vector2(100, 0))
 	await seconds(2)

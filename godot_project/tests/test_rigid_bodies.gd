@@ -143,7 +143,7 @@ func test_a_soft_body_rests_on_a_crate() -> void:
 		for mass: float in [0.2, 1.0, 5.0]:
 			add_floor(100)
 			var crate := add_rigid(rectangle(160, 60), Vector2(0, 70), mass)
-			var soft := add_body(Vector2(0, 5), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20) })
+			var soft := add_body(Vector2(0, 5), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "mass": 1.0 })
 			await seconds(4)
 			var what := "at %d ticks on %s kg" % [rate, mass]
 			check_near(bounds_of(polygon_of(soft)).end.y, 40, 1, "lower side of the soft body " + what)
@@ -255,7 +255,7 @@ func test_a_soft_body_pushes_a_crate_along_the_floor() -> void:
 	ice.physics_material_override = PhysicsMaterial.new()
 	ice.physics_material_override.friction = 0
 	var crate := add_rigid(rectangle(60, 60), Vector2(150, 69), 1, { "linear_damp_mode": RigidBody2D.DAMP_MODE_REPLACE, "linear_damp": 0.0, "lock_rotation": true })
-	var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "physics_material_override": surface(0.0) })
+	var soft := add_body(Vector2(0, 68), { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "mass": 1.0, "physics_material_override": surface(0.0) })
 	await seconds(1)
 	soft.apply_central_impulse(Vector2(300, 0))
 	await seconds(1)

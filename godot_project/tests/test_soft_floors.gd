@@ -64,7 +64,7 @@ func _add_crate(position: Vector2, size := Vector2(30, 50), mass := 1.0) -> Rigi
 
 ## A jelly 200 px wide and 80 high whose upper side is at y = -80, at rest on a floor at y = 0.
 func _add_cushion(x := 0.0) -> SoftBody2D:
-	return add_body(Vector2(x, -40), { "polygon": SoftBody2D.make_box_polygon(Vector2(200, 80), 20) })
+	return add_body(Vector2(x, -40), { "polygon": SoftBody2D.make_box_polygon(Vector2(200, 80), 20), "mass": 1.0 })
 
 
 ## A plank 240 px wide and 30 high around `position`, pinned at both ends, to a node if there is one.

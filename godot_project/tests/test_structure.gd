@@ -6,7 +6,7 @@ const SQUARE: Array[Vector2] = [Vector2(-40, -40), Vector2(40, -40), Vector2(40,
 
 
 func _square(properties := {}) -> SoftBody2D:
-	return add_weightless_body(Vector2.ZERO, {"polygon": PackedVector2Array(SQUARE), "center_point": false}.merged(properties, true))
+	return add_weightless_body(Vector2.ZERO, {"polygon": PackedVector2Array(SQUARE), "mass": 1.0, "center_point": false}.merged(properties, true))
 
 
 func _warnings(body: SoftBody2D) -> String:
@@ -90,7 +90,7 @@ func test_a_painted_body_moves_alike_in_either_winding() -> void:
 	var reversed := PackedVector2Array([SQUARE[0], SQUARE[3], SQUARE[2], SQUARE[1]])
 	var body := _square({"spring_length_scales": PackedFloat32Array([0.5, 1, 1, 1])})
 	# The same spring, between the first point and (40, -40), is the last of the outline that runs the other way.
-	var mirrored := add_weightless_body(Vector2(400, 0), {"polygon": reversed, "center_point": false,
+	var mirrored := add_weightless_body(Vector2(400, 0), {"polygon": reversed, "mass": 1.0, "center_point": false,
 			"spring_length_scales": PackedFloat32Array([1, 1, 1, 0.5])})
 	await ticks(20)
 	var a := body.get_point_positions()
@@ -102,7 +102,7 @@ func test_a_painted_body_moves_alike_in_either_winding() -> void:
 
 func test_inner_points_are_points_of_the_body() -> void:
 	var inner := PackedVector2Array([Vector2(-15, -10), Vector2(20, 5)])
-	var body := add_weightless_body(Vector2(100, 50), {"polygon": PackedVector2Array(SQUARE), "inner_points": inner,
+	var body := add_weightless_body(Vector2(100, 50), {"polygon": PackedVector2Array(SQUARE), "inner_points": inner, "mass": 1.0,
 			"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK})
 	check_equal(body.get_point_count(), 7, "number of points")
 	var points := body.get_point_positions()

@@ -7,7 +7,7 @@ extends "res://tests/support/suite.gd"
 func _slide(material: PhysicsMaterial, floor_friction := 1.0, others := {}) -> float:
 	var floor_body := add_floor(30)
 	floor_body.physics_material_override = surface(floor_friction)
-	var body := add_body(Vector2.ZERO, {"polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "rolling_resistance": 0.0,
+	var body := add_body(Vector2.ZERO, {"polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "mass": 1.0, "rolling_resistance": 0.0,
 			"youngs_modulus": 2000.0, "damping_ratio": 1.0, "physics_material_override": material}.merged(others))
 	await ticks(20)
 	var start := body.global_position.x
@@ -39,7 +39,7 @@ func test_a_rough_soft_body_holds_on_a_slick_one() -> void:
 				"physics_material_override": surface(0.02)})
 		var grip := surface(0.5)
 		grip.rough = is_rough
-		var body := add_body(Vector2(0, 0), {"polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "youngs_modulus": 2000.0,
+		var body := add_body(Vector2(0, 0), {"polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "mass": 1.0, "youngs_modulus": 2000.0,
 				"damping_ratio": 1.0, "rolling_resistance": 0.0, "physics_material_override": grip})
 		await ticks(20)
 		body.apply_central_impulse(Vector2(200, 0))
@@ -69,7 +69,7 @@ func test_a_change_of_a_shared_physics_material_reaches_every_body_at_once() -> 
 	var material := surface(1.0)
 	var bodies: Array[SoftBody2D] = []
 	for i in 2:
-		bodies.append(add_body(Vector2(0, -90 * i), {"polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20),
+		bodies.append(add_body(Vector2(0, -90 * i), {"polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "mass": 1.0,
 				"physics_material_override": material}))
 	await seconds(2)
 	material.friction = 0.0

@@ -8,7 +8,7 @@ func time_limit() -> int:
 
 
 func _box(position := Vector2.ZERO, properties := {}) -> SoftBody2D:
-	return add_body(position, { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "rolling_resistance": 0.1 }.merged(properties))
+	return add_body(position, { "polygon": SoftBody2D.make_box_polygon(Vector2(80, 60), 20), "mass": 1.0, "rolling_resistance": 0.1 }.merged(properties))
 
 
 func _clear_stage() -> void:
@@ -180,7 +180,7 @@ func test_a_chain_of_segments_is_smooth() -> void:
 			concave.segments = segments
 			add_solid(concave)
 			var polygon := SoftBody2D.make_circle_polygon(50, 16) if round else SoftBody2D.make_box_polygon(Vector2(80, 60), 20)
-			var soft := add_body(Vector2(100, -51 if round else -31), { "polygon": polygon, "physics_material_override": surface(0.0), "rolling_resistance": 0.0 })
+			var soft := add_body(Vector2(100, -51 if round else -31), { "polygon": polygon, "mass": 1.0, "physics_material_override": surface(0.0), "rolling_resistance": 0.0 })
 			await seconds(0.5)
 			soft.apply_central_impulse(Vector2(400, 0))
 			await seconds(4)

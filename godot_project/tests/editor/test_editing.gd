@@ -200,6 +200,36 @@ func test_a_preset_that_is_chosen_in_the_inspector_is_undone_with_all_its_values
 	check_equal(body.physics_material_override, shared, "physics material after undo")
 
 
+func _property_editor(name: StringName) -> EditorProperty:
+	for property: EditorProperty in EditorInterface.get_inspector().find_children("*", "EditorProperty", true, false):
+		if property.get_edited_property() == name:
+			return property
+	return null
+
+
+func test_the_mass_follows_the_size_in_the_inspector_until_the_mode_is_custom_and_undo_takes_that_back() -> void:
+	await open_scene({"polygon": SoftBody2D.make_circle_polygon(25, 16)})
+	await frames(30)
+	if not check(_property_editor(&"mass") != null, "the inspector shows the mass"):
+		return
+	check(_property_editor(&"mass").is_read_only(), "the mass of an automatic body can be edited")
+	var own := body.mass
+	check(absf(own - 0.25) < 1e-4, "mass of half the usual size: %s" % own)
+	_property_editor(&"mass_mode").emit_changed(&"mass_mode", SoftBody2D.MASS_MODE_CUSTOM)
+	await frames(10)
+	check_equal(body.mass, own, "mass of the custom mode")
+	check(not _property_editor(&"mass").is_read_only(), "the mass cannot be edited")
+	_property_editor(&"mass").emit_changed(&"mass", 3.0)
+	await frames(10)
+	check_equal(body.mass, 3.0, "mass that was set")
+	await undo()
+	check_equal([body.mass_mode, body.mass], [SoftBody2D.MASS_MODE_CUSTOM, own], "mode and mass after undo")
+	await undo()
+	check_equal([body.mass_mode, body.mass], [SoftBody2D.MASS_MODE_AUTO, own], "mode and mass after undo of both")
+	await frames(10)
+	check(_property_editor(&"mass").is_read_only(), "the mass can be edited after undo")
+
+
 func test_the_stability_panel_tells_and_its_advice_is_applied_in_one_step() -> void:
 	await open_scene({"stiffness": 5.0, "substeps": 20})
 	await frames(30)

@@ -34,6 +34,12 @@ struct BodyProperties {
 	};
 	static constexpr int ELASTIC_MODEL_COUNT = ELASTIC_MODEL_TRIANGLES + 1;
 
+	/// What makes the mass: the area with a density, or what was set.
+	enum MassMode {
+		MASS_MODE_AUTO,
+		MASS_MODE_CUSTOM,
+	};
+
 	/// As RigidBody2D.DampMode.
 	enum DampMode {
 		DAMP_MODE_COMBINE,
@@ -67,7 +73,9 @@ struct BodyProperties {
 
 	/// `SoftBody2D::bind_properties` has their ranges.
 	struct Values {
-		double mass = 1;
+		MassMode mass_mode = MASS_MODE_AUTO;
+		double mass = 1; ///< in MASS_MODE_CUSTOM
+		bool firm_for_weight = true;
 		double gravity_scale = 1;
 		ElasticModel elastic_model = ELASTIC_MODEL_AUTOMATIC;
 		double least_area = 0.5;

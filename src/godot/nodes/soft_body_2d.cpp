@@ -26,14 +26,12 @@ namespace godot {
 
 namespace {
 
-constexpr double DEFAULT_RADIUS = 50; // px
-constexpr int DEFAULT_POINTS = 16;
 constexpr double SCALE_TOLERANCE = 1e-4; // largest change of its scale for which the body is moved, not made anew
 
 } // namespace
 
 SoftBody2D::SoftBody2D() {
-	structure_.exchange<&softbody::BodyStructure::Values::polygon>(make_circle_polygon(DEFAULT_RADIUS, DEFAULT_POINTS));
+	structure_.exchange<&softbody::BodyStructure::Values::polygon>(make_default_polygon());
 	update_topology();
 	set_notify_transform(true);
 }

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/value_range.h"
 #include "core/model/body_frame.h"
+#include "core/model/firmness.h"
 #include "core/model/contact.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/world_data.h"
@@ -80,7 +81,12 @@ public:
 	double get_material_value() const { return material_.values().*VALUE; }
 
 	// What it is made of: soft_body_2d_material.cpp.
-	double get_total_mass() const;
+	void set_mass_mode(MassMode p_mode);
+	MassMode get_mass_mode() const { return values_.mass_mode; }
+	void set_mass(double p_mass);
+	/// That of the body, whatever makes it.
+	double get_mass() const;
+	double get_youngs_modulus_in_use() const;
 	void set_preset(SoftBodyMaterial2D::Preset p_preset);
 	SoftBodyMaterial2D::Preset get_preset() const { return material_.preset(); }
 	void set_physics_material_override(const Ref<PhysicsMaterial> &p_material);
@@ -291,6 +297,20 @@ private:
 
 	static const char *const REASON_NETWORK_VALUES;
 
+	/// Mass of the default body [kg], and its area [px²].
+	static constexpr double DEFAULT_MASS = 1;
+	static double default_area();
+	static PackedVector2Array make_default_polygon();
+
+	/// The polygon at one scale of the node: points of size 1, and what enlarges them.
+	struct SizedHull {
+		softbody::SizedScale scale;
+		std::vector<softbody::Vec2> points;
+		double area = 0; ///< at that scale [px²]
+		bool is_reversed = false; ///< see `polygon_reversed_`
+	};
+	SizedHull sized_hull(const Transform2D &p_transform) const;
+
 	/// Points and springs at one scale of the node. Its springs have stiffness and damping 1 times what is painted on them; how
 	/// stiff they are is a setting.
 	struct Design {
@@ -320,6 +340,10 @@ private:
 	void take_over_physics_material();
 	ModelChoice choose_model() const;
 	double mass_of_area(double p_area) const;
+	/// Sets both, unless no body can have that mass. False if it was refused.
+	bool take_over_mass(const StringName &p_property, MassMode p_mode, double p_mass);
+	/// How firm it is made for its weight; nothing where Young's modulus takes no part.
+	softbody::Firmness firmness_of(const Design &p_design) const;
 	softbody::Status apply_elasticity(const Design &p_design, softbody::BodySettings &r_settings) const;
 	softbody::Result<softbody::BodySettings> make_settings(const Design &p_design) const;
 	/// Of the present design; nothing where there can be no body.
@@ -420,7 +444,7 @@ private:
 	softbody::ContactReports contacts_;
 	softbody::CollisionExceptions exceptions_;
 	Ref<PhysicsMaterial> former_surface_; ///< made for values that an old scene set under their former names
-	bool density_decides_ = false; ///< whether the density of the material makes the mass
+	bool has_own_mass_ = false; ///< whether a mass was set, or is that of a scene
 	Vector2 first_linear_velocity_; ///< of a body that is still to be made
 	double first_angular_velocity_ = 0;
 	Vector2 constant_force_;
@@ -469,6 +493,7 @@ private:
 VARIANT_ENUM_CAST(SoftBody2D::Integrator);
 VARIANT_ENUM_CAST(SoftBody2D::ElasticModel);
 VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);
+VARIANT_ENUM_CAST(SoftBody2D::MassMode);
 VARIANT_ENUM_CAST(SoftBody2D::DampMode);
 VARIANT_ENUM_CAST(SoftBody2D::FailureMode);
 VARIANT_ENUM_CAST(SoftBody2D::DisableMode);

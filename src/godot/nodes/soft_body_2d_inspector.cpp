@@ -43,7 +43,8 @@ void SoftBody2D::bind_properties() {
 	bind_property("soft_body_material", &SoftBody2D::set_soft_body_material, &SoftBody2D::get_soft_body_material, PROPERTY_HINT_RESOURCE_TYPE, "SoftBodyMaterial2D");
 	softbody::bind_preset<SoftBody2D>();
 	softbody::bind_material_value<SoftBody2D, &Material::youngs_modulus>();
-	bind_value<&Values::mass>({ "mass", Range::above(0, "kg"), &SoftBody2D::apply_shape, true }, PROPERTY_HINT_RANGE, "0.001,1000,0.001,or_greater,exp,suffix:kg");
+	bind_property("mass_mode", &SoftBody2D::set_mass_mode, &SoftBody2D::get_mass_mode, PROPERTY_HINT_ENUM, "Auto,Custom");
+	bind_property("mass", &SoftBody2D::set_mass, &SoftBody2D::get_mass, PROPERTY_HINT_RANGE, "0.001,1000,0.001,or_greater,exp,suffix:kg");
 	bind_property("physics_material_override", &SoftBody2D::set_physics_material_override, &SoftBody2D::get_physics_material_override, PROPERTY_HINT_RESOURCE_TYPE, "PhysicsMaterial");
 
 	ADD_GROUP("Material", "");
@@ -51,6 +52,7 @@ void SoftBody2D::bind_properties() {
 	softbody::bind_material_value<SoftBody2D, &Material::damping_ratio>();
 	softbody::bind_material_value<SoftBody2D, &Material::rolling_resistance>();
 	softbody::bind_material_value<SoftBody2D, &Material::inflation>();
+	bind_value<&Values::firm_for_weight>({ "firm_for_weight", {}, &SoftBody2D::apply_settings, true }, PROPERTY_HINT_NONE, "", "is_firm_for_weight");
 	bind_value<&Values::elastic_model>({ "elastic_model", Range::between(0, ELASTIC_MODEL_COUNT - 1), &SoftBody2D::apply_shape, true }, PROPERTY_HINT_ENUM, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes,Triangles");
 
 	ADD_GROUP("Collision", "");

@@ -44,7 +44,8 @@ void SoftBody2D::bind_structure_methods() {
 	ClassDB::bind_method(D_METHOD("set_spring_length_scale", "index", "scale"), &SoftBody2D::set_scale_of_spring<&Structure::length_scales>);
 
 	// Material and surface.
-	ClassDB::bind_method(D_METHOD("get_total_mass"), &SoftBody2D::get_total_mass);
+	ClassDB::bind_method(D_METHOD("get_total_mass"), &SoftBody2D::get_mass);
+	ClassDB::bind_method(D_METHOD("get_youngs_modulus_in_use"), &SoftBody2D::get_youngs_modulus_in_use);
 	ClassDB::bind_method(D_METHOD("_take_over_material"), &SoftBody2D::take_over_material);
 	ClassDB::bind_method(D_METHOD("get_elastic_model_in_use"), &SoftBody2D::get_elastic_model_in_use);
 	ClassDB::bind_method(D_METHOD("get_soft_body_material_in_use"), &SoftBody2D::get_soft_body_material_in_use);
@@ -140,6 +141,7 @@ void SoftBody2D::bind_body_methods() {
 void SoftBody2D::bind_enumerations() {
 	softbody::bind_enumeration<SoftBody2D>("SelfCollision", { "SELF_COLLISION_OFF", "SELF_COLLISION_ON", "SELF_COLLISION_AUTOMATIC" });
 	softbody::bind_enumeration<SoftBody2D>("Integrator", { "INTEGRATOR_AUTOMATIC", "INTEGRATOR_EXPLICIT_EULER", "INTEGRATOR_SEMI_IMPLICIT_EULER", "INTEGRATOR_MIDPOINT", "INTEGRATOR_HEUN", "INTEGRATOR_RUNGE_KUTTA_4", "INTEGRATOR_VELOCITY_VERLET", "INTEGRATOR_XPBD" });
+	softbody::bind_enumeration<SoftBody2D>("MassMode", { "MASS_MODE_AUTO", "MASS_MODE_CUSTOM" });
 	softbody::bind_enumeration<SoftBody2D>("DampMode", { "DAMP_MODE_COMBINE", "DAMP_MODE_REPLACE" });
 	softbody::bind_enumeration<SoftBody2D>("DisableMode", { "DISABLE_MODE_REMOVE", "DISABLE_MODE_MAKE_STATIC", "DISABLE_MODE_KEEP_ACTIVE" });
 	softbody::bind_enumeration<SoftBody2D>("FailureMode", { "FAILURE_MODE_RESET", "FAILURE_MODE_FREEZE" });

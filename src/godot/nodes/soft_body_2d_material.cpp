@@ -134,37 +134,90 @@ void SoftBody2D::take_over_material() {
 	if (accept_values("soft_body_material")) {
 		apply_shape();
 	}
-	// Only when it matters: the inspector forgets a slider that is being dragged.
-	const bool density_decides = material_.values().density > 0;
-	if (density_decides != density_decides_) {
-		density_decides_ = density_decides;
-		notify_property_list_changed();
-	}
 }
 
+// The mass follows from the area of the body, or is the one that was set. Without a material's density a body like the
+// default one, which has `DEFAULT_MASS` exactly, is as dense as that.
 double SoftBody2D::mass_of_area(double p_area) const {
+	if (values_.mass_mode == MASS_MODE_CUSTOM) {
+		return values_.mass;
+	}
 	const double density = material_.values().density;
 	// A density is one of real things: per square meter, not per square pixel.
 	constexpr double PIXELS = double(softbody::PIXELS_PER_METER) * softbody::PIXELS_PER_METER;
-	return density > 0 ? density * p_area / PIXELS : values_.mass;
+	return density > 0 ? density * p_area / PIXELS : DEFAULT_MASS * (p_area / default_area());
 }
 
-double SoftBody2D::get_total_mass() const {
+double SoftBody2D::get_mass() const {
+	if (body() != nullptr && design_) {
+		return design_->mass;
+	}
+	return mass_of_area(sized_hull(design_transform()).area);
+}
+
+bool SoftBody2D::take_over_mass(const StringName &p_property, MassMode p_mode, double p_mass) {
+	const MassMode old_mode = std::exchange(values_.mass_mode, p_mode);
+	const double old_mass = std::exchange(values_.mass, p_mass);
+	if (!accept_values(p_property)) {
+		values_.mass_mode = old_mode;
+		values_.mass = old_mass;
+		return false;
+	}
+	apply_shape();
+	if (p_mode != old_mode) { // Only then: the inspector forgets a slider that is being dragged.
+		notify_property_list_changed();
+	}
+	return true;
+}
+
+void SoftBody2D::set_mass(double p_mass) {
+	if (accept("mass", softbody::check_above("mass", p_mass, 0, "kg")) && take_over_mass("mass", MASS_MODE_CUSTOM, p_mass)) {
+		has_own_mass_ = true;
+	}
+}
+
+// A body of the scene tree keeps the mass that it has until another is set; a scene stores its mass unless it is the default.
+void SoftBody2D::set_mass_mode(MassMode p_mode) {
+	if (!accept("mass_mode", softbody::check_between("mass_mode", p_mode, MASS_MODE_AUTO, MASS_MODE_CUSTOM, "")) || p_mode == values_.mass_mode) {
+		return;
+	}
+	const bool is_kept = p_mode == MASS_MODE_CUSTOM && !has_own_mass_ && is_inside_tree();
+	has_own_mass_ = has_own_mass_ || (p_mode == MASS_MODE_CUSTOM && !is_inside_tree());
+	take_over_mass("mass_mode", p_mode, is_kept ? get_mass() : values_.mass);
+}
+
+softbody::Firmness SoftBody2D::firmness_of(const Design &p_design) const {
+	if (!values_.firm_for_weight || p_design.used.model == ELASTIC_MODEL_NETWORK) {
+		return {};
+	}
+	const double gravity = double(length(project_gravity())) * values_.gravity_scale;
+	return softbody::firmness_for(softbody::load_of(p_design.mass, gravity, p_design.area), material_.values().youngs_modulus);
+}
+
+double SoftBody2D::get_youngs_modulus_in_use() const {
 	const Design *found = design();
-	return found != nullptr ? found->mass : values_.mass;
+	if (found == nullptr || found->used.model == ELASTIC_MODEL_NETWORK) {
+		return 0;
+	}
+	return material_.values().youngs_modulus * firmness_of(*found).factor;
 }
 
-// Of a shared material the values are shown, and neither edited nor saved with the node.
+// Of a shared material the values are shown, and neither edited nor saved with the node. Nor is a mass that follows from others.
 void SoftBody2D::_validate_property(PropertyInfo &p_property) const {
+	const auto is_named = [&](const char *p_name) { return p_property.name == StringName(p_name); };
+	if (is_named("mass")) {
+		if (values_.mass_mode == MASS_MODE_AUTO) {
+			p_property.usage |= PROPERTY_USAGE_READ_ONLY;
+			p_property.usage &= ~uint32_t(PROPERTY_USAGE_STORAGE);
+		}
+		return;
+	}
 	if (!material_.is_shared()) {
 		return;
 	}
-	const auto is_named = [&](const char *p_name) { return p_property.name == StringName(p_name); };
 	if (is_named("preset") || is_named("network_values_set") || std::ranges::any_of(softbody::material_fields(), is_named, &softbody::MaterialField::name)) {
 		p_property.usage |= PROPERTY_USAGE_READ_ONLY;
 		p_property.usage &= ~uint32_t(PROPERTY_USAGE_STORAGE);
-	} else if (is_named("mass") && density_decides_) {
-		p_property.usage |= PROPERTY_USAGE_READ_ONLY;
 	}
 }
 

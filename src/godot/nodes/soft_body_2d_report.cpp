@@ -136,7 +136,11 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 	result["strength"] = report.strength;
 	result["damping"] = report.damping;
 	result["least_damping"] = is_network ? report.least_damping : softbody::Real(0);
+	const softbody::Firmness firmness = firmness_of(*found);
 	result["youngs_modulus"] = is_network ? 0.0 : material.youngs_modulus;
+	result["youngs_modulus_in_use"] = is_network ? 0.0 : material.youngs_modulus * firmness.factor;
+	result["firm_factor"] = firmness.factor;
+	result["weight_decides"] = firmness.is_least;
 	result["poisson_ratio"] = is_network ? 0.0 : material.poisson_ratio;
 
 	const auto copy = make_copy();
@@ -160,9 +164,10 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 		factor = double(softbody::find_firm_factor(copy.value(), project_gravity(), softbody::PIXELS_PER_METER, tick_length(), steps));
 	}
 	// Where a trial would take too long, what the rule says of the usual structure.
-	const double own = is_network ? material.stiffness : material.youngs_modulus;
+	const double own = is_network ? material.stiffness : material.youngs_modulus * firmness.factor;
 	const double by_rule = report.strength > 0 ? own * double(softbody::FIRM_STRENGTH / report.strength) : double(report.firm_stiffness);
-	const double firm = factor > 0 && own > 0 ? factor * own : by_rule;
+	// As the value to set, which is multiplied for a large load.
+	const double firm = (factor > 0 && own > 0 ? factor * own : by_rule) / firmness.for_load;
 	result["firm_stiffness"] = is_network ? firm : 0.0;
 	result["firm_youngs_modulus"] = is_network ? 0.0 : firm;
 	return result;
@@ -181,6 +186,11 @@ void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringA
 		return;
 	}
 	const softbody::StabilityReport report = softbody::report_stability(*p_design.shape, settings.value(), project_gravity(), tick_length(), values_.collision_mask != 0);
+	const softbody::Firmness firmness = firmness_of(p_design);
+	if (firmness.is_least) {
+		const double least = material.youngs_modulus * firmness.factor / firmness.for_load;
+		r_warnings.push_back("Young's modulus " + String::num(material.youngs_modulus) + " N/m is too low for the body's weight: it is made as firm as with " + String::num(std::ceil(least)) + " N/m. Use at least that, less mass or gravity_scale, or switch firm_for_weight off.");
+	}
 	if (report.is_too_soft()) {
 		// What is painted on single springs stays: the node's own value has to make up for it.
 		const double own = is_network ? material.stiffness : material.youngs_modulus;

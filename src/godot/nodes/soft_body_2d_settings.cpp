@@ -94,7 +94,9 @@ softbody::Status SoftBody2D::apply_elasticity(const Design &p_design, softbody::
 		return softbody::check_material(softbody::to_material(material));
 	}
 	const auto model = softbody::ElasticModel(p_design.used.model - ELASTIC_MODEL_SPRINGS);
-	const softbody::Status status = softbody::apply_material(softbody::to_material(material), model, shape, r_settings);
+	softbody::Material firm = softbody::to_material(material);
+	firm.youngs_modulus = softbody::Real(material.youngs_modulus * firmness_of(p_design).factor);
+	const softbody::Status status = softbody::apply_material(firm, model, shape, r_settings);
 	return status ? status : softbody::check_spring_rates(r_settings, shape);
 }
 

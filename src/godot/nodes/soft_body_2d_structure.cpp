@@ -18,6 +18,9 @@ namespace godot {
 
 namespace {
 
+constexpr double DEFAULT_RADIUS = 50; // px
+constexpr int DEFAULT_POINTS = 16;
+
 PackedVector2Array polygon_or_error(const softbody::Result<std::vector<softbody::Vec2>> &p_polygon) {
 	if (!p_polygon) {
 		ERR_FAIL_V_MSG(PackedVector2Array(), "SoftBody2D: " + softbody::to_godot(p_polygon.error()) + ".");
@@ -44,6 +47,16 @@ PackedVector2Array SoftBody2D::make_capsule_polygon(double p_radius, double p_he
 	return polygon_or_error(softbody::capsule_hull(softbody::Real(p_radius), softbody::Real(p_height), softbody::Real(p_spacing)));
 }
 
+PackedVector2Array SoftBody2D::make_default_polygon() {
+	return make_circle_polygon(DEFAULT_RADIUS, DEFAULT_POINTS);
+}
+
+// As the area of any other body is computed, so that the default body has the default mass to the bit.
+double SoftBody2D::default_area() {
+	static const double AREA = std::abs(double(softbody::signed_area(to_core(make_default_polygon()))));
+	return AREA;
+}
+
 // From properties to the core.
 
 bool SoftBody2D::take_over_structure(const StringName &p_property, bool p_has_other_points) {
@@ -60,16 +73,22 @@ bool SoftBody2D::take_over_structure(const StringName &p_property, bool p_has_ot
 	return true;
 }
 
-softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &p_transform, bool p_is_draft) const {
-	const Transform2D scale = softbody::scale_and_skew(p_transform);
-	const softbody::SizedScale sized(structure_.simulated_scale(scale));
-	const std::vector<softbody::Vec2> hull = to_core(sized.rest.xform(get_polygon()));
-	const double area = softbody::signed_area(hull) * double(sized.size) * double(sized.size);
-	Design made;
-	made.scale = scale;
+SoftBody2D::SizedHull SoftBody2D::sized_hull(const Transform2D &p_transform) const {
+	const softbody::SizedScale sized(structure_.simulated_scale(softbody::scale_and_skew(p_transform)));
+	SizedHull made{ sized, to_core(sized.rest.xform(get_polygon())) };
+	const double area = softbody::signed_area(made.points) * double(sized.size) * double(sized.size);
 	made.area = std::abs(area);
-	made.mass = mass_of_area(made.area);
 	made.is_reversed = area < 0;
+	return made;
+}
+
+softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &p_transform, bool p_is_draft) const {
+	const auto [sized, hull, area, is_reversed] = sized_hull(p_transform);
+	Design made;
+	made.scale = softbody::scale_and_skew(p_transform);
+	made.area = area;
+	made.mass = mass_of_area(made.area);
+	made.is_reversed = is_reversed;
 	made.wanted = choose_model();
 	made.used = made.wanted;
 

@@ -61,7 +61,8 @@ func _look() -> void:
 		values.append([body.polygon, body.inner_points, body.center_point, body.springs, body.spring_stiffness_scales,
 				body.spring_damping_scales, body.spring_length_scales, body.pinned_points, body.get_total_mass(),
 				body.gravity_scale, body.integrator, body.substeps, body.collision_mask, body.global_transform.x,
-				body.global_transform.y, body.elastic_model, body.least_area, body.least_stretch, body.most_stretch])
+				body.global_transform.y, body.elastic_model, body.least_area, body.least_stretch, body.most_stretch,
+				body.firm_for_weight])
 		for property: StringName in [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"stiffness", &"damping",
 				&"shape_matching", &"shape_damping_ratio", &"pressure", &"inflation"]:
 			values.append(body.get(property))

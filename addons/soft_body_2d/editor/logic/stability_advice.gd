@@ -80,6 +80,13 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 	var unfit: bool = report["elastic_reason"] == "unfit"
 	found.append(Row.new(say.call("Elasticity"), say.call(MODEL_NAMES[report["elastic_model"]]),
 			Level.BAD if unfit else Level.GOOD, elastic_text(report, say)))
+	var factor: float = report.get("firm_factor", 1.0)
+	if factor > 1:
+		var decides: bool = report["weight_decides"]
+		found.append(Row.new(say.call("Firmness"), say.call("%s × for its weight") % number(factor), Level.FAIR if decides else Level.GOOD,
+				(say.call("Made %s times as firm for its weight. Young's modulus is so low that it has no effect: %s is used, without which the body would fold.")
+				if decides else say.call("Made %s times as firm for its weight: a Young's modulus of %s is used, with which it sags like a light body of its material. Firm For Weight switches it off."))
+				% [number(factor), number(report["youngs_modulus_in_use"])]))
 	return found
 
 
