@@ -60,7 +60,7 @@ struct BodySettings {
 	/// The body's friction counts even where the other side's is smaller. Of two that are rough the larger counts.
 	bool rough = false;
 	/// Rolling resistance [1], >= 0: a contact takes at most this times the normal impulse times the body's radius,
-	/// over its inertia, of the spin. Without it a soft body on flat ground rocks between two hull points for tens of
+	/// over its inertia, of the spin. Without it a soft body on flat ground rocks for tens of
 	/// seconds. On slopes up to about atan(r) it hardly rolls.
 	Real rolling_resistance = 0;
 	/// Least share of the approach speed with which the body leaves a surface [1], 0..1. Springs may return more.
