@@ -11,7 +11,7 @@
 #   engine       only the tests inside of Godot
 #   editor       only the tests of the editor addon in a real editor, which no one sees if there is no screen
 #   game         only the scripted player, who has to win the game; leaves pictures in build/game
-#   export       only the test of the exported demo
+#   export       the exported demo, and the tests of the nodes in an exported release
 #   package      only a newcomer's path: the packed addon in an empty project, and every example of the documentation
 #   quick        the next two, each without what takes longest; says what it leaves out
 #   sanitize     the core under AddressSanitizer and UndefinedBehaviorSanitizer, and what uses threads under ThreadSanitizer
@@ -34,6 +34,11 @@ SLOW_SUITES='*slow*' # of doctest: what takes longest, or does so under AddressS
 # engine itself in the tick in which they add something cannot hold there: the engine does not know it yet.
 PHYSICS_THREAD_SUITES=(test_soft_floors test_found_by_shape test_rigid_bodies test_driven_bodies test_one_way test_areas test_joints
 	test_resting test_contacts test_characters)
+# Suites that an exported release cannot run: of warnings that it does not give, of documents that it does not hold, of the editor,
+# of drawing without a window, and of the demo's panels, whose containers report connections of their own in Godot's release template.
+DEBUG_SUITES=" test_class test_class_reference test_damaged_scenes test_drawing test_drawing_debug test_drawing_looks
+	test_drawing_seen test_drawing_smoothness test_editor_logic test_editor_stability test_editor_tracing test_former_names
+	test_godot_audit test_laboratory test_scenes "
 passed=0
 failed=0
 skipped=0
@@ -308,6 +313,23 @@ test_export() {
 		echo "FAILED: in the editor: $editor"
 		count 0 0 1
 	fi
+
+	# What the nodes promise, in a release as players get it.
+	local log=$LOG_DIR/tests_exported.log status=0 suites=() suite
+	step "Exporting the tests"
+	export_tests soft_body_2d_tests || return 1
+	for suite in "$PROJECT_DIR"/tests/test_*.gd; do
+		suite=$(basename "$suite" .gd)
+		[[ $DEBUG_SUITES == *[[:space:]]$suite[[:space:]]* ]] || suites+=("$suite/")
+	done
+	step "Testing in an exported release"
+	exported_game soft_body_2d_tests $TIME_LIMIT "${options[@]}" -- "${suites[@]}" 2>&1 | tee "$log" || status=$?
+	count_engine "$status" "$log"
+	step "Testing in an exported release, physics on a thread of its own"
+	log=$LOG_DIR/tests_exported_thread.log status=0
+	printf '[physics]\n\n2d/run_on_separate_thread=true\n' >"$EXPORT_DIR/soft_body_2d_tests/override.cfg"
+	exported_game soft_body_2d_tests $TIME_LIMIT "${options[@]}" -- "${PHYSICS_THREAD_SUITES[@]}" 2>&1 | tee "$log" || status=$?
+	count_engine "$status" "$log"
 }
 
 # A newcomer's path: what is packed works in an empty project, and so does every example of the documentation.

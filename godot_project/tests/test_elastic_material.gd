@@ -200,6 +200,8 @@ func test_raw_values_stay_in_force_until_the_model_is_chosen_or_they_are_cleared
 
 
 func test_old_scenes_load_as_the_networks_that_they_were_and_a_note_says_so_once() -> void:
+	if not is_debug_build():
+		return
 	var path := "user://old_scene.tscn"
 	for line: String in ["stiffness = 35.0", "damping = 0.5", "shape_matching = 0.8", "shape_damping_ratio = 0.5", "pressure = 60.0"]:
 		var file := FileAccess.open(path, FileAccess.WRITE)

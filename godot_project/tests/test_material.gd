@@ -63,6 +63,8 @@ func test_a_nodes_properties_are_those_of_the_material_in_use() -> void:
 
 
 func test_a_value_set_beside_a_shared_material_changes_nothing_and_a_warning_says_so_once() -> void:
+	if not is_debug_build():
+		return
 	var material := _make({"stiffness": 250.0})
 	var body := add_weightless_body(Vector2.ZERO, {"soft_body_material": material})
 	var grip := surface(0.75)
@@ -104,6 +106,8 @@ func test_a_scene_holds_the_values_of_a_body_once() -> void:
 
 
 func test_an_old_scene_with_values_beside_a_shared_material_goes_on_by_the_material_and_says_so() -> void:
+	if not is_debug_build():
+		return
 	var path := "user://old_material.tscn"
 	var file := FileAccess.open(path, FileAccess.WRITE)
 	file.store_string("[gd_scene format=3]\n\n[sub_resource type=\"SoftBodyMaterial2D\" id=\"1\"]\nyoungs_modulus = 777.0\n\n"

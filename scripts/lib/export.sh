@@ -42,6 +42,21 @@ export_project() {
 	fi
 }
 
+# export_tests GAME: exports a copy of the demo project that runs its tests instead of the game.
+export_tests() {
+	local project=$REPO_DIR/build/exported_tests
+	rm -rf "$project"
+	cp -r "$PROJECT_DIR" "$project"
+	rm -rf "$project/tests/editor"
+	printf 'class_name ExportedTests\nextends "res://tests/run.gd"\n' >"$project/tests/exported_tests.gd"
+	printf '[gd_scene format=3]\n\n[node name="Empty" type="Node"]\n' >"$project/tests/empty.tscn"
+	sed -i 's|^exclude_filter="tests/\*"|exclude_filter=""|' "$project/export_presets.cfg"
+	sed -i 's|^run/main_scene=.*|run/main_scene="res://tests/empty.tscn"\nrun/main_loop_type="ExportedTests"|' "$project/project.godot"
+	godot_headless 300 --path "$project" --import >"$LOG_DIR/exported_tests_import.log" 2>&1 ||
+		{ problem "Godot could not import the tests (see $LOG_DIR/exported_tests_import.log)"; return 1; }
+	export_project "$project" "$1"
+}
+
 # exported_game GAME SECONDS ARGS…: runs what export_project made, for that long at most.
 exported_game() {
 	local folder=$EXPORT_DIR/$1 game=$1 limit=$2

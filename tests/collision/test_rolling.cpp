@@ -172,7 +172,7 @@ TEST_CASE("a round body hides its corners in contacts only: at rest it lies as d
 			}
 			const double bulge = JELLY_RADIUS * (1 - std::cos(std::numbers::pi / points));
 			CHECK(lowest < Real(0.1));
-			CHECK(double(lowest) > -bulge);
+			CHECK(double(lowest) > -bulge - 0.15); // a bare segment is a slop thick
 		}
 	}
 }

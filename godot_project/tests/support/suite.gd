@@ -90,6 +90,13 @@ func skip(reason: String) -> void:
 	skip_reason = reason
 
 
+## Whether this is a debug build. A release build says less: with it the test is skipped.
+func is_debug_build() -> bool:
+	if not OS.is_debug_build():
+		skip("a release build does not say it")
+	return OS.is_debug_build()
+
+
 ## For numbers and vectors.
 func check_near(actual: Variant, expected: Variant, tolerance: float, what: String) -> bool:
 	var error: float = absf(actual - expected) if actual is float or actual is int else (actual - expected).length()
