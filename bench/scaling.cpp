@@ -32,7 +32,7 @@ public:
 	void update(const SoftPile &pile, const softbody::WorldData &world) {
 		bodies_.clear();
 		for (const softbody::SoftBodyData &body : world.soft_bodies()) {
-			const softbody::Circle circle = softbody::sweep_circle(body.hull(), body.velocities(), Real(pile.scene().time_step));
+			const softbody::Circle circle = softbody::sweep_circle(body.hull(), softbody::fastest(body.velocities()), Real(pile.scene().time_step));
 			bodies_.push_back({ circle.center, circle.radius,
 					body.settings().collision_layer, body.settings().collision_mask });
 		}

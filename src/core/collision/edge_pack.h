@@ -74,12 +74,6 @@ struct NearestEdges {
 	}
 };
 
-/// An edge of a hull, as a search from a point finds it.
-struct FoundEdge {
-	std::size_t edge = 0;
-	bool is_inside = false; ///< whether the hull winds around the point
-};
-
 /// Searches the edges of a hull from the point p, in one pass: whether the hull contains p, the edge nearest to p, and the
 /// nearest one that faces p: p is on its inner side, and its outward normal opposes `outward`.
 class EdgeSearch {
@@ -96,24 +90,24 @@ public:
 		facing_.consider(i, distance, both(cross(out_, way) < RealPack(0), !(cross(way, offset) < RealPack(0))));
 		nearest_.consider(i, distance, distance < RealPack(NearestEdges::FAR));
 	}
-	/// Inside a hull, the nearest edge that faces p, or the nearest of all if none does. Outside, the nearest edge if it
-	/// is nearer than `margin`. None if all distances are NaN or infinite.
-	std::optional<FoundEdge> found(Real margin) const {
+	/// Inside a hull, the nearest edge that faces p, or the nearest of all if none does. None outside, or if all
+	/// distances are NaN or infinite.
+	std::optional<std::size_t> found() const {
 		if (winding_ == 0) {
-			return margin > 0 ? edge_of(nearest_, margin * margin, false) : std::nullopt;
+			return {};
 		}
-		const std::optional<FoundEdge> facing = edge_of(facing_, NearestEdges::FAR, true);
-		return facing ? facing : edge_of(nearest_, NearestEdges::FAR, true);
+		const std::optional<std::size_t> facing = edge_of(facing_);
+		return facing ? facing : edge_of(nearest_);
 	}
 
 private:
-	static std::optional<FoundEdge> edge_of(const NearestEdges &edges, Real limit, bool is_inside) {
+	static std::optional<std::size_t> edge_of(const NearestEdges &edges) {
 		const Real least = least_lane(edges.distance);
-		if (!(least < limit)) {
+		if (!(least < NearestEdges::FAR)) {
 			return {};
 		}
 		const std::size_t lane = std::size_t(std::countr_zero(bits(!(edges.distance > RealPack(least)))));
-		return FoundEdge{ std::size_t(edges.number[lane]) * PACK_WIDTH + lane, is_inside };
+		return std::size_t(edges.number[lane]) * PACK_WIDTH + lane;
 	}
 
 	BasicVec2<RealPack> p_;

@@ -11,8 +11,6 @@
 
 namespace softbody {
 
-namespace {
-
 Real fastest(std::span<const Vec2> velocities) {
 	RealPack most(0);
 	for (std::size_t i = 0; i < packs_for(velocities.size()); ++i) {
@@ -20,6 +18,8 @@ Real fastest(std::span<const Vec2> velocities) {
 	}
 	return std::sqrt(greatest_lane(most));
 }
+
+namespace {
 
 // Whether a collider is one segment of a chain.
 bool is_link(const Collider &collider) {
@@ -42,9 +42,9 @@ Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Rea
 	return std::isfinite(way) ? box.grown(way + std::max(size.x, size.y) / 16) : box;
 }
 
-Circle sweep_circle(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt) {
+Circle sweep_circle(std::span<const Vec2> hull, Real pace, Real dt) {
 	const Circle circle = circle_around(hull);
-	const Real way = fastest(velocities) * dt;
+	const Real way = pace * dt;
 	return std::isfinite(way) ? Circle{ circle.center, circle.radius * Real(1.125) + way } : circle;
 }
 

@@ -90,9 +90,12 @@ private:
 /// box that overlaps nothing.
 Aabb sweep_box(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt);
 
-/// Circle that contains the hull for `dt` [s] at its present velocities, with a margin, about the mean of its points. For
-/// a hull that is not finite, one that overlaps nothing.
-Circle sweep_circle(std::span<const Vec2> hull, std::span<const Vec2> velocities, Real dt);
+/// The highest of some speeds [length/s]; 0 without any. O(velocities).
+Real fastest(std::span<const Vec2> velocities);
+
+/// Circle that contains the hull for `dt` [s] while no point is faster than `pace` [length/s], with a margin, about the
+/// mean of its points. For a hull that is not finite, one that overlaps nothing.
+Circle sweep_circle(std::span<const Vec2> hull, Real pace, Real dt);
 
 /// Depth of a body inside the environment at its present pose [length]: the largest depth of a hull point in a border
 /// or collider that the body notices, or of a collider's corner or round end in the hull. 0 when apart. O(hull points ×

@@ -34,12 +34,12 @@ bool HullEdges::contains(Vec2 p) const {
 	return winding != 0;
 }
 
-std::optional<FoundEdge> HullEdges::search_many(Vec2 p, Vec2 outward, Real margin) const {
+std::optional<std::size_t> HullEdges::search_many(Vec2 p, Vec2 outward) const {
 	EdgeSearch search(p, outward);
 	for (std::size_t i = 0; i < packs_for(hull_.size()); ++i) {
 		search.consider(i, edges_[i]);
 	}
-	return search.found(margin);
+	return search.found();
 }
 
 } // namespace softbody

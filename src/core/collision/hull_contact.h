@@ -38,14 +38,11 @@ public:
 	/// direction out of the body that p belongs to. So a point that was pushed through a thin body finds its way back.
 	/// If no edge faces the point, or if `outward` is 0, it leaves through the nearest edge. O(hull points).
 	std::optional<HullContact> find(Vec2 p, Vec2 outward) const;
-	/// As `find`, but also finds a point outside that is nearer than `margin` to the hull: its `depth` is negative, and
-	/// only its `edge` is set. O(hull points).
-	std::optional<HullContact> find_near(Vec2 p, Vec2 outward, Real margin) const;
 
 private:
 	template <std::size_t PACKS>
-	std::optional<FoundEdge> search(Vec2 p, Vec2 outward, Real margin) const;
-	std::optional<FoundEdge> search_many(Vec2 p, Vec2 outward, Real margin) const;
+	std::optional<std::size_t> search(Vec2 p, Vec2 outward) const;
+	std::optional<std::size_t> search_many(Vec2 p, Vec2 outward) const;
 	std::optional<HullContact> contact_at(std::size_t edge, Vec2 p) const;
 
 	// Room for 32 edges from the start keeps the buffers of different threads on separate cache lines.
@@ -71,32 +68,25 @@ inline Vec2 outward_at(std::span<const Vec2> hull, std::size_t i) {
 	return -perpendicular(after - before);
 }
 
-inline std::optional<HullContact> HullEdges::find(Vec2 p, Vec2 outward) const {
-	return find_near(p, outward, 0);
-}
-
 // Up to three packs are read again for each query. They stay in registers, and most contacts change the hull.
-inline std::optional<HullContact> HullEdges::find_near(Vec2 p, Vec2 outward, Real margin) const {
-	std::optional<FoundEdge> found;
+inline std::optional<HullContact> HullEdges::find(Vec2 p, Vec2 outward) const {
+	std::optional<std::size_t> found;
 	switch (packs_for(hull_.size())) {
-		case 1: found = search<1>(p, outward, margin); break;
-		case 2: found = search<2>(p, outward, margin); break;
-		case 3: found = search<3>(p, outward, margin); break;
-		default: found = search_many(p, outward, margin);
+		case 1: found = search<1>(p, outward); break;
+		case 2: found = search<2>(p, outward); break;
+		case 3: found = search<3>(p, outward); break;
+		default: found = search_many(p, outward);
 	}
-	if (found && !found->is_inside) {
-		return HullContact{ std::uint32_t(found->edge < hull_.size() ? found->edge : 0), 0, {}, -1 };
-	}
-	return found ? contact_at(found->edge, p) : std::nullopt;
+	return found ? contact_at(*found, p) : std::nullopt;
 }
 
 template <std::size_t PACKS>
-std::optional<FoundEdge> HullEdges::search(Vec2 p, Vec2 outward, Real margin) const {
+std::optional<std::size_t> HullEdges::search(Vec2 p, Vec2 outward) const {
 	EdgeSearch search(p, outward);
 	for (std::size_t i = 0; i < PACKS; ++i) {
 		search.consider(i, edges_at(hull_, i * PACK_WIDTH));
 	}
-	return search.found(margin);
+	return search.found();
 }
 
 inline Followed follow_contact(std::span<const Vec2> hull, Vec2 p, HullContact &contact) {

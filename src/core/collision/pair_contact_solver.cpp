@@ -23,12 +23,15 @@ namespace {
 constexpr Real FASTER = Real(1.5);
 constexpr Real LEAST_PATH = Real(0.001);
 
-// Path of both bodies for which candidates are listed in this substep [length]; 0 if a list would not pay.
-Real path_ahead(const SolverBody &a, const SolverBody &b, int substeps_left) {
+// Path of both bodies from the start of this substep of `h` for which candidates are listed [length]; 0 if a list would
+// not pay. A body goes the way of this substep, and as far in the others as it did before: contacts take back what
+// forces push a body into others, in each substep.
+Real path_ahead(const SolverBody &a, const SolverBody &b, Real h, int substeps_left) {
 	const Real way = a.way + b.way;
-	const Real wanted = FASTER * way * Real(substeps_left + 1) + LEAST_PATH * std::min(a.rest_radius, b.rest_radius);
+	const Real later = (a.pace + b.pace) * h * Real(substeps_left);
+	const Real wanted = FASTER * (way + later) + LEAST_PATH * std::min(a.rest_radius, b.rest_radius);
 	const Real most = SWEEP_SHARE * std::min(a.width, b.width);
-	return substeps_left > 0 && most > 2 * FASTER * way ? std::min(wanted, most) : Real(0);
+	return substeps_left > 0 && most > FASTER * way ? std::min(wanted, most) : Real(0);
 }
 
 } // namespace
@@ -42,23 +45,27 @@ std::size_t PairContactSolver::handle(SolverBody &a, SolverBody &b, PairCandidat
 		return handle_candidates(a, b, candidates);
 	}
 	candidates.clear();
-	const Real margin = path_ahead(a, b, substeps_left);
+	const Real margin = path_ahead(a, b, h_, substeps_left);
 	const Real reach = a.radius + b.radius + margin;
 	const Real distance_squared = length_squared(a.center - b.center);
-	std::size_t contacts = 0;
-	if (a.box.grown(margin).overlaps(b.box) && distance_squared <= reach * reach) {
-		const bool are_fast = way > SWEEP_SHARE * std::min(a.width, b.width);
-		const Real near = std::max(a.radius, b.radius);
-		if (!are_fast && distance_squared < near * near && handle_crossing(a, b)) {
-			return 1;
-		}
-		contacts = handle_points(a, b, are_fast, margin, candidates);
+	const bool are_near = a.box.grown(margin).overlaps(b.box) && distance_squared <= reach * reach;
+	const bool are_fast = way > SWEEP_SHARE * std::min(a.width, b.width);
+	const Real near = std::max(a.radius, b.radius);
+	if (are_near && !are_fast && distance_squared < near * near && handle_crossing(a, b)) {
+		return 1;
 	}
 	if (margin > 0) {
-		// What the contacts take back of the way of this substep counts once more in its path.
-		candidates.hold_until(path - way + margin);
+		if (are_near) {
+			list_candidates(a, b, margin, candidates);
+			candidates.begin_second();
+			list_candidates(b, a, margin, candidates);
+		}
+		candidates.hold_until(path + margin);
+		if (candidates.holds_at(path + way)) {
+			return handle_candidates(a, b, candidates);
+		}
 	}
-	return contacts;
+	return are_near ? handle_points(a, b, are_fast) : 0;
 }
 
 // Two hulls can cross without a point of either inside the other; then contacts of points cannot separate them.
@@ -145,38 +152,25 @@ std::optional<HullContact> find_passage(const SolverBody &body, const SolverBody
 
 } // namespace
 
-// One loop for the points of both bodies: processors mispredict the end of a loop.
-std::size_t PairContactSolver::handle_points(SolverBody &a, SolverBody &b, bool are_fast, Real margin, PairCandidates &candidates) {
-	const std::array<SolverBody *, 2> bodies = { &a, &b };
-	constexpr std::array<Real, 2> SIDES = { 1, -1 };
-	const Real reach_a = b.radius + (are_fast ? a.way : margin);
-	const Real reach_b = a.radius + (are_fast ? b.way : margin);
-	std::size_t contacts = 0;
+std::size_t PairContactSolver::handle_points(SolverBody &a, SolverBody &b, bool are_fast) {
 	edges_of_ = nullptr;
-	const std::uint32_t count = std::uint32_t(std::max(a.hull().size(), b.hull().size()));
-	for (std::uint32_t first = 0; first < count; first += NEAR_BITS) {
-		std::uint64_t near = near_points(a.hull(), first, b.center, reach_a) |
-				std::uint64_t(near_points(b.hull(), first, a.center, reach_b)) << NEAR_BITS;
-		for (; near != 0; near &= near - 1) {
-			const std::uint32_t bit = std::uint32_t(std::countr_zero(near));
-			const std::uint32_t which = bit / NEAR_BITS;
-			const std::uint32_t point = first + bit % NEAR_BITS;
-			SolverBody &body = *bodies[which];
-			SolverBody &other = *bodies[1 - which];
+	return handle_points_of(a, b, are_fast, 1) + handle_points_of(b, a, are_fast, -1);
+}
+
+std::size_t PairContactSolver::handle_points_of(SolverBody &body, SolverBody &other, bool are_fast, Real side) {
+	const Real reach = other.radius + (are_fast ? body.way : Real(0));
+	std::size_t contacts = 0;
+	for (std::uint32_t first = 0; first < body.hull().size(); first += NEAR_BITS) {
+		for (std::uint32_t near = near_points(body.hull(), first, other.center, reach); near != 0; near &= near - 1) {
+			const std::uint32_t point = first + std::uint32_t(std::countr_zero(near));
 			std::optional<HullContact> found = are_fast ? find_passage(body, other, point) : std::nullopt;
 			const bool is_fresh = found.has_value();
 			if (!found) {
 				read_edges(other);
-				found = edges_.find_near(body.positions[point], outward_at(body.hull(), point), margin);
+				found = edges_.find(body.positions[point], outward_at(body.hull(), point));
 			}
-			if (!found) {
-				continue;
-			}
-			if (margin > 0) {
-				candidates.add({ std::uint16_t(point), std::uint8_t(which), std::uint16_t(found->edge) });
-			}
-			if (found->depth >= 0) {
-				solve(body, other, point, *found, SIDES[which], is_fresh);
+			if (found) {
+				solve(body, other, point, *found, side, is_fresh);
 				++contacts;
 			}
 		}
@@ -184,11 +178,89 @@ std::size_t PairContactSolver::handle_points(SolverBody &a, SolverBody &b, bool 
 	return contacts;
 }
 
+namespace {
+
+// Up to PACK_WIDTH points out of a bit mask, taken from it.
+struct PointPack {
+	PointPack(std::span<const Vec2> points, std::uint32_t first, std::uint32_t &mask) {
+		for (; mask != 0 && count < PACK_WIDTH; mask &= mask - 1) {
+			index[count++] = first + std::uint32_t(std::countr_zero(mask));
+		}
+		std::fill(index.begin() + std::ptrdiff_t(count), index.end(), index[0]);
+		places = gather<const Vec2>({ &points[index[0]], &points[index[1]], &points[index[2]], &points[index[3]] }, 0);
+	}
+
+	std::size_t count = 0;
+	std::array<std::uint32_t, PACK_WIDTH> index; ///< beyond the count, that of the first
+	BasicVec2<RealPack> places;
+};
+
+// Whether a point is on the outer side of an edge, or came in there by the direction out of its own body.
+bool may_leave_through(std::size_t edge, std::span<const Vec2> hull, std::span<const Vec2> points, std::size_t point) {
+	const Vec2 way = hull[edge + 1 == hull.size() ? 0 : edge + 1] - hull[edge];
+	return !(cross(way, points[point] - hull[edge]) > 0) || cross(outward_at(points, point), way) < 0;
+}
+
+} // namespace
+
+// Adds the points of `body` that were inside `other` or nearer than the margin when the substep began: contacts push
+// hulls about within a substep, and between the starts of two substeps they are seen to have moved little.
+void PairContactSolver::list_candidates(const SolverBody &body, const SolverBody &other, Real margin, PairCandidates &candidates) {
+	const std::span<const Vec2> points = body.before;
+	const Aabb reach = other.box.grown(margin);
+	edges_of_ = nullptr; // `edges_` may become the hull at the start of the substep
+	bool has_edges = false;
+	for (std::uint32_t first = 0; first < points.size(); first += POINT_BITS) {
+		std::uint32_t mask = points_in(reach, points, first);
+		if (mask != 0 && !has_edges) {
+			near_edges_.assign(other.before, body.box.grown(margin));
+			has_edges = true;
+		}
+		while (mask != 0) {
+			const PointPack pack(points, first, mask);
+			const NearestEdge nearest = near_edges_.find(pack.places);
+			const std::uint32_t near = bits(nearest.distance < RealPack(margin * margin));
+			// A point inside the hull, far from its edges, is in the circle around the hull.
+			const RealPack from_center = length_squared(pack.places - in_all_lanes<RealPack>(other.center));
+			const std::uint32_t deep = bits(from_center < RealPack(other.radius * other.radius));
+			for (std::uint32_t left = (near | deep) & ((1u << pack.count) - 1); left != 0; left &= left - 1) {
+				const std::size_t lane = std::size_t(std::countr_zero(left));
+				const std::uint32_t point = pack.index[lane];
+				std::optional<std::uint32_t> edge;
+				if ((near >> lane & 1) != 0) {
+					edge = std::uint32_t(nearest.edge[lane]);
+				}
+				if (!edge || !may_leave_through(*edge, other.before, points, point)) {
+					edge = way_out(body, other, point, edge);
+				}
+				if (edge) {
+					candidates.add({ std::uint16_t(point), std::uint16_t(*edge) });
+				}
+			}
+		}
+	}
+}
+
+// Edge of the hull at the start of the substep through which a point inside it leaves; `nearest` for one outside.
+std::optional<std::uint32_t> PairContactSolver::way_out(const SolverBody &body, const SolverBody &other, std::uint32_t point,
+		std::optional<std::uint32_t> nearest) {
+	const Vec2 p = body.before[point];
+	edges_.assign(other.before);
+	if (!edges_.contains(p)) {
+		return nearest;
+	}
+	const std::optional<HullContact> contact = edges_.find(p, outward_at(body.before, point));
+	return contact ? contact->edge : nearest;
+}
+
 std::size_t PairContactSolver::handle_candidates(SolverBody &a, SolverBody &b, PairCandidates &candidates) {
 	std::size_t contacts = 0;
 	edges_of_ = nullptr;
-	for (PairCandidate &candidate : candidates.list()) {
-		contacts += candidate.side == 0 ? handle_candidate(a, b, candidate, 1) : handle_candidate(b, a, candidate, -1);
+	for (PairCandidate &candidate : candidates.of_first()) {
+		contacts += handle_candidate(a, b, candidate, 1);
+	}
+	for (PairCandidate &candidate : candidates.of_second()) {
+		contacts += handle_candidate(b, a, candidate, -1);
 	}
 	return contacts;
 }

@@ -5,11 +5,13 @@
 #include "core/collision/broad_phase.h"
 #include "core/collision/contact_log.h"
 #include "core/collision/hull_contact.h"
+#include "core/collision/near_edges.h"
 #include "core/collision/pair_candidates.h"
 #include "core/collision/pair_constraint.h"
 #include "core/model/world_data.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,8 +28,8 @@ public:
 	void begin_substep(Real h);
 
 	/// Solves every contact between the two bodies. Returns the number of contacts. Lists their candidates for the
-	/// `substeps_left` in the rest of the step, and uses the list while it holds. O(candidates), or without a list
-	/// O(points within the other's circle × hull points).
+	/// `substeps_left` in the rest of the step, and uses the list while it holds. O(candidates); O(points × edges near
+	/// the other body) to make a list; without one O(points within the other's circle × hull points).
 	std::size_t handle(SolverBody &a, SolverBody &b, PairCandidates &candidates, int substeps_left);
 	/// Sum of the normal impulses of the last `handle` [mass·length/s].
 	Real last_impulse() const { return impulse_; }
@@ -37,13 +39,18 @@ public:
 	ContactLog &log() { return log_; }
 
 private:
-	std::size_t handle_points(SolverBody &a, SolverBody &b, bool are_fast, Real margin, PairCandidates &candidates);
+	std::size_t handle_points(SolverBody &a, SolverBody &b, bool are_fast);
+	std::size_t handle_points_of(SolverBody &body, SolverBody &other, bool are_fast, Real side);
+	void list_candidates(const SolverBody &body, const SolverBody &other, Real margin, PairCandidates &candidates);
+	std::optional<std::uint32_t> way_out(const SolverBody &body, const SolverBody &other, std::uint32_t point,
+			std::optional<std::uint32_t> nearest);
 	std::size_t handle_candidates(SolverBody &a, SolverBody &b, PairCandidates &candidates);
 	bool handle_candidate(SolverBody &body, SolverBody &other, PairCandidate &candidate, Real side);
 	void solve(SolverBody &body, SolverBody &other, std::uint32_t point, const HullContact &contact, Real side, bool is_fresh);
 	void read_edges(const SolverBody &body);
 	bool handle_crossing(SolverBody &a, SolverBody &b);
 
+	NearEdges near_edges_;
 	HullEdges edges_;
 	const SolverBody *edges_of_ = nullptr; ///< body whose present hull the edges are
 	Real h_ = 0;

@@ -108,9 +108,10 @@ void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t v
 	}
 	run_slices(parallel_for, circles_.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
-			const SolverBody &body = bodies.solver_bodies[i];
+			SolverBody &body = bodies.solver_bodies[i];
 			circles_[i].rests = bodies.asleep[i] != 0;
-			const Circle circle = bodies.asleep[i] ? Circle{ body.center, body.radius } : sweep_circle(body.hull(), body.velocities, dt);
+			body.pace = bodies.asleep[i] ? Real(0) : fastest(body.velocities);
+			const Circle circle = bodies.asleep[i] ? Circle{ body.center, body.radius } : sweep_circle(body.hull(), body.pace, dt);
 			circles_[i].center = circle.center;
 			circles_[i].radius = circle.radius;
 		}
