@@ -23,7 +23,6 @@ struct alignas(64) SolverBody { // one cache line holds what most substeps read 
 	Vec2 center; ///< mean of the hull's points, center of a circle around them, now and before
 	Real radius = 0; ///< of that circle [length]
 	Real way = 0; ///< longest path of a hull point in this substep [length]
-	Real pace = 0; ///< highest speed of a point when the step began [length/s]
 	Real path = 0; ///< bound of the path of any hull point in the substeps of this step that have ended [length]
 	Real width = 0; ///< of the body's thinner part (SoftBodyShape::width) [length]
 	Real inverse_mass = 0; ///< of the body as a whole; 0 when a point is pinned
@@ -40,6 +39,7 @@ struct alignas(64) SolverBody { // one cache line holds what most substeps read 
 	std::span<const Real> inverse_masses;
 	Real rolling_resistance = 0;
 	Real rest_radius = 0; ///< of the shape at rest [length]
+	Real pace = 0; ///< highest speed of a point when the step began [length/s]
 	// Set by `take_frame`; changed by `resist_pair_rolling`.
 	Vec2 mass_center;
 	Real inertia = 0; ///< about the mass center [mass·length²]
