@@ -190,7 +190,7 @@ void cut_for_riders(std::span<const Vec2> outline, std::span<const Rider> riders
 		std::vector<Vec2> &floor = r_pieces[2 * i + 1];
 		floor.assign(outline.begin(), outline.end());
 		keep_below(up, dot(rider.box.center(), up) - height - rider.gap, floor);
-		if (riders.size() > 1) { // not under the others, who may be deeper
+		if (riders.size() > 1) { // not under the others, which may be deeper
 			keep_below(along, middle + half, floor);
 			keep_below(-along, half - middle, floor);
 		}
