@@ -25,7 +25,7 @@ std::size_t bytes_in_use() {
 
 nlohmann::json soak(const Options &options) {
 	const softbody::testing::SoakResult result = softbody::testing::soak(options.quick ? 1200 : 36000, bytes_in_use);
-	return { { "hours", result.hours }, { "drift_px", result.drift }, { "sleeping_drift_px", result.sleeping_drift },
+	return { { "hours", result.hours }, { "drift_px", result.drift }, { "round_drift_px", result.round_drift }, { "sleeping_drift_px", result.sleeping_drift },
 		{ "lost", result.lost }, { "resets", result.resets }, { "growth_bytes", result.growth } };
 }
 

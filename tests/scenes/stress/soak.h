@@ -9,7 +9,8 @@ namespace softbody::testing {
 
 struct SoakResult {
 	double hours = 0; ///< simulated
-	double drift = 0; ///< of the farthest point of bodies at rest that are kept awake, from when they had settled [px]
+	double drift = 0; ///< of the farthest point of a square at rest that is kept awake, from when it had settled [px]
+	double round_drift = 0; ///< likewise of a circle, which rolls
 	double sleeping_drift = 0; ///< likewise of those that may sleep
 	std::size_t lost = 0; ///< bodies outside their walls at any look, once a second
 	std::size_t resets = 0;
