@@ -102,6 +102,7 @@ void SoftBody2D::enter_space() {
 	space_ = &SoftBodySimulation2D::get_singleton()->space_of(this);
 	space_->add(*this);
 	view_ = SoftBodySimulation2D::get_singleton()->drawing().add(get_viewport());
+	note_mirror();
 	bool sleeps = sleeping_;
 	if (stored_body_) {
 		sleeps = stored_body_->is_asleep(); // put to sleep since it left
@@ -214,8 +215,10 @@ void SoftBody2D::take_over_transform() {
 	if (!transform.is_finite() || transform.determinant() == 0) {
 		accept("transform", softbody::Error{ "transform", "a scale of zero or a non-finite value", "must be invertible", "set a finite position and a scale other than zero" });
 		set_global_transform(known_transform_);
+		note_mirror();
 		return;
 	}
+	note_mirror();
 	if (softbody::is_same_scale(softbody::scale_and_skew(transform), built_scale_, SCALE_TOLERANCE)) {
 		body()->teleport(softbody::to_core_pose(known_transform_), softbody::to_core_pose(transform));
 		note_move_by_user(known_transform_, transform);
@@ -282,15 +285,16 @@ void SoftBody2D::prepare_step() {
 }
 
 void SoftBody2D::finish_step() {
-	if (body() == nullptr) {
+	softbody::SoftBodyData *found = body();
+	if (found == nullptr) {
 		return;
 	}
 	// A body that has just stopped or fallen asleep is where its last step left it.
 	has_stopped_ = moving_;
 	const Transform2D before = known_transform_;
-	moving_ = body()->is_active() && !body()->is_asleep() && !body()->is_frozen();
+	moving_ = found->is_active() && !found->is_asleep() && !found->is_frozen();
 	if (moving_ || has_stopped_) {
-		undo_turn(*body());
+		undo_turn(*found);
 		follow_body();
 	}
 	if (moving_) {
@@ -307,17 +311,25 @@ bool SoftBody2D::is_idle() const {
 	if (found == nullptr) {
 		return true;
 	}
+	if (moving_ || has_stopped_) {
+		return false;
+	}
 	const bool has_pin_targets = !pins_.points().is_empty() && !pins_.targets().is_empty();
 	const bool is_asked = values_.contact_monitor || has_pin_targets || !values_.simulate_off_screen ||
 			(!enabled_ && values_.disable_mode != DISABLE_MODE_REMOVE);
 	const bool has_felt_areas = !found->is_active() || (knows_areas_ && (engine_steps_ > 1 || !proxy_.is_in_space()));
-	return !moving_ && !has_stopped_ && !is_asked && has_felt_areas && proxy_.is_still();
+	return !is_asked && has_felt_areas && proxy_.is_still();
 }
 
 // A negative scale of x is lost when a transform is set: it reads back as one of y and half a turn. A script that sets `scale.x` to
-// -1 in every tick, as sprites are turned, would mirror the body in every tick.
+// -1 in every tick, as sprites are turned, would mirror the body in every tick. The engine takes the
+// transform apart to tell a scale, so it is asked only where the user may have changed it.
+void SoftBody2D::note_mirror() {
+	is_mirrored_x_ = get_scale().x < 0;
+}
+
 void SoftBody2D::place_node(const Transform2D &p_transform) {
-	if (!(get_scale().x < 0)) {
+	if (!is_mirrored_x_) {
 		set_global_transform(p_transform);
 		return;
 	}
@@ -328,6 +340,7 @@ void SoftBody2D::place_node(const Transform2D &p_transform) {
 	const Transform2D turned = Transform2D(turn, Vector2()) * before;
 	if (!softbody::is_same_scale(turned, after, SCALE_TOLERANCE)) { // under a skewed parent, a rotation is more than a rotation
 		set_global_transform(p_transform);
+		is_mirrored_x_ = false;
 		return;
 	}
 	set_position(after.get_origin());
@@ -338,8 +351,9 @@ void SoftBody2D::follow_body() {
 	if (space_ == nullptr) {
 		return; // the first step in the tree does it
 	}
-	const softbody::BodyFrame frame = softbody::measure_frame(*body());
-	body()->set_rotation_memory(frame.rotation); // for a body that may collapse later
+	softbody::SoftBodyData &moved = *body();
+	const softbody::BodyFrame frame = softbody::measure_frame(moved);
+	moved.set_rotation_memory(frame.rotation); // for a body that may collapse later
 	place_node(transform_at(frame));
 	// Read back rather than remembered: under a transformed parent it may differ in the last digit,
 	// and such a digit must not look like a move by the user.

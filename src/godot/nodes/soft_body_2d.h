@@ -149,7 +149,6 @@ public:
 	// Sleep: soft_body_2d_sleep.cpp.
 	void set_sleeping(bool p_sleeping);
 	bool is_sleeping() const;
-	/// The core has put the body back, and frozen it if that is its mode: says so, and follows.
 	void set_freeze_enabled(bool p_freeze);
 	bool is_freeze_enabled() const { return freeze_; }
 
@@ -399,6 +398,7 @@ private:
 	/// The node goes to where its points have been put.
 	void follow_body();
 	void place_node(const Transform2D &p_transform);
+	void note_mirror();
 	void apply_shape();
 	void apply_settings();
 	void take_over_transform();
@@ -426,7 +426,6 @@ private:
 	void listen_to_textures(bool p_listens);
 	void follow_texture();
 	void remake_skin();
-	// Frames, in soft_body_2d_drawing.cpp.
 	void note_move_by_user(const Transform2D &p_from, const Transform2D &p_to);
 	bool check_fraction(double &r_fraction) const;
 	void draw();
@@ -464,6 +463,7 @@ private:
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
 	bool polygon_reversed_ = false;
+	bool is_mirrored_x_ = false; ///< whether the node's scale of x is negative
 	mutable std::optional<Design> design_; ///< forgotten when the structure changes
 	PackedStringArray told_problems_;
 	bool sleeping_ = false; ///< as last told, or as wanted of a body that is still to be made

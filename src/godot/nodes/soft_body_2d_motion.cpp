@@ -186,8 +186,11 @@ double SoftBody2D::turned_by(const softbody::BodyFrame &p_frame) const {
 
 // A torque for the coming step, which takes the spin away and turns the body back softly: friction in the step meets a held body.
 void SoftBody2D::hold_rotation(softbody::SoftBodyData &r_body) const {
+	if (!values_.lock_rotation || !pins_.points().is_empty()) {
+		return;
+	}
 	const double delta = get_physics_process_delta_time();
-	if (!values_.lock_rotation || !pins_.points().is_empty() || !(delta > 0)) {
+	if (!(delta > 0)) {
 		return;
 	}
 	const softbody::BodyFrame frame = softbody::measure_frame(r_body);
