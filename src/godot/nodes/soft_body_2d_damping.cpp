@@ -38,7 +38,10 @@ void SoftBody2D::feel_areas(const softbody::AreaEffects &p_space) {
 	knows_areas_ = true;
 	effects.linear_damp = softbody::DampChoice{ softbody::Real(values_.linear_damp), values_.linear_damp_mode == DAMP_MODE_REPLACE }.combined_with(effects.linear_damp);
 	effects.angular_damp = softbody::DampChoice{ softbody::Real(values_.angular_damp), values_.angular_damp_mode == DAMP_MODE_REPLACE }.combined_with(effects.angular_damp);
-	accept("areas", softbody::apply_area_effects(effects, p_space, *found));
+	const softbody::Status refused = softbody::apply_area_effects(effects, p_space, *found);
+	if (refused || !refused_.is_empty()) { // the engine looks up a name for each call
+		accept("areas", refused);
+	}
 	if (stays_asleep) {
 		found->put_to_sleep();
 	}

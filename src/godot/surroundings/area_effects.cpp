@@ -43,15 +43,15 @@ AreaEffects read_area_effects(const RID &kinematic_body) {
 }
 
 Status apply_area_effects(const AreaEffects &effects, const AreaEffects &space, SoftBodyData &r_body) {
-	BodySettings settings = r_body.settings();
-	if (settings.linear_damp != effects.linear_damp || settings.angular_damp != effects.angular_damp) {
+	if (r_body.settings().linear_damp != effects.linear_damp || r_body.settings().angular_damp != effects.angular_damp) {
+		BodySettings settings = r_body.settings();
 		settings.linear_damp = effects.linear_damp;
 		settings.angular_damp = effects.angular_damp;
 		if (Status status = r_body.set_settings(settings)) {
 			return status;
 		}
 	}
-	const Real scale = settings.gravity_scale;
+	const Real scale = r_body.settings().gravity_scale;
 	Vec2 acceleration = (effects.gravity - space.gravity) * scale;
 	const Real tolerance = GRAVITY_TOLERANCE * (length(effects.gravity) + length(space.gravity)) * std::abs(scale);
 	if (length(acceleration) <= tolerance) {
