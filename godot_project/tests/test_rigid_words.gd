@@ -331,6 +331,31 @@ func test_a_locked_body_falls_asleep() -> void:
 	check_near(body.rotation, 0.0, deg_to_rad(0.5), "its rotation")
 
 
+func test_a_negative_scale_of_x_stays_wherever_it_was_set() -> void:
+	var parent := Node2D.new()
+	parent.scale = Vector2(2, 2)
+	stage.add_child(parent)
+	var outside := SoftBody2D.new()
+	outside.gravity_scale = 0.0
+	outside.angular_velocity = 1
+	outside.scale = Vector2(-1, 1)
+	stage.add_child(outside)
+	await ticks(3)
+	check_near(outside.scale, Vector2(-1, 1), 1e-3, "scale that was set outside of the tree")
+	stage.remove_child(outside)
+	outside.scale.x = 1
+	stage.add_child(outside)
+	await ticks(3)
+	check_near(outside.scale, Vector2(1, 1), 1e-3, "scale that was set back outside of the tree")
+	outside.scale.x = -1
+	await ticks(3)
+	check_near(outside.scale, Vector2(-1, 1), 1e-3, "scale that was set inside")
+	outside.reparent(parent, false)
+	await ticks(3)
+	check_near(outside.scale, Vector2(-1, 1), 1e-3, "scale under another parent")
+	parent.free()
+
+
 ## As a platformer turns its player about. The body is told in each tick what the node's scale is.
 func test_a_scale_that_is_set_to_minus_one_in_every_tick_stays_so() -> void:
 	for parent_transform: Transform2D in [Transform2D.IDENTITY, Transform2D(0.4, Vector2(30, 20)), Transform2D(0, Vector2(2, 2), 0, Vector2.ZERO), Transform2D(0, Vector2(-1, 1), 0, Vector2.ZERO)]:
