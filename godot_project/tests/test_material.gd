@@ -323,3 +323,29 @@ func test_a_network_that_would_stay_folded_after_a_fall_is_warned_of() -> void:
 			check(not is_folded or is_warned, what + " folds without a warning: area %s" % (body.get_area() / body.get_rest_area()))
 			check_equal(is_warned, strength < 2 and least_area == 0, "warning of " + what)
 			body.free()
+
+
+## Many points without shape matching, which carry their weight easily: the springs say nothing of small loops.
+func test_a_network_that_a_fall_ruins_is_warned_of_with_a_remedy() -> void:
+	add_floor(50)
+	var body := add_body(Vector2(0, -100), {"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK, "polygon": SoftBody2D.make_circle_polygon(50, 64), "shape_matching": 0.0})
+	var warnings := " ".join(body.get_warnings())
+	check("keep its shape" in warnings and "shape_matching of 0.4" in warnings, "warning without shape matching: " + warnings)
+	check(body.get_stability_report()["folds_on_fall"], "the report says so")
+	await seconds(6)
+	check(_crosses_itself(polygon_of(body)), "the outline crosses itself after the fall")
+	body.shape_matching = 0.4
+	check(not "keep its shape" in " ".join(body.get_warnings()), "warning with it")
+	check(not body.get_stability_report()["folds_on_fall"], "the report says so")
+	body.shape_matching = 0.0
+	body.elastic_model = SoftBody2D.ELASTIC_MODEL_MODES
+	check(not "keep its shape" in " ".join(body.get_warnings()), "warning of a material")
+
+
+func _crosses_itself(polygon: PackedVector2Array) -> bool:
+	var count := polygon.size()
+	for i in count:
+		for j in range(i + 2, count if i > 0 else count - 1):
+			if Geometry2D.segment_intersects_segment(polygon[i], polygon[(i + 1) % count], polygon[j], polygon[(j + 1) % count]) != null:
+				return true
+	return false

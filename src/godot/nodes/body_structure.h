@@ -20,6 +20,14 @@
 
 namespace softbody {
 
+/// A polygon at one scale of its node: points of size 1, and what enlarges them.
+struct SizedHull {
+	SizedScale scale;
+	std::vector<Vec2> points;
+	double area = 0; ///< at that scale [px²]
+	bool is_reversed = false; ///< whether the core holds the points in reverse
+};
+
 /// Polygon, inner points, which points springs join, and how strong these are.
 ///
 /// A scene file sets these values one after the other, so whether they fit each other can be judged only by them all. `check`

@@ -20,6 +20,7 @@
 #include "godot/nodes/body_structure.h"
 #include "godot/nodes/collision_exceptions.h"
 #include "godot/nodes/contact_reports.h"
+#include "godot/nodes/fall_memory.h"
 #include "godot/resources/property_binding.h"
 #include "godot/resources/soft_body_material_2d.h"
 #include "godot/resources/unfit_values.h"
@@ -301,14 +302,7 @@ private:
 	static double default_area();
 	static PackedVector2Array make_default_polygon();
 
-	/// The polygon at one scale of the node: points of size 1, and what enlarges them.
-	struct SizedHull {
-		softbody::SizedScale scale;
-		std::vector<softbody::Vec2> points;
-		double area = 0; ///< at that scale [px²]
-		bool is_reversed = false; ///< see `polygon_reversed_`
-	};
-	SizedHull sized_hull(const Transform2D &p_transform) const;
+	softbody::SizedHull sized_hull(const Transform2D &p_transform) const;
 
 	/// Points and springs at one scale of the node. Its springs have stiffness and damping 1 times what is painted on them; how
 	/// stiff they are is a setting.
@@ -363,6 +357,8 @@ private:
 	void tell_network_once() const;
 	static bool decided_by_network_values(const Design &p_design);
 	void append_stability_warnings(const Design &p_design, PackedStringArray &r_warnings) const;
+	/// Of a network, whose design and settings these are; others keep their shape.
+	softbody::FallOutcome fall_outcome(const Design &p_design, const softbody::BodySettings &p_settings) const;
 	const softbody::ContactReports::Record *find_contact(int p_index) const;
 	void watch_collider(Node *p_collider, bool p_watch);
 	void emit_entered(uint64_t p_collider, const softbody::ContactReports::Impact &p_impact);
@@ -465,6 +461,7 @@ private:
 	bool polygon_reversed_ = false;
 	bool is_mirrored_x_ = false; ///< whether the node's scale of x is negative
 	mutable std::optional<Design> design_; ///< forgotten when the structure changes
+	mutable softbody::FallMemory falls_;
 	PackedStringArray told_problems_;
 	bool sleeping_ = false; ///< as last told, or as wanted of a body that is still to be made
 	mutable softbody::HullProxy proxy_; ///< makes its RID when that is asked for

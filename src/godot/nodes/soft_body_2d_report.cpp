@@ -2,6 +2,7 @@
 // What will become of the body with its present values: plan of a step, stability, sag, cost, and warnings.
 #include "godot/nodes/soft_body_2d.h"
 
+#include "core/dynamics/fall_trial.h"
 #include "core/dynamics/load_trial.h"
 #include "core/dynamics/stability_report.h"
 #include "core/model/model_choice.h"
@@ -143,6 +144,7 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 	result["weight_decides"] = firmness.is_least;
 	result["poisson_ratio"] = is_network ? 0.0 : material.poisson_ratio;
 
+	result["folds_on_fall"] = !fall_outcome(*found, *present_settings()).keeps_shape();
 	const auto copy = make_copy();
 	if (!copy) {
 		return result;
@@ -173,6 +175,14 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 	return result;
 }
 
+// Elastic modes and triangles hold any shape; of springs only a trial knows.
+softbody::FallOutcome SoftBody2D::fall_outcome(const Design &p_design, const softbody::BodySettings &p_settings) const {
+	if (p_design.used.model != ELASTIC_MODEL_NETWORK || values_.collision_mask == 0 || !pins_.points().is_empty()) {
+		return {};
+	}
+	return falls_.outcome_of(p_design.shape, p_settings, project_gravity(), softbody::PIXELS_PER_METER, tick_length());
+}
+
 void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringArray &r_warnings) const {
 	const softbody::MaterialValues &material = material_.values();
 	const bool is_network = p_design.used.model == ELASTIC_MODEL_NETWORK;
@@ -200,9 +210,21 @@ void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringA
 		r_warnings.push_back(name + String::num(own) + end + String::num(std::ceil(firm)) + " N/m, or less mass or gravity_scale.");
 	}
 	// A network that carries itself may still have a second, folded shape in which it stays after a fall.
-	if (is_network && !report.is_too_soft() && report.strength < UPRIGHT_STRENGTH && values_.least_area < LEAST_HOLDING_AREA) {
+	const bool may_stay_folded = is_network && !report.is_too_soft() && report.strength < UPRIGHT_STRENGTH && values_.least_area < LEAST_HOLDING_AREA;
+	if (may_stay_folded) {
 		const double upright = material.stiffness * double(UPRIGHT_STRENGTH / report.strength);
 		r_warnings.push_back("Stiffness " + String::num(material.stiffness) + " N/m carries the body's weight, but a body that falls may stay folded. Use at least " + String::num(std::ceil(upright)) + " N/m, less mass or gravity_scale, or a least_area of " + String::num(LEAST_HOLDING_AREA) + ".");
+	}
+	const softbody::FallOutcome fall = report.is_too_soft() || may_stay_folded ? softbody::FallOutcome() : fall_outcome(p_design, settings.value());
+	if (!fall.keeps_shape()) {
+		const String loss = fall.folded ? String("its outline crosses itself") : String::num_int64(int64_t(std::round(100 * fall.area_loss))) + " % of its area are gone";
+		String remedy = "Use a higher stiffness, fewer polygon points, or elastic_model Modes.";
+		if (report.plan.integrator == softbody::Integrator::XPBD && settings.value().integrator == softbody::Integrator::AUTOMATIC) {
+			remedy = "So many points with such stiff springs are solved by XPBD, which does not hold them. Use fewer polygon points, a lower stiffness, or elastic_model Modes.";
+		} else if (material.shape_matching < softbody::DEFAULT_SHAPE_MATCHING) {
+			remedy = "Use a shape_matching of " + String::num(double(softbody::DEFAULT_SHAPE_MATCHING), 2) + ", fewer polygon points, or elastic_model Modes.";
+		}
+		r_warnings.push_back("The network does not keep its shape: after a fall by twice its radius " + loss + ". " + remedy);
 	}
 	if (is_network && report.rings()) {
 		const double share = report.damping > 0 ? material.damping / double(report.damping) : 1.0;

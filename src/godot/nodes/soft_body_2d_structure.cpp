@@ -73,9 +73,9 @@ bool SoftBody2D::take_over_structure(const StringName &p_property, bool p_has_ot
 	return true;
 }
 
-SoftBody2D::SizedHull SoftBody2D::sized_hull(const Transform2D &p_transform) const {
+softbody::SizedHull SoftBody2D::sized_hull(const Transform2D &p_transform) const {
 	const softbody::SizedScale sized(structure_.simulated_scale(softbody::scale_and_skew(p_transform)));
-	SizedHull made{ sized, to_core(sized.rest.xform(get_polygon())) };
+	softbody::SizedHull made{ sized, to_core(sized.rest.xform(get_polygon())) };
 	const double area = softbody::signed_area(made.points) * double(sized.size) * double(sized.size);
 	made.area = std::abs(area);
 	made.is_reversed = area < 0;

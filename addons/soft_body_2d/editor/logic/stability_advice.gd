@@ -67,10 +67,12 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 		var text: String = say.call("%s %%") % number(100 * sag)
 		if folds:
 			text = say.call("%s %%, it folds") % number(100 * sag)
+		elif report["folds_on_fall"]:
+			text = say.call("%s %%, a fall ruins it") % number(100 * sag)
 		elif not report["settled"]:
 			text = say.call("about %s %%") % number(100 * sag)
 		found.append(Row.new(say.call("Sag"), text,
-				Level.BAD if folds else (Level.FAIR if sag > FAIR_SAG else Level.GOOD),
+				Level.BAD if folds or report["folds_on_fall"] else (Level.FAIR if sag > FAIR_SAG else Level.GOOD),
 				say.call("Under its own weight: the share of its height that the body loses on flat ground, found by letting a copy of it settle.")))
 		var microseconds: float = report["microseconds_per_tick"]
 		var share := microseconds * 1e-6 / tick
