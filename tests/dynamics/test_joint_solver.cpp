@@ -216,6 +216,30 @@ TEST_CASE("a joint that is made with a gap draws its bodies together without a j
 	CHECK(std::abs(measure_frame(*world.find(a)).center.x + measure_frame(*world.find(b)).center.x - 4) < 0.01);
 }
 
+TEST_CASE("an old gap closes at 4.8 radii a second, whatever the tick rate and the substeps") {
+	for (const int rate : { 30, 60, 240 }) {
+		for (const int substeps : { 16, 48 }) {
+			CAPTURE(rate);
+			CAPTURE(substeps);
+			WorldData world;
+			const BodyId ball = add_ball(world, { 0, 0 });
+			BodySettings settings = world.find(ball)->settings();
+			settings.substeps = substeps;
+			CHECK_FALSE(world.find(ball)->set_settings(settings));
+			const Vec2 hook{ Real(3.5), 0 };
+			REQUIRE(world.add_joint(weld(JointAnchor::on_point(ball, 0), JointAnchor::at_place(hook))).has_value());
+			const double gap = double(length(hook - world.find(ball)->positions()[0]));
+			Simulator simulator(world);
+			double elapsed = 0;
+			for (; elapsed < 5 && length(hook - world.find(ball)->positions()[0]) > Real(0.01); elapsed += 1.0 / rate) {
+				simulator.simulate(Real(1) / Real(rate));
+			}
+			const double expected = gap / (4.8 * double(world.find(ball)->shape().radius()));
+			CHECK(elapsed == doctest::Approx(expected).epsilon(0.1)); // the last tick counts as a whole, and the ball swings ahead
+		}
+	}
+}
+
 TEST_CASE("joined bodies collide only if they are to") {
 	for (const bool collide : { false, true }) {
 		WorldData world;

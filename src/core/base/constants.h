@@ -188,9 +188,9 @@ inline constexpr int RIGID_CONTACT_PASSES = 4;
 /// Passes over the joints in each substep [1]. Fewer: several joints on one point or body give way to one another.
 inline constexpr int JOINT_PASSES = 4;
 
-/// Share of the smaller body's radius by which a rigid joint with an old gap closes in a substep, beyond the opening of
-/// that substep [1]. Larger: bodies are snatched together. Smaller: they are drawn slowly.
-inline constexpr Real JOINT_GAP_CLOSING = Real(0.02);
+/// Speed at which a rigid joint closes an old gap, beyond what it opens meanwhile, as a multiple of the smaller body's
+/// radius [1/s]: 240 px/s for 50 px. Larger: bodies are snatched together. Smaller: they are drawn slowly.
+inline constexpr Real JOINT_GAP_SPEED = Real(4.8);
 
 /// Share of its gap that a rigid joint closes in a step where only the rigid body can move [1]. Larger: it overshoots,
 /// as its engine moves the body once a step. Smaller: the gap closes slowly.

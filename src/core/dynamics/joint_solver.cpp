@@ -291,7 +291,7 @@ void JointSolver::close_gap(Active &active, Vec2 gap, Vec2 relative_velocity, Re
 	// What the velocities did not say may have moved the anchors, too: contacts and limits of shape.
 	const auto way_of = [&](const Side &side) { return side.body ? side.at - side.before : velocity_of(side) * h; };
 	const Real fresh = std::max(length(relative_velocity) * h, length(way_of(second) - way_of(first)));
-	const Real most = fresh + JOINT_GAP_CLOSING * radius;
+	const Real most = fresh + JOINT_GAP_SPEED * radius * h;
 	const Vec2 way = gap * (std::min(size, most) / (size * inverse_mass));
 	move(first, way);
 	move(second, -way);
