@@ -118,8 +118,8 @@ inline constexpr int XPBD_SUBSTEPS = 16;
 inline constexpr Real XPBD_FAST_WOBBLE = 20;
 
 /// Damping rate Γ as a share of the fastest wobble Ω from which XPBD is implicit Euler [1]: twice the damping ratio of
-/// that wobble. Such a body hardly wobbles. Larger: strongly damped thin bodies let fast ones through.
-inline constexpr Real XPBD_STRONG_DAMPING = Real(0.5);
+/// that wobble. Such a body does not wobble. Larger: strongly damped thin bodies let fast ones through. Smaller: discs of many points lose way.
+inline constexpr Real XPBD_STRONG_DAMPING = 1;
 
 /// Damping ratio c / sqrt(k m) below which large deformations ring for long [1]. Nothing is clamped to it; the node
 /// warns.
