@@ -62,7 +62,7 @@ inline constexpr Real DROWSY_TIME = Real(0.1);
 inline constexpr Real DROWSY_DECAY = Real(0.1);
 
 /// Acceleration [length/s², times WorldData::length_unit] from which a slow body is about to move, as the mean over its
-/// drowsy time; and that from which bodies that touch are about to move together. Larger: bodies in low gravity or on
+/// drowsy time; and that along their weight from which bodies that touch are about to move together. Larger: bodies in low gravity or on
 /// smooth slopes fall asleep before they move. Smaller: what is meant to float never sleeps, nor does a pile while it
 /// settles (up to 0.09).
 inline constexpr Real FREE_PULL = Real(0.025);

@@ -163,6 +163,14 @@ Vec2 SleepWatch::pull_on(std::uint32_t active_index) const {
 	return steady;
 }
 
+// Whether an island is about to move. A pile sinks while it settles, so a larger bound counts for it along the weight.
+bool SleepWatch::is_pulled(std::uint32_t island) const {
+	const Real scale = masses_[island] * world_.length_unit();
+	const Vec2 weight = world_.gravity();
+	const Real across = weight != Vec2{} ? std::abs(cross(pulls_[island], weight * (1 / length(weight)))) : Real(0);
+	return across > FREE_PULL * scale || length(pulls_[island]) > (bodies_in_[island] == 1 ? FREE_PULL : FREE_PULL_OF_MANY) * scale;
+}
+
 // Keeps the islands awake that are pulled as a whole. Their bodies get the velocity that they would have without
 // drowsiness.
 void SleepWatch::release_pulled() {
@@ -181,9 +189,8 @@ void SleepWatch::release_pulled() {
 	}
 	for (const std::uint32_t i : bodies_.awake()) {
 		const std::uint32_t island = islands_.find(i);
-		const Real least = (bodies_in_[island] == 1 ? FREE_PULL : FREE_PULL_OF_MANY) * world_.length_unit();
 		RestState &rest = bodies_.data(i).rest_state();
-		if (least_rest_[island] < SLEEP_TIME || length(pulls_[island]) <= least * masses_[island]) {
+		if (least_rest_[island] < SLEEP_TIME || !is_pulled(island)) {
 			continue;
 		}
 		if (bodies_.data(i).is_free()) {
