@@ -500,6 +500,83 @@ TEST_CASE("a body that has come to rest on smooth ground or on another body foll
 	}
 }
 
+// With one test for both directions 30 of 192 slept on. One is noticed late, and goes 0.63 of the way.
+TEST_CASE("a body that still bobs up and down on smooth ground follows a faint pull, too") {
+	for (const Real pull : { Real(5), Real(10), Real(20) }) {
+		for (const int points : { 12, 16 }) {
+			for (const Real stiffness : { Real(100), Real(1000) }) {
+				for (int turn = 0; turn < 8; ++turn) {
+					for (const Real height : { Real(0), Real(20) }) {
+						WorldData world = pixel_world();
+						world.add_border(floor_at(0));
+						const auto shape = circle_shape(JELLY_RADIUS, points, { JELLY_MASS, stiffness, Real(0.012) * std::sqrt(stiffness), true }).value();
+						BodySettings settings = jelly_settings(stiffness);
+						settings.rolling_resistance = 0;
+						settings.friction = 0;
+						world.add_soft_body(SoftBodyData::create(shape, settings, { { 0, -50 - height }, Rotation::from_angle(Real(0.1) * Real(turn)) }).value());
+						Simulator simulator(world);
+						for (int i = 0; i < 60 + 20 * turn; ++i) {
+							simulator.simulate(FRAME);
+						}
+						SoftBodyData &body = world.soft_bodies()[0];
+						const Real start = measure_frame(body).center.x;
+						REQUIRE(!body.set_acceleration({ pull, 0 }));
+						for (int i = 0; i < 240; ++i) {
+							simulator.simulate(FRAME);
+						}
+						CAPTURE(pull);
+						CAPTURE(turn);
+						CHECK_FALSE(body.is_asleep());
+						const double share = double(measure_frame(body).center.x - start) / double(pull * 8); // of a t²/2
+						CHECK(share > 0.6);
+						CHECK(share < 1.02);
+					}
+				}
+			}
+		}
+	}
+}
+
+// With one bound along the weight and across it one of 16 pairs and one of 16 rows of three slept on.
+TEST_CASE("bodies that touch on smooth ground follow a faint pull together") {
+	for (const int bodies : { 2, 3 }) {
+		for (const Real stiffness : { Real(100), Real(1000) }) {
+			for (int turn = 0; turn < 8; ++turn) {
+				WorldData world = pixel_world();
+				world.add_border(floor_at(0));
+				const auto shape = circle_shape(JELLY_RADIUS, 16, { JELLY_MASS, stiffness, Real(0.012) * std::sqrt(stiffness), true }).value();
+				BodySettings settings = jelly_settings(stiffness);
+				settings.rolling_resistance = 0;
+				settings.friction = 0;
+				for (int i = 0; i < bodies; ++i) {
+					world.add_soft_body(SoftBodyData::create(shape, settings, { { Real(99 * i), -50 }, Rotation::from_angle(Real(0.1) * Real(turn)) }).value());
+				}
+				const auto center = [&] {
+					Real sum = 0;
+					for (const SoftBodyData &body : world.soft_bodies()) {
+						sum += measure_frame(body).center.x;
+					}
+					return double(sum) / bodies;
+				};
+				Simulator simulator(world);
+				for (int i = 0; i < 240 + 20 * turn; ++i) {
+					simulator.simulate(FRAME);
+				}
+				const double start = center();
+				for (SoftBodyData &body : world.soft_bodies()) {
+					REQUIRE(!body.set_acceleration({ 5, 0 }));
+				}
+				for (int i = 0; i < 240; ++i) {
+					simulator.simulate(FRAME);
+				}
+				CAPTURE(bodies);
+				CAPTURE(turn);
+				CHECK(center() - start == doctest::Approx(40).epsilon(0.1)); // a t²/2
+			}
+		}
+	}
+}
+
 TEST_CASE("what holds a body against a faint pull lets it sleep: ground, collider, pin, joint, frozen body") {
 	for (const int hold : { 0, 1, 2, 3, 4 }) {
 		CAPTURE(hold);

@@ -62,7 +62,7 @@ inline constexpr Real DROWSY_TIME = Real(0.1);
 inline constexpr Real DROWSY_DECAY = Real(0.1);
 
 /// Acceleration [length/s², times WorldData::length_unit] from which a slow body is about to move, as the mean over its
-/// drowsy time; and that from which bodies that touch are about to move together. Larger: bodies in low gravity or on
+/// drowsy time; and that along their weight from which bodies that touch are about to move together. Larger: bodies in low gravity or on
 /// smooth slopes fall asleep before they move. Smaller: what is meant to float never sleeps, nor does a pile while it
 /// settles (up to 0.09).
 inline constexpr Real FREE_PULL = Real(0.025);
@@ -118,8 +118,8 @@ inline constexpr int XPBD_SUBSTEPS = 16;
 inline constexpr Real XPBD_FAST_WOBBLE = 20;
 
 /// Damping rate Γ as a share of the fastest wobble Ω from which XPBD is implicit Euler [1]: twice the damping ratio of
-/// that wobble. Such a body hardly wobbles. Larger: strongly damped thin bodies let fast ones through.
-inline constexpr Real XPBD_STRONG_DAMPING = Real(0.5);
+/// that wobble. Such a body does not wobble. Larger: strongly damped thin bodies let fast ones through. Smaller: discs of many points lose way.
+inline constexpr Real XPBD_STRONG_DAMPING = 1;
 
 /// Damping ratio c / sqrt(k m) below which large deformations ring for long [1]. Nothing is clamped to it; the node
 /// warns.

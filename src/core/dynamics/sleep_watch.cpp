@@ -134,8 +134,9 @@ void SleepWatch::join(BodyPair pair) {
 }
 
 // The constant acceleration that has moved a body from where it became drowsy to where it is. Its velocity decays
-// within d, so that in a time t it goes v0 d s + a d (t - d s), where s = 1 - exp(-t/d). None if its velocity is another
-// than such an acceleration leaves: then it wobbles.
+// within d, so that in a time t it goes v0 d s + a d (t - d s), where s = 1 - exp(-t/d). None along its weight, or across
+// it, if its velocity there is another than such an acceleration leaves: then it wobbles. A body that bounces up and down
+// may yet be pulled aside.
 Vec2 SleepWatch::pull_on(std::uint32_t active_index) const {
 	SoftBodyData &body = bodies_.data(active_index);
 	const RestState &rest = body.rest_state();
@@ -147,7 +148,27 @@ Vec2 SleepWatch::pull_on(std::uint32_t active_index) const {
 	const Vec2 pull = (frame.center - rest.drowsy_center - rest.drowsy_velocity * coasted) * (1 / gained);
 	const Vec2 left = rest.drowsy_velocity * (1 - share);
 	const Vec2 faster = pull * coasted;
-	return length(frame.velocity - left - faster) <= length(faster) / 2 ? pull : Vec2{};
+	const Vec2 other = frame.velocity - left - faster;
+	const Vec2 weight = body.total_acceleration(world_.gravity());
+	const Real heavy = length(weight);
+	if (!(heavy > 0)) {
+		return length(other) <= length(faster) / 2 ? pull : Vec2{};
+	}
+	Vec2 steady;
+	for (const Vec2 axis : { weight * (1 / heavy), perpendicular(weight * (1 / heavy)) }) {
+		if (std::abs(dot(other, axis)) <= std::abs(dot(faster, axis)) / 2) {
+			steady += axis * dot(pull, axis);
+		}
+	}
+	return steady;
+}
+
+// Whether an island is about to move. A pile sinks while it settles, so a larger bound counts for it along the weight.
+bool SleepWatch::is_pulled(std::uint32_t island) const {
+	const Real scale = masses_[island] * world_.length_unit();
+	const Vec2 weight = world_.gravity();
+	const Real across = weight != Vec2{} ? std::abs(cross(pulls_[island], weight * (1 / length(weight)))) : Real(0);
+	return across > FREE_PULL * scale || length(pulls_[island]) > (bodies_in_[island] == 1 ? FREE_PULL : FREE_PULL_OF_MANY) * scale;
 }
 
 // Keeps the islands awake that are pulled as a whole. Their bodies get the velocity that they would have without
@@ -168,9 +189,8 @@ void SleepWatch::release_pulled() {
 	}
 	for (const std::uint32_t i : bodies_.awake()) {
 		const std::uint32_t island = islands_.find(i);
-		const Real least = (bodies_in_[island] == 1 ? FREE_PULL : FREE_PULL_OF_MANY) * world_.length_unit();
 		RestState &rest = bodies_.data(i).rest_state();
-		if (least_rest_[island] < SLEEP_TIME || length(pulls_[island]) <= least * masses_[island]) {
+		if (least_rest_[island] < SLEEP_TIME || !is_pulled(island)) {
 			continue;
 		}
 		if (bodies_.data(i).is_free()) {

@@ -48,6 +48,7 @@ private:
 	void join(BodyPair pair);
 	Vec2 pull_on(std::uint32_t active_index) const;
 	void release_pulled();
+	bool is_pulled(std::uint32_t island) const;
 	Aabb rest_box(std::uint32_t active_index) const;
 	/// Hash of a body's environment and of the rigid ends of its joints (RestState::surroundings).
 	std::uint64_t describe(std::uint32_t active_index) {

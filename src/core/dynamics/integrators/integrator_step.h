@@ -22,6 +22,15 @@ struct BasicSubstepInput {
 };
 using SubstepInput = BasicSubstepInput<Real>;
 
+/// What XPBD's sweep over the springs leaves for the sweep back. All 0 for a spring without a direction.
+struct SpringVisit {
+	Vec2 direction; ///< unit, from the spring's first end to its second
+	Real elastic = 0; ///< k h²
+	Real viscous = 0; ///< c h
+	Real share = 0; ///< of a correction that the spring takes, 1 / (1 + (k h² + c h) (w_a + w_b))
+	Real impulse = 0; ///< so far, times h
+};
+
 /// Scratch memory of the integrators. It grows to the largest body and then stays.
 template <class T>
 struct BasicWorkspace {
@@ -30,6 +39,7 @@ struct BasicWorkspace {
 	std::vector<BasicVec2<T>> stage_velocities;
 	std::vector<BasicVec2<T>> position_slopes;
 	std::vector<BasicVec2<T>> velocity_slopes;
+	std::vector<SpringVisit> spring_visits; ///< of XPBD
 	/// Whether `forces` still belongs to the body's present state, so that velocity Verlet need not evaluate it again.
 	/// Code that changes the state in between (a contact) sets it to false, lane by lane.
 	MaskOf<T> forces_are_current = T(0) < T(0);

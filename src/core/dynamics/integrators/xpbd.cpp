@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Extended position-based dynamics: every elastic term as a compliant constraint, one pass a substep.
+// Extended position-based dynamics: every elastic term as a compliant constraint, springs one way and back a substep.
 #include "core/dynamics/integrators/integrator_step.h"
 
 #include "core/base/constants.h"
@@ -18,11 +18,16 @@ namespace softbody {
 namespace {
 
 // One spring as the constraint C = |d| - l with compliance 1/k and damping c (Macklin, Müller, Chentanez 2016, eq. 18
-// and 26, from a zero multiplier). Multiplied through with k h² and c h, so that k = 0 and c = 0 need no special case:
-//   λ = -(k h² C + c h ∇C·(x - x_before)) / (1 + (k h² + c h) (w_a + w_b)).
+// and 26). Multiplied through with k h² and c h, so that k = 0 and c = 0 need no special case, a visit adds
+//   Δλ = -(k h² C + c h ∇C·(x - x_before) + λ) / (1 + (k h² + c h) (w_a + w_b)).
 // The denominator exceeds the numerator's gain for every k, c and h: one spring alone is always stable. Many springs at
 // once are not, see balance_energy.
-void solve_springs(const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x) {
+//
+// A sweep over the springs one way answers a pull on point i at point j otherwise than one on j at i. Its forces have a
+// curl: they add energy to a wobble, and turn a disc that lies on the ground. A sweep one way and one back, which goes on
+// from the impulses -λ and keeps the directions ∇C, answers both alike.
+void solve_springs(const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x, std::vector<SpringVisit> &visits) {
+	visits.clear();
 	if (!body.settings().has_springs()) {
 		return;
 	}
@@ -33,16 +38,33 @@ void solve_springs(const SoftBodyData &body, std::span<const Vec2> before, Real 
 		const Vec2 d = x[spring.b] - x[spring.a];
 		const Real current = length(d);
 		if (!(current > DEGENERATE_LENGTH * spring.rest_length)) {
+			visits.push_back({});
 			continue;
 		}
 		const Vec2 e = d * (1 / current);
 		const Real elastic = spring.stiffness * stiffness * h * h;
 		const Real viscous = spring.damping * damping * h;
 		const Real way = dot(e, (x[spring.b] - before[spring.b]) - (x[spring.a] - before[spring.a]));
-		const Real impulse = (elastic * (current - spring.rest_length) + viscous * way) /
-				(1 + (elastic + viscous) * (w[spring.a] + w[spring.b]));
+		const Real share = 1 / (1 + (elastic + viscous) * (w[spring.a] + w[spring.b]));
+		const Real impulse = (elastic * (current - spring.rest_length) + viscous * way) * share;
+		visits.push_back({ e, elastic, viscous, share, impulse });
 		x[spring.a] += e * (impulse * w[spring.a]);
 		x[spring.b] -= e * (impulse * w[spring.b]);
+	}
+}
+
+void solve_springs_back(const SoftBodyData &body, std::span<const Vec2> before, std::span<Vec2> x, std::span<const SpringVisit> visits) {
+	const std::span<const Spring2D> springs = body.shape().springs();
+	const std::span<const Real> w = body.inverse_masses();
+	for (std::size_t i = visits.size(); i-- > 0;) {
+		const Spring2D &spring = springs[i];
+		const SpringVisit &visit = visits[i];
+		const Vec2 d = x[spring.b] - x[spring.a];
+		const Real way = dot(visit.direction, d - (before[spring.b] - before[spring.a]));
+		const Real stretch = dot(visit.direction, d) - spring.rest_length;
+		const Real change = (visit.elastic * stretch + visit.viscous * way - visit.impulse) * visit.share;
+		x[spring.a] += visit.direction * (change * w[spring.a]);
+		x[spring.b] -= visit.direction * (change * w[spring.b]);
 	}
 }
 
@@ -291,8 +313,8 @@ void restore_rigid_motion(SoftBodyData &body, const RigidMotion &wanted) {
 } // namespace
 
 // Predict, correct, and let the corrections change the velocity, at the share θ of the substep; from there the motion
-// goes on as it is, and so does the change of velocity (the θ method). One pass a substep: many small substeps are better
-// than few with many passes (Macklin et al. 2019).
+// goes on as it is, and so does the change of velocity (the θ method). Springs take one pass one way and back, other terms
+// one between them: many small substeps are better than few with many passes (Macklin et al. 2019).
 void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspace &workspace) {
 	const std::span<Vec2> x = body.mutable_positions();
 	const std::span<Vec2> v = body.mutable_velocities();
@@ -323,13 +345,14 @@ void step_xpbd(SoftBodyData &body, const SubstepInput &input, IntegratorWorkspac
 		x[i] += v[i] * part;
 		predicted[i] = x[i];
 	}
-	solve_springs(body, before, part, x);
+	solve_springs(body, before, part, x, workspace.spring_visits);
 	if (body.settings().pressure_stiffness > 0) {
 		solve_pressure(body, part, x, scratch);
 	}
 	if (body.settings().matches_shape()) {
 		solve_shape(body, before, part, x, scratch);
 	}
+	solve_springs_back(body, before, x, workspace.spring_visits);
 	if (body.settings().is_elastic() && body.shape().modes() != nullptr) {
 		solve_modes(body, before, part, x, scratch);
 	}
