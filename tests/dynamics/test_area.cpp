@@ -84,6 +84,29 @@ TEST_CASE("the area swings with the frequency of its bulk modulus") {
 	CHECK(std::abs(fill(body) - 1) < 0.01 * 0.03);
 }
 
+TEST_CASE("what rests on a body finds the pressure of its material, whatever the substep") {
+	// Points that something holds at rest: in a substep each gains h p |∂A/∂x| / m, with p = K C' C / A0 for
+	// C = A0 (J - 1/J) / 2. On a ring of n points at radius r, ∂A/∂x is r sin(2 pi / n) long.
+	for (const Real damping_time : { Real(0), Real(0.01) }) {
+		for (const Real size : { Real(0.9), Real(0.98), Real(1.03) }) {
+			for (const Real rate : { Real(120), Real(240), Real(960) }) {
+				CAPTURE(damping_time);
+				CAPTURE(size);
+				CAPTURE(rate);
+				SoftBodyData body = ring(500, damping_time);
+				const double mass = double(body.shape().masses()[0]);
+				blow_up(body, size);
+				const double ratio = double(size) * double(size);
+				const double pressure = 500 * (1 + 1 / (ratio * ratio)) / 2 * (1 / ratio - ratio) / 2;
+				const double force = pressure * 50 * double(size) * std::sin(2 * std::numbers::pi / 16);
+				hold_area<Real>(lanes_of(body), 1 / rate);
+				const Vec2 outward = body.positions()[0] * (1 / length(body.positions()[0]));
+				CHECK(double(dot(body.velocities()[0], outward)) * double(rate) == doctest::Approx(force / mass).epsilon(2e-3));
+			}
+		}
+	}
+}
+
 TEST_CASE("holding the area keeps momentum and spin") {
 	SoftBodyData body = ring(700, Real(0.01));
 	Random random(3);

@@ -17,10 +17,13 @@ inline constexpr Real LEAST_HARDENED_AREA = Real(0.25);
 /// Least share of the rest area as a target of the area term [1]; a smaller inflation counts as this.
 inline constexpr Real LEAST_AIMED_AREA = Real(0.05);
 
-/// Ends a substep of `h` [s] by the constraint C = s A0 (J - 1/J) / 2, J = A / (s A0), with compliance A0/K and damping
-/// β. For small strains C is A - s A0; like a neo-Hookean solid it hardens as the area goes to 0 (XPBD, Macklin, Müller
-/// and Chentanez 2016, eq. 18 and 26, from a zero multiplier):
-///   λ = -(C + β dA/dt) K h²/A0 / (1 + (1 + β/h) K h²/A0 sum w |∂A/∂x|²).
+/// Ends a substep of `h` [s] by the force of the area's energy K A0 C² / (2 target²), with the strain C = target (J - 1/J) / 2,
+/// target = s A0 and J = A / target. For small strains C is A - s A0; like a neo-Hookean solid it hardens as the area goes
+/// to 0. With the push q = h² K/A0 C'² sum w |∂A/∂x|² that this force makes in the substep, as a share of C,
+///   λ = -C/C' min(q, 1) / (sum w |∂A/∂x|²):
+/// up to q = 1 this is the force itself, so what rests on the body finds the stiffness of its material; beyond, it is the
+/// correction that ends at C = 0 (position-based dynamics, Müller et al. 2007), as no greater one is stable. Damping β acts on
+/// the rate of the area, implicitly, with the share of the substep that 1 - min(q, 1) leaves.
 /// Positions move by w λ ∂A/∂x, velocities by that over h. The gradient of the motion is that of the points at the
 /// start of the substep, x - v h, which keeps angular momentum, as forces there do. Where the hull has changed wildly
 /// within the substep, it is the gradient of the end. Stable for every K. O(hull points).
@@ -57,9 +60,13 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 	// C = target (J - 1/J) / 2, and its slope by the area; both held at the least share below it.
 	const T slope = (T(1) + T(1) / (held * held)) * T(Real(0.5));
 	const T excess = (held - T(1) / held) * T(Real(0.5)) * target;
-	const T elastic = slope * T(settings.area_stiffness / shape.rest_area() * h * h);
+	const T stiffness(settings.area_stiffness / shape.rest_area() * h * h);
+	const T push = slope * slope * stiffness * inverse_mass;
+	const T whole = T(1) / (slope * inverse_mass);
+	const T impulse_at_rest = select(push < T(1), slope * stiffness, whole) * excess;
 	const T viscous = slope * slope * T(settings.area_stiffness / shape.rest_area() * settings.elastic_damping_time * h);
-	const T impulse = -(elastic * excess + viscous * rate * T(h)) / (T(1) + (elastic * slope + viscous) * inverse_mass);
+	const T left = select(push < T(1), T(1) - push, T(0));
+	const T impulse = -impulse_at_rest - viscous * rate * left * T(h) / (T(1) + viscous * inverse_mass);
 	// Edges between neighbors are those before any point is moved.
 	const auto place = [&](std::size_t i) { return body.positions[i] - body.velocities[i] * back; };
 	const T per_h(1 / h);
