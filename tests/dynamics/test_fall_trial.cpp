@@ -86,8 +86,8 @@ TEST_CASE("a network that every drop ruins is told of, and one that none does is
 
 TEST_CASE("a network of very many points is told of if drops ruin it, whatever its strength" * doctest::test_suite("slow")) {
 	const Counts counts = check_trial({ 128, 256 }, { 50, 400, 1e4 });
-	CHECK(counts.ruined >= 3);
-	CHECK(counts.whole >= 5);
+	CHECK(counts.ruined >= 5);
+	CHECK(counts.whole >= 4);
 }
 
 TEST_CASE("a fall along a pull that is turned round is the same fall") {
