@@ -106,9 +106,9 @@ func test_each_integrator_names_itself_and_is_safe_as_planned() -> void:
 
 
 ## In free fall the methods differ by half a step's worth of way: explicit Euler moves with the old velocity,
-## semi-implicit Euler and XPBD with the new, the others with the mean.
+## semi-implicit Euler with the new, the others with the mean, as XPBD does unless it is damped strongly.
 func test_each_integrator_falls_in_its_own_way() -> void:
-	var leads := { 1: -0.5, 2: 0.5, 3: 0.0, 4: 0.0, 5: 0.0, 6: 0.0, 7: 0.5 }
+	var leads := { 1: -0.5, 2: 0.5, 3: 0.0, 4: 0.0, 5: 0.0, 6: 0.0, 7: 0.0 }
 	for integrator: int in leads:
 		# As soft as it may be: one substep a tick would shake a firm body to pieces.
 		var body := add_body(Vector2.ZERO, { "integrator": integrator, "substeps": 1, "stiffness": 5.0 })

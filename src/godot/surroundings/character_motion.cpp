@@ -134,6 +134,9 @@ void CharacterMotion::end_step(const RigidBody &body, const Reaction &reaction, 
 	const bool is_thrown = stood_ && speed_ > 0 && rise > LEAVING_GAP && !is_pushed;
 	// What the step has stopped a little lands for sure: the floor is a part of its way higher.
 	gap_ = stood_ || !is_pushed ? floor_gap_ : -std::min(std::abs(moved) * LANDING_SHARE, MOST_LANDING_LIFT);
+	if (std::abs(speed_) >= CALM_SPEED) { // what turns round on a surface is in one place for one tick
+		calm_time_ = 0;
+	}
 	if (calm_time_ > 0) { // in one place
 		gap_ = dot(from_ - calm_place_, up_) + moved + floor_gap_;
 	}
