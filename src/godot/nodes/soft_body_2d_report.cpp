@@ -219,10 +219,10 @@ void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringA
 	if (!fall.keeps_shape()) {
 		const String loss = fall.folded ? String("its outline crosses itself") : String::num_int64(int64_t(std::round(100 * fall.area_loss))) + " % of its area are gone";
 		String remedy = "Use a higher stiffness, fewer polygon points, or elastic_model Modes.";
-		if (report.plan.integrator == softbody::Integrator::XPBD && settings.value().integrator == softbody::Integrator::AUTOMATIC) {
-			remedy = "So many points with such stiff springs are solved by XPBD, which does not hold them. Use fewer polygon points, a lower stiffness, or elastic_model Modes.";
-		} else if (material.shape_matching < softbody::DEFAULT_SHAPE_MATCHING) {
+		if (material.shape_matching < softbody::DEFAULT_SHAPE_MATCHING) {
 			remedy = "Use a shape_matching of " + String::num(double(softbody::DEFAULT_SHAPE_MATCHING), 2) + ", fewer polygon points, or elastic_model Modes.";
+		} else if (report.plan.integrator == softbody::Integrator::XPBD && settings.value().integrator == softbody::Integrator::AUTOMATIC) {
+			remedy = "So many points with such springs are solved by XPBD, which does not always hold them. Use fewer polygon points, or elastic_model Modes.";
 		}
 		r_warnings.push_back("The network does not keep its shape: after a fall by twice its radius " + loss + ". " + remedy);
 	}
