@@ -51,6 +51,9 @@ inline constexpr int MAX_CONTACT_SUBSTEPS = 32;
 /// slow roll or wobble. Smaller: piles in which a light body trembles between heavy ones never sleep.
 inline constexpr Real SLEEP_SPEED = Real(0.05);
 inline constexpr Real SLEEP_WOBBLE = 3;
+/// Multiple of both speeds for a body that a load presses to the limits of its shape [1]. Larger: such bodies stop before
+/// they have sunk. Smaller: piles of bodies that are far too soft never sleep.
+inline constexpr Real SLEEP_AT_LIMITS = 3;
 
 /// Speed [length/s, times WorldData::length_unit] below which the center of mass and the points of a body without
 /// gravity count as at rest. Drifting bodies do not rest. In pixels, the default of Godot's own bodies.
@@ -147,8 +150,8 @@ inline constexpr Real ONE_WAY_FACING = Real(0.1);
 inline constexpr Real CREDIBLE_REACH = 1000;
 
 /// Correction of a stretch or area out of bounds in a substep, as a share of the rest size or area [1]. Larger: crushed
-/// bodies jump up. Smaller: they are out of bounds for longer.
-inline constexpr Real LIMIT_PUSH = Real(0.05);
+/// bodies jump up. Smaller: they are out of bounds for longer, and high heaps of soft bodies fold.
+inline constexpr Real LIMIT_PUSH = Real(0.1);
 
 /// Multiple of its least area below which a body is smoothed [1]. Larger: bodies under load keep fewer dents. Smaller:
 /// single points fold in before the area is lost.
@@ -161,6 +164,10 @@ inline constexpr Real LIMIT_FAR = Real(0.3);
 
 /// Largest share of the way to its place in the affine map that a point of a crumpled body goes in a substep [1].
 inline constexpr Real LIMIT_SMOOTHING = Real(0.25);
+
+/// Rate at which the motion within a crumpled body, or one out of bounds, dies away [1/s]. Smaller: piles of bodies that
+/// are too soft tremble for ever. Larger: ruined bodies rise more slowly.
+inline constexpr Real LIMIT_DAMPING = 24;
 
 /// Fraction of its rest length below which a spring has no usable direction and exerts no force in that evaluation [1].
 inline constexpr Real DEGENERATE_LENGTH = Real(1e-6);

@@ -3,6 +3,7 @@
 #include "core/dynamics/body_stepper.h"
 
 #include "core/base/constants.h"
+#include "core/dynamics/shape_limits_lanes.h"
 #include "core/dynamics/body_reset.h"
 #include "core/dynamics/slice_lanes.h"
 #include "core/model/body_frame.h"
@@ -12,6 +13,15 @@
 #include <cmath>
 
 namespace softbody {
+
+namespace {
+
+bool is_near_limits(const SoftBodyData &body) {
+	return body.settings().has_limits() &&
+			may_break_limits<Real>({ body.shape(), body.settings(), body.rotation_memory() }, body.positions());
+}
+
+} // namespace
 
 void BodyStepper::begin_step(const StepContext &context) {
 	context_.emplace(context);
@@ -255,8 +265,11 @@ void BodyStepper::time_rest(const Batch &batch, Real dt) {
 			twice_energy += masses[i] * length_squared(velocities[i]);
 			momentum += velocities[i] * masses[i];
 		}
-		const bool is_slow = length_squared(momentum) < slow * slow * mass * mass &&
-				twice_energy < slow * slow * mass * wobble * wobble;
+		const auto moves_below = [&](Real speed) {
+			return length_squared(momentum) < speed * speed * mass * mass && twice_energy < speed * speed * mass * wobble * wobble;
+		};
+		// A body that a load presses to its limits trembles there.
+		const bool is_slow = moves_below(slow) || (moves_below(slow * SLEEP_AT_LIMITS) && is_near_limits(data));
 		RestState &rest = data.rest_state();
 		rest.rest_time = is_slow ? rest.rest_time + dt : Real(0);
 		if (batch.settings->can_sleep && rest.rest_time > DROWSY_TIME) {

@@ -90,6 +90,7 @@ std::array<double, 2> allowed_stretches(const std::array<double, 2> &found, cons
 struct Excess {
 	Map shift; ///< from the body's affine map to the allowed one, at most LIMIT_PUSH
 	Map now; ///< the body's own affine map
+	bool is_any = false; ///< out of bounds at all
 	bool is_far = false; ///< out of bounds by more than LIMIT_FAR
 };
 
@@ -112,6 +113,7 @@ std::optional<Excess> find_excess(const BodyLanes<Real> &body, Vec2 center) {
 	const std::array<double, 2> allowed = allowed_stretches(stretches.sizes, bounds_of(body.model.settings));
 	for (std::size_t k = 0; k < 2; ++k) {
 		const double change = allowed[k] - stretches.sizes[k];
+		excess.is_any |= change != 0;
 		excess.is_far |= std::abs(change) > double(LIMIT_FAR);
 		excess.shift.add(stretches.now[k], stretches.rest[k], std::clamp(change, -double(LIMIT_PUSH), double(LIMIT_PUSH)));
 	}
@@ -163,6 +165,8 @@ bool keep_whole(const BodyLanes<Real> &body, Real h, bool bears_load) {
 	const Real onset = least_area * LIMIT_ONSET;
 	const Real smoothing = area < onset ? std::min((onset - area) / (onset - least_area), Real(1)) * LIMIT_SMOOTHING : Real(0);
 	const Real walk = LIMIT_SPEED * shape.radius();
+	const bool is_pressed = smoothing > 0 || excess->is_any;
+	const Real damped = is_pressed ? h * LIMIT_DAMPING / (1 + h * LIMIT_DAMPING) : Real(0);
 	for (std::size_t i = 0; i < body.positions.size(); ++i) {
 		if (body.inverse_masses[i] == 0) {
 			continue;
@@ -173,6 +177,8 @@ bool keep_whole(const BodyLanes<Real> &body, Real h, bool bears_load) {
 		const Vec2 home = frame.center + excess->now.apply(q);
 		const Vec2 shift = excess->shift.apply(q);
 		const Vec2 smoothed = (home - position) * smoothing;
+		const Vec2 carried = frame.velocity + perpendicular(position - frame.center) * frame.angular_velocity;
+		velocity += (carried - velocity) * damped;
 		position += shift + smoothed;
 		// A constraint's velocity, so that it bears a load; but bounded where a body could burst.
 		quicken(velocity, shift, h, bears_load && !excess->is_far ? std::numeric_limits<Real>::max() : walk);
