@@ -104,6 +104,43 @@ TEST_CASE("a body within its limits is left alone to the bit") {
 	CHECK(body.save_state() == before);
 }
 
+TEST_CASE("a body with a high least area that is not pressed keeps its wobble, and does not count as at rest earlier") {
+	// Smoothing begins above the rest area there, at 1.35 of it.
+	BodySettings settings = limited_settings();
+	settings.least_area = Real(0.9);
+	SoftBodyData body = jelly_circle({ 0, 0 }, settings);
+	std::vector<Vec2> before;
+	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+		const Vec2 at = body.positions()[i];
+		REQUIRE(!body.set_point(i, at, { at.x, -at.y }));
+		before.push_back({ at.x, -at.y });
+	}
+	keep_whole(lanes_of(body), Real(1) / 240, true);
+	for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+		CHECK(length(body.velocities()[i] - before[i]) < Real(0.01)); // of 50 px/s
+	}
+
+	// 10 px/s on level ground without friction: faster than what falls asleep.
+	WorldData world = pixel_world();
+	REQUIRE(!world.add_border(floor_at(0)));
+	settings.friction = 0;
+	settings.rolling_resistance = 0;
+	settings.linear_damp = 0;
+	const BodyId id = world.add_soft_body(jelly_circle({ 0, -51 }, settings));
+	Simulator simulator(world);
+	for (int tick = 0; tick < 300; ++tick) {
+		simulator.simulate(FRAME);
+	}
+	world.find(id)->wake();
+	for (Vec2 &v : world.find(id)->mutable_velocities()) {
+		v = { 10, 0 };
+	}
+	for (int tick = 0; tick < 300; ++tick) {
+		simulator.simulate(FRAME);
+	}
+	CHECK_FALSE(world.find(id)->is_asleep());
+}
+
 TEST_CASE("a flattened body comes back within its limits, in any direction") {
 	for (const Real angle : { Real(0), Real(0.7), Real(2.5) }) {
 		SoftBodyData body = limited_circle({ 0, 0 });

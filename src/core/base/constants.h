@@ -51,7 +51,7 @@ inline constexpr int MAX_CONTACT_SUBSTEPS = 32;
 /// slow roll or wobble. Smaller: piles in which a light body trembles between heavy ones never sleep.
 inline constexpr Real SLEEP_SPEED = Real(0.05);
 inline constexpr Real SLEEP_WOBBLE = 3;
-/// Multiple of both speeds for a body that a load presses to the limits of its shape [1]. Larger: such bodies stop before
+/// Multiple of both speeds for a pressed body (`pressed_area`) [1]. Larger: such bodies stop before
 /// they have sunk. Smaller: piles of bodies that are far too soft never sleep.
 inline constexpr Real SLEEP_AT_LIMITS = 3;
 

@@ -3,8 +3,8 @@
 #include "core/dynamics/body_stepper.h"
 
 #include "core/base/constants.h"
-#include "core/dynamics/shape_limits_lanes.h"
 #include "core/dynamics/body_reset.h"
+#include "core/dynamics/shape_limits_lanes.h"
 #include "core/dynamics/slice_lanes.h"
 #include "core/model/body_frame.h"
 #include "core/model/rigid_motion.h"
@@ -16,9 +16,8 @@ namespace softbody {
 
 namespace {
 
-bool is_near_limits(const SoftBodyData &body) {
-	return body.settings().has_limits() &&
-			may_break_limits<Real>({ body.shape(), body.settings(), body.rotation_memory() }, body.positions());
+bool is_pressed(const SoftBodyData &body) {
+	return hull_area<Real>(body.hull()) < pressed_area(body.settings()) * body.shape().rest_area();
 }
 
 } // namespace
@@ -269,7 +268,7 @@ void BodyStepper::time_rest(const Batch &batch, Real dt) {
 			return length_squared(momentum) < speed * speed * mass * mass && twice_energy < speed * speed * mass * wobble * wobble;
 		};
 		// A body that a load presses to its limits trembles there.
-		const bool is_slow = moves_below(slow) || (moves_below(slow * SLEEP_AT_LIMITS) && is_near_limits(data));
+		const bool is_slow = moves_below(slow) || (moves_below(slow * SLEEP_AT_LIMITS) && is_pressed(data));
 		RestState &rest = data.rest_state();
 		rest.rest_time = is_slow ? rest.rest_time + dt : Real(0);
 		if (batch.settings->can_sleep && rest.rest_time > DROWSY_TIME) {

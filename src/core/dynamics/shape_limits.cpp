@@ -165,7 +165,7 @@ bool keep_whole(const BodyLanes<Real> &body, Real h, bool bears_load) {
 	const Real onset = least_area * LIMIT_ONSET;
 	const Real smoothing = area < onset ? std::min((onset - area) / (onset - least_area), Real(1)) * LIMIT_SMOOTHING : Real(0);
 	const Real walk = LIMIT_SPEED * shape.radius();
-	const bool is_pressed = smoothing > 0 || excess->is_any;
+	const bool is_pressed = area < pressed_area(settings) || excess->is_any;
 	const Real damped = is_pressed ? h * LIMIT_DAMPING / (1 + h * LIMIT_DAMPING) : Real(0);
 	for (std::size_t i = 0; i < body.positions.size(); ++i) {
 		if (body.inverse_masses[i] == 0) {

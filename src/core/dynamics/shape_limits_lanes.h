@@ -17,7 +17,8 @@ namespace softbody {
 /// values of the best-fitting affine map F of the rest shape (Müller et al. 2005, sec. 4.2: F = A_pq A_qq^-1). Out of
 /// bounds, the points move by (F' - F) q, where F' has the stretch at the bound, by at most LIMIT_PUSH of the body's
 /// size in a substep of `h` [s]. With an area below LIMIT_ONSET of its bound, points are drawn to their places in the
-/// map. Velocities change by the motion over h; at most by LIMIT_SPEED where the body is crumpled or far out of bounds,
+/// map. While the body is pressed (`pressed_area`) or out of bounds, the motion of its points against the body as a whole
+/// dies away by LIMIT_DAMPING. Velocities change by the motion over h; at most by LIMIT_SPEED where the body is crumpled or far out of bounds,
 /// or where nothing can press on it (`bears_load`). Momentum, angular momentum, center and pinned points stay. Returns
 /// whether anything changed. O(points) near a limit, else O(hull points).
 bool keep_whole(const BodyLanes<Real> &body, Real h, bool bears_load);
@@ -32,6 +33,13 @@ inline ShapeBounds bounds_of(const BodySettings &settings) {
 	const Real larger = std::max(settings.inflation, Real(1));
 	const Real smaller = std::min(settings.inflation, Real(1));
 	return { settings.least_area * smaller, settings.least_stretch * smaller, settings.most_stretch * larger };
+}
+
+/// The area, as a share of the rest area, below which a body counts as pressed: LIMIT_ONSET times its least area, but not
+/// more than halfway from there to the area at rest. 0 without a least area.
+inline Real pressed_area(const BodySettings &settings) {
+	const Real least = settings.least_area;
+	return least > 0 ? std::min(least * LIMIT_ONSET, (1 + least) / 2) * std::min(settings.inflation, Real(1)) : Real(0);
 }
 
 // The diagonal of an ellipse's bounding box has one length at any angle: 2 a sqrt(s1² + s2²), with its radius a at rest
