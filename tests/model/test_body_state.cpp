@@ -58,7 +58,7 @@ TEST_CASE("a state survives bytes, and a body holds the state that it was given"
 
 TEST_CASE("the bytes are little-endian and begin with a name and a version") {
 	const std::vector<std::uint8_t> bytes = to_bytes(BodyState{});
-	const std::vector<std::uint8_t> head = { 'S', 'B', '2', 'S', 3, 0, 0, 0, std::uint8_t(sizeof(Real)), 0, 0, 0 };
+	const std::vector<std::uint8_t> head = { 'S', 'B', '2', 'S', 4, 0, 0, 0, std::uint8_t(sizeof(Real)), 0, 0, 0 };
 	CHECK(std::equal(head.begin(), head.end(), bytes.begin()));
 }
 

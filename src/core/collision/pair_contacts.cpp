@@ -229,7 +229,7 @@ void PairContacts::end_step(const PairBodies &bodies) {
 	}
 	const std::span<const BodyPair> all = pairs();
 	for (std::size_t i = 0; i < all.size(); ++i) {
-		if (touches_[i].touching) {
+		if (touches_[i].touching || touches_[i].missing > 0) {
 			bodies.data(all[i].a).pair_memories().push_back({ bodies.world.id_at(bodies.body_indices[all[i].b]), touches_[i] });
 		}
 	}

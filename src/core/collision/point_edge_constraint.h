@@ -124,6 +124,7 @@ void remember_approach(Touch &touch, Real approach, Real threshold, Real h) {
 		touch.missing = 0;
 	} else if (!touch.touching) {
 		touch.approach = 0;
+		touch.missing = 0;
 	} else if (std::abs(approach) <= threshold) {
 		touch.approach *= std::max(Real(0), 1 - h / BOUNCE_MEMORY);
 	}

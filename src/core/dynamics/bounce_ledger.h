@@ -47,7 +47,7 @@ private:
 	void form_islands(std::span<const BodyPair> pairs, std::span<const PairTouch> touches, std::span<const BodyPair> joined);
 	void book();
 	void pay_bounces();
-	void pay_pair_bounces(std::span<const BodyPair> pairs, std::span<PairTouch> touches);
+	void pay_pair_bounces(std::span<const BodyPair> pairs, std::span<PairTouch> touches, Real dt);
 	void settle(Real dt);
 	Island &island_of(std::uint32_t active_index) { return of_[islands_.find(active_index)]; }
 

@@ -68,7 +68,8 @@ StepReport Simulator::simulate(Real dt) {
 	}
 	step_free(dt);
 	timer_.lap(profile_.bodies);
-	if (!coupled_.empty() || rigid_contacts_.has_bodies()) {
+	const bool are_coupled = !coupled_.empty() || rigid_contacts_.has_bodies();
+	if (are_coupled) {
 		step_coupled(dt);
 	} else {
 		move_rigid_bodies_alone(dt);
@@ -76,6 +77,9 @@ StepReport Simulator::simulate(Real dt) {
 	rigid_contacts_.end_step(dt);
 	if (bounces) {
 		bounce_ledger_.end_step(pair_contacts_.pairs(), pair_contacts_.touches(), joint_solver_.joined(), dt);
+	}
+	if (are_coupled) {
+		pair_contacts_.end_step(pair_bodies()); // remembers what the ledger has left unpaid
 	}
 	pin_motion_.end_step(world_);
 	joint_solver_.end_step(report.broken_joints);
@@ -209,7 +213,6 @@ void Simulator::step_coupled(Real dt) {
 	if (contact_substeps_.of_rigid_bodies() == 0) {
 		move_rigid_bodies_alone(dt);
 	}
-	pair_contacts_.end_step(pair_bodies());
 	measure_frames();
 	resist_rolling_between_bodies();
 	for_batches(coupled_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {

@@ -17,7 +17,7 @@ namespace softbody {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> MAGIC = { 'S', 'B', '2', 'S' };
-constexpr std::uint32_t VERSION = 3;
+constexpr std::uint32_t VERSION = 4;
 constexpr const char *DAMAGED = "keep the bytes as they were saved";
 
 constexpr const char *UNSOUND = "restore a sound state";
@@ -49,7 +49,7 @@ Status check_values(const BodyState &state) {
 	are_finite &= std::ranges::all_of(state.pin_targets, [](const PinTarget &each) { return is_finite(each.position); });
 	are_finite &= std::ranges::all_of(state.external_forces, [](const ExternalForce &each) { return is_finite(each.force); });
 	are_finite &= std::ranges::all_of(state.pair_touches, [](const PairMemory &each) {
-		return std::isfinite(each.touch.approach);
+		return std::isfinite(each.touch.approach) && std::isfinite(each.touch.missing);
 	});
 	if (!are_finite) {
 		return refused("memory", "non-finite", "must be finite", UNSOUND);
@@ -168,8 +168,8 @@ void visit_state(State &state, auto &archive) {
 	archive.visit_list(state.pinned_points, INDEX, each);
 	archive.visit_list(state.external_forces, INDEX + VECTOR, [&](auto &external) { each(external.point, external.force); });
 	archive.visit_list(state.pin_targets, INDEX + VECTOR, [&](auto &target) { each(target.point, target.position); });
-	archive.visit_list(state.pair_touches, 2 * INDEX + 1 + sizeof(Real), [&](auto &memory) {
-		each(memory.other.index, memory.other.generation, memory.touch.touching, memory.touch.approach);
+	archive.visit_list(state.pair_touches, 2 * INDEX + 1 + 2 * sizeof(Real), [&](auto &memory) {
+		each(memory.other.index, memory.other.generation, memory.touch.touching, memory.touch.approach, memory.touch.missing);
 	});
 	archive.visit_list(state.one_ways, sizeof(std::uint64_t) + 1, [&](auto &memory) { each(memory.collider, memory.held); });
 	each(state.rotation_memory.c, state.rotation_memory.s);

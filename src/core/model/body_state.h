@@ -49,16 +49,16 @@ struct TouchMemory {
 	friend bool operator==(const TouchMemory &, const TouchMemory &) = default;
 };
 
-/// Memory of a touch of two bodies, for their bounce when they part.
+/// Memory of a touch of two bodies, for their bounce when they part and shortly after.
 struct PairTouch {
 	bool touching = false;
 	Real approach = 0; ///< fastest approach of their centers during this touch [length/s]
 	bool ended = false; ///< in this step
-	Real missing = 0; ///< speed that the two lack of their bounce, once the touch has ended [length/s]
+	Real missing = 0; ///< speed that the two lack of their bounce since the touch has ended [length/s]
 	friend bool operator==(const PairTouch &, const PairTouch &) = default;
 };
 
-/// A current touch with another body, kept by the body that is stored first in the world.
+/// A touch with another body, current or not yet paid for, kept by the body that is stored first in the world.
 struct PairMemory {
 	BodyId other;
 	PairTouch touch;
