@@ -3,6 +3,9 @@ extends "res://tests/support/suite.gd"
 ## Scale that scripts and tweens animate: a body pops in, shrinks to nothing, grows, and stays what it was.
 
 
+const PLATFORM: PackedVector2Array = [Vector2(-90, -50), Vector2(0, -50), Vector2(90, -50), Vector2(90, 50), Vector2(0, 50), Vector2(-90, 50)]
+
+
 ## Shrinks a resting body to nothing and lets it grow again, in so many ticks each; 0 is at once.
 func _pop(body: SoftBody2D, count: int) -> float:
 	var fastest := 0.0
@@ -37,6 +40,54 @@ func test_a_body_shrinks_to_nothing_on_the_floor_and_grows_again() -> void:
 		check_near(body.position.x, 0, 3, "its place along the floor after %d ticks to shrink" % count)
 		check_near(body.get_area() / area, 1, 0.03, "its area over that before, after %d ticks to shrink" % count)
 		body.free()
+
+
+## Grows a body that has sunk down at no size, in `duration` [s], 0 is at once. Returns how far it rises above `y` [px].
+func _hop(body: SoftBody2D, y: float, duration: float) -> float:
+	body.scale = Vector2.ZERO
+	await seconds(1)
+	var count := roundi(duration * Engine.physics_ticks_per_second)
+	for i in count:
+		body.scale = Vector2.ONE * ((i + 1.0) / count)
+		await ticks(1)
+	body.scale = Vector2.ONE
+	var highest := 0.0
+	for i in Engine.physics_ticks_per_second:
+		await ticks(1)
+		highest = maxf(highest, y - body.position.y)
+	return highest
+
+
+## What lifts it by its own size, 50 px, may not throw it. Without being held back it leaves the floor by up to 284 px.
+func _check_hops(rate: int, durations: Array[float]) -> void:
+	Engine.physics_ticks_per_second = rate
+	add_floor(0)
+	for duration in durations:
+		var under := add_body(Vector2(0, -52), { "polygon": PLATFORM })
+		var upper := add_body(Vector2(0, -152))
+		var alone := add_body(Vector2(300, -52))
+		await seconds(2)
+		for body: SoftBody2D in [alone, upper]:
+			var y := body.position.y
+			var what := "%s, in %.2f s at %d ticks" % ["on the floor" if body == alone else "on a soft body", duration, rate]
+			var highest := await _hop(body, y, duration)
+			check_below(highest, 24 if rate == 30 else 12, "height of the hop after growing " + what)
+			check_near(body.position.y, y, 5, "its place after growing " + what)
+		for body: SoftBody2D in [under, upper, alone]:
+			body.free()
+	Engine.physics_ticks_per_second = 60
+
+
+func test_a_body_that_grows_where_it_lies_does_not_hop() -> void:
+	await _check_hops(60, [0.0, 0.05, 0.2, 0.5])
+
+
+func test_a_body_that_grows_does_not_hop_at_30_ticks() -> void:
+	await _check_hops(30, [0.0, 0.05, 0.2, 0.5])
+
+
+func test_a_body_that_grows_does_not_hop_at_120_ticks() -> void:
+	await _check_hops(120, [0.0, 0.2])
 
 
 func test_a_body_of_no_size_is_drawn_as_nothing() -> void:

@@ -232,6 +232,9 @@ void SoftBody2D::take_over_transform() {
 		const std::vector<softbody::Vec2> velocities(body()->velocities().begin(), body()->velocities().end());
 		const softbody::BodyFrame motion = softbody::measure_frame(*body());
 		const softbody::PointOrder order_before = order();
+		if (Math::abs(transform.determinant()) > Math::abs(known_transform_.determinant())) {
+			growth_.note_growth();
+		}
 		rebuild_body(false);
 		const Transform2D frame = simulated_frame(transform);
 		const bool is_mirrored = order_before.is_reversed != polygon_reversed_;
@@ -279,6 +282,7 @@ void SoftBody2D::prepare_step() {
 		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
 			apply_constant_forces();
 			hold_rotation(*found);
+			growth_.begin_step(*found, space_->world().gravity(), softbody::Real(get_physics_process_delta_time()));
 		}
 	}
 	tell_structure_problems();
@@ -295,6 +299,7 @@ void SoftBody2D::finish_step() {
 	moving_ = found->is_active() && !found->is_asleep() && !found->is_frozen();
 	if (moving_ || has_stopped_) {
 		undo_turn(*found);
+		growth_.end_step(*found);
 		follow_body();
 	}
 	if (moving_) {

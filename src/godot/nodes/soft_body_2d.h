@@ -13,6 +13,7 @@
 #include "godot/drawing/debug_drawing.h"
 #include "godot/drawing/drawing_frame.h"
 #include "godot/drawing/soft_body_skin.h"
+#include "godot/nodes/body_growth.h"
 #include "godot/nodes/body_material.h"
 #include "godot/nodes/body_picker.h"
 #include "godot/nodes/body_pins.h"
@@ -459,6 +460,7 @@ private:
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
 	bool polygon_reversed_ = false;
+	softbody::BodyGrowth growth_;
 	bool is_mirrored_x_ = false; ///< whether the node's scale of x is negative
 	mutable std::optional<Design> design_; ///< forgotten when the structure changes
 	mutable softbody::FallMemory falls_;
