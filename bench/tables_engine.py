@@ -64,6 +64,7 @@ def summarize(results):
         "threads": max((row.get("threads", 0) for row in rows), default=0),
         "held": counts,
         "costs": rounded([cost(row) for row in rows if "cost" in row]),
+        "crowds": [row for row in rows if "crowd" in row],
     }
 
 
@@ -81,5 +82,11 @@ def print_table(summary):
         print(
             f"  {NAMES[row['load']]:<32} {'drawn' if row['drawn'] else 'headless':>8} {row['bodies']:>6} {row['awake']:>6}"
             f" {row['usec_a_node']:>7.2f}{parts}"
+        )
+    for row in summary["crowds"]:
+        print(
+            f"{row['crowd']} nodes: added in {row['add_usec'] / 1000:.1f} ms (the first time {row['first_add_usec'] / 1000:.1f}),"
+            f" their first two ticks {row['first_ticks_usec'] / 1000:.1f} ms, freed in {row['free_usec'] / 1000:.1f} ms,"
+            f" {row['bytes_a_node'] / 1024:.1f} KiB each"
         )
     print_targets(summary)

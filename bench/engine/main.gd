@@ -4,6 +4,7 @@ extends Node
 ##
 ##     hold LOAD      how many bodies of that load a physics tick of 1/60 s holds
 ##     cost LOAD N    what N bodies cost, by parts
+##     crowd N        what it costs to add N nodes in one tick and to free them, and what memory they take
 ##
 ## Run with `--fixed-fps 60`: then every frame is one tick, and none waits for the clock.
 
@@ -44,6 +45,9 @@ func _run() -> void:
 			"cost":
 				await _cost(arguments[i + 1], arguments[i + 2].to_int())
 				i += 3
+			"crowd":
+				await _crowd(arguments[i + 1].to_int())
+				i += 2
 			_:
 				printerr("unknown argument ", arguments[i])
 				get_tree().quit(1)
@@ -116,3 +120,45 @@ func _measure(load_name: String, count: int) -> Dictionary:
 	pile.remove()
 	await get_tree().process_frame
 	return result
+
+
+# Each is a median of some rounds; the first round, which makes the shape that all share, is told apart.
+func _crowd(count: int) -> void:
+	var added := PackedInt64Array()
+	var first_ticks := PackedInt64Array()
+	var freed := PackedInt64Array()
+	var first := 0
+	var bytes := 0.0
+	for round in 6:
+		await get_tree().physics_frame
+		var before := _resident_bytes()
+		var start := Time.get_ticks_usec()
+		var crowd := Node2D.new()
+		for i in count:
+			var body := SoftBody2D.new()
+			@warning_ignore("integer_division")
+			body.position = Vector2(i % 100, i / 100) * 120
+			crowd.add_child(body)
+		add_child(crowd)
+		var then := Time.get_ticks_usec()
+		await get_tree().physics_frame
+		await get_tree().physics_frame
+		var ticked := Time.get_ticks_usec()
+		if round == 0:
+			first = then - start
+			bytes = (_resident_bytes() - before) / float(count) # later rounds use what this one has freed
+		else:
+			added.append(then - start)
+			first_ticks.append(ticked - then)
+		start = Time.get_ticks_usec()
+		crowd.free()
+		freed.append(Time.get_ticks_usec() - start)
+	for times: PackedInt64Array in [added, first_ticks, freed]:
+		times.sort()
+	_row({ "crowd": count, "first_add_usec": first, "add_usec": added[2], "first_ticks_usec": first_ticks[2], "free_usec": freed[3], "bytes_a_node": bytes })
+
+
+# Memory of the process, which an export tells on Linux only.
+func _resident_bytes() -> int:
+	var status := FileAccess.open("/proc/self/statm", FileAccess.READ)
+	return status.get_line().get_slice(" ", 1).to_int() * 4096 if status != null else 0

@@ -140,3 +140,20 @@ func test_a_polygon_that_is_small_by_itself_keeps_its_size() -> void:
 	var body := add_weightless_body(Vector2.ZERO, { "polygon": SoftBody2D.make_circle_polygon(1.5, 8) })
 	await ticks(3)
 	check_near(body.get_area(), 0.5 * 8 * sin(TAU / 8) * 1.5 * 1.5, 0.05, "area")
+
+
+## The next wave of a game comes after the last body of its kind is gone.
+func test_a_kind_of_which_none_is_left_is_not_looked_for_again() -> void:
+	var polygon := SoftBody2D.make_circle_polygon(37, 14)
+	var built := 0
+	for wave in 3:
+		var bodies: Array[SoftBody2D] = []
+		for i in 5:
+			bodies.append(add_body(Vector2(200 * i, 0), { "polygon": polygon }))
+		await ticks(2)
+		if wave == 0:
+			built = SoftBodySimulation2D.get_built_shape_count()
+		for body in bodies:
+			body.free()
+		await ticks(2)
+	check_equal(SoftBodySimulation2D.get_built_shape_count(), built, "shapes built by three waves, and by the first")

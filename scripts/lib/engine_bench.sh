@@ -10,7 +10,7 @@ BENCH_GAME=soft_body_2d_bench
 # measure_engine QUICK: leaves build/bench/engine_release.json.
 measure_engine() {
 	local rows=$REPO_DIR/build/bench/engine_release.json log=$LOG_DIR/engine_bench.log quick=$1 load
-	local headless=() drawn=()
+	local headless=() drawn=() crowd=()
 	mkdir -p "$(dirname "$rows")"
 	build_extension target=template_debug || return 1 # which the editor loads while it exports
 	build_extension target=template_release || return 1
@@ -35,17 +35,20 @@ measure_engine() {
 	for load in soft soft_unseen soft_apart soft_alone soft_monitored soft_asleep; do
 		headless+=(cost "$load" 1000)
 	done
-	headless+=(cost soft_resting 10000)
+	headless+=(cost soft_resting 10000 cost soft_resting 200000)
+	crowd=(crowd 1000 crowd 10000)
 	for load in soft soft_unseen soft_asleep soft_off_screen soft_off_screen_still; do
 		drawn+=(cost "$load" 1000)
 	done
 	if [[ $quick == yes ]]; then
 		headless=(cost soft 300 cost soft_unseen 300 cost soft_asleep 300)
 		drawn=(cost soft 300)
+		crowd=(crowd 1000)
 	fi
 	step "Measuring without a window"
 	: >"$log"
 	measure_rows 1800 "$log" --headless -- "${headless[@]}" || return 1
+	measure_rows 300 "$log" --headless -- "${crowd[@]}" || return 1 # in a process that has freed nothing yet
 	step "Measuring in a window"
 	with_screen measure_rows 1800 "$log" -- "${drawn[@]}" || return 1
 	{

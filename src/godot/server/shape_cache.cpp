@@ -5,6 +5,7 @@
 #include "core/base/hash.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -61,8 +62,14 @@ private:
 	}
 };
 
+// Shapes that were built last and are kept without users. A game frees its last body of a kind and makes the next a moment
+// later, which would take the milliseconds of its modes again. Each has some kilobytes.
+constexpr std::size_t KEPT_SHAPES = 64;
+
 struct Cache {
 	std::mutex mutex;
+	std::array<std::shared_ptr<const SoftBodyShape>, KEPT_SHAPES> kept; ///< the oldest gives way
+	std::size_t next_kept = 0;
 	std::unordered_map<Design, Known, HashOfDesign> known;
 	std::int64_t built = 0; ///< shapes in all
 	std::size_t next_sweep = 64; ///< number of entries at which entries without users are dropped
@@ -101,6 +108,10 @@ Result<std::shared_ptr<const SoftBodyShape>> find_or_create(Cache &all, const De
 		return shape;
 	}
 	made.shape = shape.value();
+	if (made.unit == nullptr) {
+		all.kept[all.next_kept] = shape.value();
+		all.next_kept = (all.next_kept + 1) % KEPT_SHAPES;
+	}
 	all.known.insert_or_assign(design, std::move(made));
 	if (all.known.size() >= all.next_sweep) {
 		std::erase_if(all.known, [](const auto &entry) { return entry.second.shape.expired(); });

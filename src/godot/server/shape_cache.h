@@ -12,7 +12,7 @@
 namespace softbody {
 
 /// `SoftBodyCreator::create_polygon` of the mass in `options`, enlarged by the factor `size`, or its earlier result for
-/// these values while some body still holds it. The core steps bodies of one shape side by side, and a thousand nodes that
+/// these values while some body still holds it; or while it is among the last 64 built. The core steps bodies of one shape side by side, and a thousand nodes that
 /// share a material need one shape when it changes. May be called from any thread. O(hull + springs) for a known shape, and
 /// for another size or mass of a known elastic one.
 Result<std::shared_ptr<const SoftBodyShape>> find_or_create_shape(std::span<const Vec2> hull, const StructureOptions &options,

@@ -109,6 +109,7 @@ RID HullProxy::rid() {
 		server->body_set_mode(rid_, PhysicsServer2D::BODY_MODE_KINEMATIC);
 		server->body_set_collision_mask(rid_, 0);
 		proxies.emplace(rid_.get_id(), rid_);
+		is_new_ = true;
 		++made;
 	}
 	return rid_;
@@ -181,9 +182,14 @@ bool HullProxy::place(const BodyFrame &frame, bool exactly) {
 	placed_ = true;
 	origin_ = frame.center;
 	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
-	server->body_set_mode(rid(), PhysicsServer2D::BODY_MODE_RIGID);
-	server->body_set_mode(rid(), PhysicsServer2D::BODY_MODE_KINEMATIC);
-	server->body_set_state(rid(), PhysicsServer2D::BODY_STATE_TRANSFORM, Transform2D(0, to_godot(origin_)));
+	const RID body = rid();
+	if (std::exchange(is_new_, false)) {
+		server->body_set_state(body, PhysicsServer2D::BODY_STATE_TRANSFORM, Transform2D(0, to_godot(origin_)));
+		return true; // `send_velocity` comes after
+	}
+	server->body_set_mode(body, PhysicsServer2D::BODY_MODE_RIGID);
+	server->body_set_mode(body, PhysicsServer2D::BODY_MODE_KINEMATIC);
+	server->body_set_state(body, PhysicsServer2D::BODY_STATE_TRANSFORM, Transform2D(0, to_godot(origin_)));
 	server->body_set_state(rid(), PhysicsServer2D::BODY_STATE_LINEAR_VELOCITY, to_godot(velocity_));
 	server->body_set_state(rid(), PhysicsServer2D::BODY_STATE_ANGULAR_VELOCITY, double(angular_velocity_));
 	return true;

@@ -116,6 +116,7 @@ private:
 	bool divided_ = false; ///< the first slots show wedges or pieces, not parts
 	int smooth_follows_ = 0; ///< ticks without a deep dent
 	bool placed_ = false;
+	bool is_new_ = false; ///< the engine's body has had no transform yet
 
 	bool pressed_ = false; ///< a kinematic body is near
 	std::vector<godot::RID> near_;
