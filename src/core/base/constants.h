@@ -211,4 +211,7 @@ inline constexpr Real CRUSHED_AREA = Real(0.25);
 /// sqrt of this, 5 times the motion of the place.
 inline constexpr Real LEAST_EDGE_INVERSE_MASS = Real(0.04);
 
+/// Largest `max_dent` [1]. Larger: the points of a dented body may coincide.
+inline constexpr Real MOST_DENT = Real(0.9);
+
 } // namespace softbody

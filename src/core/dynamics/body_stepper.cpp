@@ -28,6 +28,7 @@ void BodyStepper::begin_step(const StepContext &context) {
 	counts_.contacts = 0;
 	counts_.self_contacts = 0;
 	counts_.non_finite.clear();
+	counts_.dented.clear();
 }
 
 void BodyStepper::begin(const Batch &batch) {
@@ -194,6 +195,8 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 	const std::span<Vec2> before(before_.data(), count);
 	collision_.begin_body(context_->colliders, data, slice.elapsed, slice.duration);
 	const bool meets_itself = data.settings().self_collision && !slice.is_coupled;
+	const bool may_dent = data.settings().can_dent();
+	bool is_dented = false;
 	std::vector<Vec2> &outside = data.last_valid_hull();
 	const Vec2 *sweep = sweep_start(active_index, body_index, slice);
 	for (int i = 0; i < substeps; ++i) {
@@ -228,9 +231,16 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 			counts_.self_contacts += self_contacts;
 			contacts += self_contacts;
 		}
-		if (contacts > 0) {
+		const bool flows = may_dent && plastic_flow_.flow(data, h);
+		is_dented |= flows;
+		if (contacts > 0 || flows) {
 			workspace_.forces_are_current = false;
 		}
+	}
+	if (is_dented) {
+		data.renew_bounds();
+		data.rest_state().rest_time = 0;
+		counts_.dented.push_back(body_index);
 	}
 	if (!is_finite_within<Real>(data.positions(), data.velocities(), credible_reach(data.shape(), plan))) {
 		restore_start(batch, lane);

@@ -7,6 +7,7 @@
 #include "core/dynamics/batch.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/lane_stepper.h"
+#include "core/dynamics/plastic_flow.h"
 #include "core/dynamics/state_prefetch.h"
 #include "core/dynamics/step_context.h"
 #include "core/model/body_frame.h"
@@ -26,6 +27,7 @@ struct StepCounts {
 	std::uint64_t contacts = 0; ///< contacts with the environment solved
 	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves solved
 	std::vector<std::uint32_t> non_finite; ///< body indices of the bodies that were reset
+	std::vector<std::uint32_t> dented; ///< body indices of the bodies whose rest shape has changed
 };
 
 /// Steps batches of bodies. One object serves one thread. It owns nothing but scratch memory, which grows to the
@@ -84,6 +86,7 @@ private:
 	std::optional<StepContext> context_;
 	EnvironmentContactSolver collision_;
 	SelfCollision self_collision_;
+	PlasticFlow plastic_flow_;
 	StepCounts counts_;
 	IntegratorWorkspace workspace_;
 	std::vector<Vec2> external_;

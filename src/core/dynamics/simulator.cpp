@@ -368,12 +368,20 @@ void Simulator::collect(StepReport &report) {
 	report.pair_contacts = pair_contacts_.contact_count();
 	report.contacts += rigid_contact_count_;
 	std::vector<std::uint32_t> non_finite;
+	std::vector<std::uint32_t> dented;
 	for (BodyStepper &stepper : steppers_) {
 		const StepCounts &counts = stepper.counts();
 		report.substeps += counts.substeps;
 		report.contacts += counts.contacts;
 		report.self_contacts += counts.self_contacts;
 		non_finite.insert(non_finite.end(), counts.non_finite.begin(), counts.non_finite.end());
+		dented.insert(dented.end(), counts.dented.begin(), counts.dented.end());
+	}
+	std::ranges::sort(dented);
+	dented.erase(std::unique(dented.begin(), dented.end()), dented.end());
+	for (const std::uint32_t body_index : dented) {
+		report.dented_bodies.push_back(world_.id_at(body_index));
+		world_.soft_bodies()[body_index].note_dent();
 	}
 	std::ranges::sort(non_finite);
 	non_finite.erase(std::unique(non_finite.begin(), non_finite.end()), non_finite.end());

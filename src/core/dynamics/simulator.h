@@ -38,6 +38,7 @@ struct StepReport {
 	/// a point is pinned. Pinned points stay. Other bodies are not changed. Bodies with FailureResponse::FREEZE are
 	/// frozen from the next step on.
 	std::vector<BodyId> reset_bodies;
+	std::vector<BodyId> dented_bodies; ///< bodies whose rest shape has changed in this step (`PlasticFlow`)
 	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves solved, summed over substeps
 	/// Joints removed because they bore more than Joint::break_force. Each joint is reported once.
 	std::vector<JointId> broken_joints;

@@ -21,6 +21,14 @@ enum class FailureResponse : std::uint8_t {
 };
 inline constexpr int FAILURE_RESPONSE_COUNT = 2;
 
+/// Strains that leave a dent.
+enum class DentBy : std::uint8_t {
+	BOTH,
+	COMPRESSION,
+	TENSION,
+};
+inline constexpr int DENT_BY_COUNT = 3;
+
 /// Coefficients of the body's model beyond its springs, and how it is stepped. A term with coefficient 0 is off.
 struct BodySettings {
 	/// Factors on the stiffness and damping of all springs of the shape [1], >= 0. Springs of stiffness 0 are not evaluated.
@@ -44,6 +52,15 @@ struct BodySettings {
 	/// infinity, the defaults, switch them off. See `keep_whole`.
 	Real least_stretch = 0;
 	Real most_stretch = std::numeric_limits<Real>::infinity();
+	/// Strain of a spring's line beyond which the body's rest shape gives way [1], >= 0; 0, the default, switches dents off. See
+	/// `PlasticFlow`. A body that may be dented is stepped alone.
+	Real yield_strain = 0;
+	/// Rate at which strain beyond the yield turns into a dent [1/s], >= 0.
+	Real flow_rate = 30;
+	/// Largest change of the length of a spring's line at rest, as a share of the first [1], 0..0.9.
+	Real max_dent = Real(0.5);
+	/// Strains that leave a dent.
+	DentBy dent_by = DentBy::BOTH;
 	/// Shape-matching stiffness k_s [force/length], >= 0. Each point of mass m is pulled towards its place in the
 	/// best-fitting rigid copy of the rest shape with m k_s / mean(m). 0 switches the term off; then a folded body
 	/// stays folded. About 0.4 of the springs' stiffness always recovers.
@@ -105,6 +122,8 @@ struct BodySettings {
 	bool has_limits() const { return least_area > 0 || least_stretch > 0 || most_stretch < std::numeric_limits<Real>::max(); }
 	/// Whether forces depend on the body's orientation, so that its rotation is kept from step to step.
 	bool turns_with_body() const { return matches_shape() || is_elastic(); }
+	/// Whether strain may dent it.
+	bool can_dent() const { return yield_strain > 0 && flow_rate > 0 && max_dent > 0; }
 	/// Whether its motion as a whole is damped.
 	bool has_damp() const { return linear_damp > 0 || angular_damp > 0; }
 

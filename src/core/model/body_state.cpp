@@ -2,6 +2,7 @@
 // The state of a body as a value and as bytes.
 #include "core/model/body_state.h"
 
+#include "core/geometry/polygon.h"
 #include "core/model/soft_body_data.h"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ Status check_count(const char *name, std::size_t count, std::size_t wanted) {
 Status check_values(const BodyState &state) {
 	if (Status status = first_error({ check_all_finite("state.positions", state.positions), check_all_finite("state.velocities", state.velocities),
 				check_all_finite("state.previous_positions", state.previous_positions),
-				check_all_finite("state.last_valid_hull", state.last_valid_hull) })) {
+				check_all_finite("state.last_valid_hull", state.last_valid_hull), check_all_finite("state.rest_positions", state.rest_positions) })) {
 		return status;
 	}
 	const TouchMemory &touch = state.touch;
@@ -162,7 +163,7 @@ void visit_state(State &state, auto &archive) {
 	constexpr std::size_t INDEX = sizeof(std::uint32_t);
 	constexpr std::size_t VECTOR = 2 * sizeof(Real);
 	const auto each = [&](auto &...values) { (archive.visit(values), ...); };
-	for (auto *points : { &state.positions, &state.velocities, &state.previous_positions, &state.last_valid_hull }) {
+	for (auto *points : { &state.positions, &state.velocities, &state.previous_positions, &state.last_valid_hull, &state.rest_positions }) {
 		archive.visit_list(*points, VECTOR, each);
 	}
 	archive.visit_list(state.pinned_points, INDEX, each);
@@ -185,8 +186,12 @@ Status check_body_state(const BodyState &state, std::size_t point_count, std::si
 	if (Status status = first_error({ check_count("positions", state.positions.size(), point_count),
 				check_count("velocities", state.velocities.size(), point_count),
 				check_count("previous_positions", state.previous_positions.size(), point_count),
-				check_count("last_valid_hull", valid_count, valid_count == 0 ? 0 : hull_count) })) {
+				check_count("last_valid_hull", valid_count, valid_count == 0 ? 0 : hull_count),
+				check_count("rest_positions", state.rest_positions.size(), state.rest_positions.empty() ? 0 : point_count) })) {
 		return status;
+	}
+	if (!state.rest_positions.empty() && is_folded(std::span(state.rest_positions).first(hull_count))) {
+		return refused("rest_positions", "a folded hull", "must be a simple polygon of positive area", UNSOUND);
 	}
 	for (const std::uint32_t point : state.pinned_points) {
 		if (Status status = check_index("state.pinned_points", point, point_count, OTHER_SHAPE)) {
@@ -260,6 +265,9 @@ BodyState SoftBodyData::save_state() const {
 		}
 	}
 	state.rotation_memory = rotation_memory();
+	if (is_dented()) {
+		state.rest_positions.assign(own_shape_->rest_positions().begin(), own_shape_->rest_positions().end());
+	}
 	return state;
 }
 
@@ -277,6 +285,7 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 	std::ranges::copy(state.positions, mutable_positions().begin());
 	std::ranges::copy(state.velocities, mutable_velocities().begin());
 	set_rotation_memory(state.rotation_memory);
+	restore_dents(state.rest_positions);
 	memory_ = state;
 	memory_.rest.restored = restored;
 	pinned_inverse_masses_.clear();

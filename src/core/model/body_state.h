@@ -111,6 +111,7 @@ struct BodyState : BodyMemory {
 	std::vector<Vec2> velocities; ///< of all points [length/s]
 	std::vector<std::uint32_t> pinned_points; ///< ascending
 	Rotation rotation_memory;
+	std::vector<Vec2> rest_positions; ///< of a dented body, of all points about its center of mass [length]; else empty
 
 	friend bool operator==(const BodyState &, const BodyState &) = default;
 };

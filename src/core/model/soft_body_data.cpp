@@ -2,6 +2,8 @@
 // Creation and checked changes of a soft body's state.
 #include "core/model/soft_body_data.h"
 
+#include "core/geometry/polygon.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -62,6 +64,7 @@ Result<SoftBodyData> SoftBodyData::create(std::shared_ptr<const SoftBodyShape> s
 	std::ranges::copy(body.memory_.previous_positions, body.state_.begin());
 	body.set_rotation_memory(pose.rotation);
 	body.shape_ = std::move(shape);
+	body.own_shape();
 	return body;
 }
 
@@ -144,6 +147,7 @@ Status SoftBodyData::set_settings(const BodySettings &settings) {
 		return status;
 	}
 	settings_ = settings;
+	own_shape();
 	note_change();
 	return {};
 }
@@ -160,9 +164,70 @@ Status SoftBodyData::set_shape(std::shared_ptr<const SoftBodyShape> shape) {
 			pinned_inverse_masses_[i] = shape->inverse_masses()[i];
 		}
 	}
+	const SoftBodyData before = own_shape_.has_value() ? *this : SoftBodyData();
 	shape_ = std::move(shape);
+	own_shape_ = {};
+	own_shape();
+	if (before.own_shape_.has_value()) {
+		adopt_dents(before);
+	}
 	note_change();
 	return {};
+}
+
+// A body that may be dented has a shape of its own; so has one that is dented and may be no more.
+void SoftBodyData::own_shape() {
+	if (settings_.can_dent() && !own_shape_.has_value()) {
+		own_shape_ = OwnShape(*shape_);
+	} else if (!settings_.can_dent() && !is_dented()) {
+		own_shape_ = {};
+	}
+}
+
+bool SoftBodyData::is_dented() const {
+	return own_shape_.has_value() && !std::ranges::equal(own_shape_->rest_positions(), shape_->rest_positions());
+}
+
+Real SoftBodyData::dent() const {
+	Real largest = 0;
+	for (const Spring2D &spring : is_dented() ? shape_->springs() : std::span<const Spring2D>()) {
+		const auto distance = [&](std::span<const Vec2> places) { return length(places[spring.b] - places[spring.a]); };
+		largest = std::max(largest, std::abs(distance(own_shape_->rest_positions()) / distance(shape_->rest_positions()) - 1));
+	}
+	return largest;
+}
+
+void SoftBodyData::reset_dents() {
+	if (is_dented()) {
+		own_shape_ = {};
+		own_shape();
+		note_change();
+	}
+}
+
+void SoftBodyData::restore_dents(std::span<const Vec2> rest_positions) {
+	own_shape_ = {};
+	own_shape();
+	if (!rest_positions.empty()) {
+		own_shape_ = OwnShape(*shape_);
+		own_shape_->move_rest(rest_positions, *shape_);
+		own_shape_->renew_bounds();
+	}
+}
+
+void SoftBodyData::adopt_dents(const SoftBodyData &other) {
+	if (!other.is_dented() || other.point_count() != point_count() || other.shape_->hull_count() != shape_->hull_count()) {
+		return;
+	}
+	std::vector<Vec2> places(shape_->rest_positions().begin(), shape_->rest_positions().end());
+	const Real size = shape_->radius() / other.shape_->radius();
+	for (std::size_t i = 0; i < places.size(); ++i) {
+		places[i] += (other.own_shape_->rest_positions()[i] - other.shape_->rest_positions()[i]) * size;
+	}
+	if (!is_folded(std::span<const Vec2>(places).first(shape_->hull_count()))) {
+		restore_dents(places);
+		note_change();
+	}
 }
 
 Point2D SoftBodyData::point(std::size_t index) const {

@@ -7,6 +7,7 @@
 #include "core/geometry/aabb.h"
 #include "core/model/body_settings.h"
 #include "core/model/body_state.h"
+#include "core/model/own_shape.h"
 #include "core/model/pose.h"
 #include "core/model/soft_body_shape.h"
 
@@ -56,11 +57,13 @@ public:
 	static Result<SoftBodyData> create(std::shared_ptr<const SoftBodyShape> shape, const BodySettings &settings,
 			const Pose &pose = {});
 
-	const SoftBodyShape &shape() const { return *shape_; }
+	/// The shape as it is now: dented, or the shared one.
+	const SoftBodyShape &shape() const { return own_shape_.has_value() ? *own_shape_ : *shape_; }
+	/// The shape as it was given, without dents.
 	const std::shared_ptr<const SoftBodyShape> &shared_shape() const { return shape_; }
 	const BodySettings &settings() const { return settings_; }
 	Status set_settings(const BodySettings &settings);
-	/// Replaces springs and masses; the state stays. Refuses another number of points or hull points.
+	/// Replaces springs and masses; the state stays, and dents with it. Refuses another number of points or hull points.
 	Status set_shape(std::shared_ptr<const SoftBodyShape> shape);
 
 	std::size_t point_count() const { return memory_.previous_positions.size(); }
@@ -104,6 +107,14 @@ public:
 	void set_ignored_tags(std::span<const std::uint64_t> tags);
 	std::span<const std::uint64_t> ignored_tags() const { return ignored_tags_; } ///< ascending
 	bool ignores_tag(std::uint64_t tag) const;
+
+	/// Largest change of the length of a spring's line at rest, as a share of the first [1]: 0 without a dent. O(springs).
+	Real dent() const;
+	bool is_dented() const;
+	/// Gives the body its first shape back as its shape at rest; positions stay. Wakes it.
+	void reset_dents();
+	/// Takes over the dents of a body of the same structure, which may be of another size.
+	void adopt_dents(const SoftBodyData &other);
 
 	/// The whole state as a value. O(points).
 	BodyState save_state() const;
@@ -158,6 +169,13 @@ public:
 	void set_change_counts(std::shared_ptr<ChangeCounts> counts) { changes_ = std::move(counts); }
 
 	// State access of the step (dynamics and collision); not for users of the core.
+	/// Lets the body rest at `places` (`SoftBodyShape::move_rest`). Precondition: `settings().can_dent()`. Other bodies may be
+	/// stepped meanwhile.
+	void move_rest(std::span<const Vec2> places) { own_shape_->move_rest(places, *shape_); }
+	/// Called after a step of `move_rest`: bounds of frequencies are found anew.
+	void renew_bounds() { own_shape_->renew_bounds(); }
+	/// Called after that, between steps: the body is planned anew.
+	void note_dent() { count(&ChangeCounts::arrangement); }
 	std::span<Vec2> mutable_positions() { return { state_.data(), point_count() }; }
 	std::span<Vec2> mutable_velocities() { return { state_.data() + point_count(), point_count() }; }
 	std::span<Vec2> mutable_previous_positions() { return memory_.previous_positions; }
@@ -185,6 +203,8 @@ private:
 	SoftBodyData() = default;
 	Status check_point(std::uint32_t point, const char *what, Vec2 value) const;
 	void note_change();
+	void own_shape();
+	void restore_dents(std::span<const Vec2> rest_positions);
 	/// Counts a change, if the body is in a world.
 	void count(std::uint64_t ChangeCounts::*changes) const {
 		if (changes_) {
@@ -193,6 +213,7 @@ private:
 	}
 
 	std::shared_ptr<const SoftBodyShape> shape_;
+	OwnShape own_shape_; ///< of a body that is or may be dented
 	BodySettings settings_;
 	/// Positions, then velocities, then the rotation memory: the only data that a step reads and writes.
 	std::vector<Vec2> state_;

@@ -144,10 +144,19 @@ Status SoftBodyShape::derive() {
 	const Vec2 center{ Real(x / mass), Real(y / mass) };
 	origin_offset_ += center;
 	total_mass_ = Real(mass);
+	for (Vec2 &position : rest_positions_) {
+		position -= center;
+	}
+	measure();
+	renew_bounds();
+	return check_derived();
+}
+
+// What follows from rest positions and masses.
+void SoftBodyShape::measure() {
 	double inertia = 0;
 	Real reach_squared = 0;
 	for (std::size_t i = 0; i < rest_positions_.size(); ++i) {
-		rest_positions_[i] -= center;
 		inertia += double(masses_[i]) * length_squared(rest_positions_[i]);
 		reach_squared = std::max(reach_squared, length_squared(rest_positions_[i]));
 	}
@@ -171,7 +180,9 @@ Status SoftBodyShape::derive() {
 	if (!(greatest_bulge_ > 0)) {
 		bulges_.clear();
 	}
+}
 
+void SoftBodyShape::renew_bounds() {
 	spring_frequency_squared_ = Real(largest_rate(&Spring2D::stiffness));
 	spring_damping_rate_ = Real(largest_rate(&Spring2D::damping));
 	rest_spring_frequency_squared_ = std::min(Real(rest_rate(&Spring2D::stiffness)), spring_frequency_squared_);
@@ -179,7 +190,6 @@ Status SoftBodyShape::derive() {
 	const auto [shear, dilation] = largest_triangle_inverse_masses();
 	triangle_shear_inverse_mass_ = Real(shear);
 	triangle_dilation_inverse_mass_ = Real(dilation);
-	return check_derived();
 }
 
 // Each number may be in range and derived ones not: areas of hulls of 1e20, inverses of masses of 1e-40.
@@ -389,6 +399,47 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::resized(Real factor,
 		return *status;
 	}
 	return std::shared_ptr<const SoftBodyShape>(std::move(copy));
+}
+
+void SoftBodyShape::move_rest(std::span<const Vec2> places, const SoftBodyShape &first) {
+	std::ranges::copy(places, rest_positions_.begin());
+	for (std::size_t i = 0; i < springs_.size(); ++i) {
+		const Spring2D &before = first.springs_[i];
+		const Real distance = length(first.rest_positions_[before.b] - first.rest_positions_[before.a]);
+		springs_[i].rest_length = before.rest_length * (length(places[before.b] - places[before.a]) / distance);
+	}
+	measure();
+	if (first.modes_ != nullptr) {
+		auto modes = std::make_shared<ElasticModes>(*first.modes_);
+		double gradient_norm = 0;
+		for (std::size_t i = 0; i < hull_count_; ++i) {
+			const Vec2 last = places[i == 0 ? hull_count_ - 1 : i - 1];
+			const Vec2 next = places[i + 1 == hull_count_ ? 0 : i + 1];
+			modes->dilation[i] = Vec2{ next.y - last.y, last.x - next.x } * (1 / (4 * rest_area_));
+			gradient_norm += double(length_squared(modes->dilation[i])) / masses_[i];
+		}
+		for (std::size_t j = 0; j < modes->count; ++j) {
+			double overlap = 0;
+			for (std::size_t i = 0; i < places.size(); ++i) {
+				overlap += double(dot(modes->shapes[i * modes->count + j], places[i]));
+			}
+			modes->dilation_overlap[j] = Real(overlap);
+		}
+		modes->projection_bound = Real(std::max(1.0, gradient_norm * rest_inertia_));
+		modes_ = std::move(modes);
+	}
+	if (first.triangles_ != nullptr) {
+		auto mesh = std::make_shared<ElasticTriangles>(*first.triangles_);
+		for (ElasticTriangle &triangle : mesh->triangles) {
+			const auto [a, b, c] = triangle.corners;
+			const Vec2 e1 = places[b] - places[a];
+			const Vec2 e2 = places[c] - places[a];
+			const Real twice_area = cross(e1, e2);
+			triangle.area = twice_area / 2;
+			triangle.gradients = { Vec2{ e2.y, -e2.x } * (1 / twice_area), Vec2{ -e1.y, e1.x } * (1 / twice_area) };
+		}
+		triangles_ = std::move(mesh);
+	}
 }
 
 void SoftBodyShape::enlarge(Real factor) {

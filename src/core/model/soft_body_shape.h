@@ -105,10 +105,18 @@ public:
 	/// values not > 0. An elastic model is carried over, which is exact (see `ElasticModes`) and takes no time.
 	Result<std::shared_ptr<const SoftBodyShape>> resized(Real factor, Real total_mass) const;
 
+	/// Lets the points of a copy of `first` rest at `places`, relative to the center of mass, as after plastic flow. Springs keep the
+	/// ratio of their rest length to the distance of their ends; modes keep their shapes and stiffness. Bounds of frequencies stay
+	/// those of before, until `renew_bounds`. Precondition: a hull that `is_folded` does not call folded. O(points · modes + springs).
+	void move_rest(std::span<const Vec2> places, const SoftBodyShape &first);
+	/// Finds the bounds of frequencies anew. O(springs).
+	void renew_bounds();
+
 private:
 	SoftBodyShape() = default;
 	void enlarge(Real factor);
 	Status derive();
+	void measure();
 	Status check_derived() const;
 	double largest_rate(Real Spring2D::*coefficient) const;
 	double rest_rate(Real Spring2D::*coefficient) const;

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+// Claims about dents: how much a strain leaves, that it does not depend on ticks, and what stays.
+#include "core/creator/soft_body_creator.h"
+#include "core/dynamics/energy.h"
+#include "core/dynamics/plastic_flow.h"
+#include "core/dynamics/simulator.h"
+#include "core/geometry/polygon.h"
+#include "core/model/body_frame.h"
+#include "core/model/material.h"
+#include "scenes/jelly.h"
+#include "support/random.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <numbers>
+#include <vector>
+
+using namespace softbody;
+using namespace softbody::testing;
+
+namespace {
+
+constexpr std::array<ElasticModel, 5> MODELS = { ElasticModel::SPRINGS, ElasticModel::SPRINGS_AND_SHAPE,
+	ElasticModel::SPRINGS_SHAPE_AND_AREA, ElasticModel::MODES, ElasticModel::TRIANGLES };
+
+std::vector<Vec2> circle_of(Real radius, int count) {
+	std::vector<Vec2> hull;
+	for (int i = 0; i < count; ++i) {
+		const Real angle = 2 * std::numbers::pi_v<Real> * Real(i) / Real(count);
+		hull.push_back(Vec2{ std::cos(angle), std::sin(angle) } * radius);
+	}
+	return hull;
+}
+
+struct Metal {
+	ElasticModel model = ElasticModel::MODES;
+	Real yield = Real(0.05);
+	Real rate = 40;
+	Real most = Real(0.5);
+	DentBy by = DentBy::BOTH;
+	Material material = { 2000, Real(0.3), Real(0.3) };
+};
+
+SoftBodyData metal_body(std::span<const Vec2> hull, const Metal &metal, Vec2 center) {
+	StructureOptions options;
+	options.stiffness = 1;
+	options.damping = 1;
+	options.elastic = metal.model == ElasticModel::MODES;
+	options.elastic_triangles = metal.model == ElasticModel::TRIANGLES;
+	const auto shape = SoftBodyCreator::create_polygon(hull, options).value();
+	BodySettings settings;
+	REQUIRE(!apply_material(metal.material, metal.model, *shape, settings));
+	settings.yield_strain = metal.yield;
+	settings.flow_rate = metal.rate;
+	settings.max_dent = metal.most;
+	settings.dent_by = metal.by;
+	settings.rolling_resistance = Real(0.03);
+	return SoftBodyData::create(shape, settings, { center, {} }).value();
+}
+
+SoftBodyData metal_disc(const Metal &metal, Vec2 center) {
+	return metal_body(circle_of(50, 16), metal, center);
+}
+
+WorldData floor_world() {
+	WorldData world = pixel_world();
+	REQUIRE(!world.add_border(floor_at(0)));
+	return world;
+}
+
+/// Drops the disc from `height` above the floor. Returns its dent at the end.
+Real dropped(const Metal &metal, Real height, int rate, double seconds, Vec2 *sizes = nullptr) {
+	WorldData world = floor_world();
+	world.add_soft_body(metal_disc(metal, { 0, -50 - height }));
+	Simulator simulator(world);
+	for (int i = 0; i < int(seconds * rate); ++i) {
+		simulator.simulate(Real(1) / Real(rate));
+	}
+	const SoftBodyData &body = world.soft_bodies()[0];
+	CHECK_FALSE(is_folded(body.hull()));
+	if (sizes != nullptr) {
+		const Aabb box = bounding_box(body.hull());
+		*sizes = { box.max.x - box.min.x, box.max.y - box.min.y };
+	}
+	return body.dent();
+}
+
+} // namespace
+
+TEST_CASE("a uniform strain flows to the yield, at the rate that is set, whatever the substeps") {
+	for (const Real h : { Real(1) / 240, Real(1) / 960, Real(1) / 4000 }) {
+		CAPTURE(h);
+		SoftBodyData body = metal_disc({ ElasticModel::MODES, Real(0.05), 10, Real(0.9) }, {});
+		// Held at 1.2 and 1/1.2 of its size, which keeps the area.
+		const std::vector<Vec2> rest(body.shape().rest_positions().begin(), body.shape().rest_positions().end());
+		for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+			REQUIRE(!body.set_point(i, { rest[i].x * Real(1.2), rest[i].y / Real(1.2) }, {}));
+		}
+		PlasticFlow flow;
+		const double seconds = 0.2;
+		for (int i = 0; i < int(std::lround(seconds / double(h))); ++i) {
+			flow.flow(body, h);
+		}
+		// The line along x: de/dt = -10 (e - 0.05) from 0.2.
+		const double expected = 0.05 + 0.15 * std::exp(-10 * seconds);
+		const double strain = 60 / double(body.shape().rest_positions()[0].x) - 1;
+		CHECK(strain == doctest::Approx(expected).epsilon(0.06)); // e is of the present length, which grows
+	}
+}
+
+TEST_CASE("below its yield a body returns to its first shape to the last digit, under every model") {
+	for (const ElasticModel model : MODELS) {
+		CAPTURE(int(model));
+		WorldData world = floor_world();
+		Metal metal{ model };
+		metal.yield = Real(0.9);
+		world.add_soft_body(metal_disc(metal, { 0, -80 }));
+		metal.yield = 0;
+		world.add_soft_body(metal_disc(metal, { 300, -80 }));
+		Simulator simulator(world);
+		for (int i = 0; i < 240; ++i) {
+			simulator.simulate(FRAME);
+		}
+		CHECK_FALSE(world.soft_bodies()[0].is_dented());
+		const Vec2 moved = measure_frame(world.soft_bodies()[0]).center + Vec2{ 300, 0 } - measure_frame(world.soft_bodies()[1]).center;
+		CHECK(double(length(moved)) < 0.01);
+	}
+}
+
+TEST_CASE("a hard landing leaves a dent under every model, its elastic twin none; the area stays") {
+	for (const ElasticModel model : MODELS) {
+		CAPTURE(int(model));
+		const Metal metal{ model };
+		Vec2 size;
+		const Real dent = dropped(metal, 400, 60, 6, &size);
+		CHECK(double(dent) > 0.03);
+		CHECK(double(dent) <= 0.51);
+		Metal twin = metal;
+		twin.yield = 0;
+		Vec2 twin_size;
+		CHECK(dropped(twin, 400, 60, 6, &twin_size) == 0);
+		CHECK(double(size.y) < double(twin_size.y) - 1); // flatter for good
+		CHECK(double(twin_size.y) > 96);
+	}
+}
+
+TEST_CASE("the same drop leaves the same dent at 30, 60, 120 and 240 ticks a second, within a twentieth") {
+	for (const Real height : { Real(200), Real(400), Real(800) }) {
+		std::array<double, 4> dents;
+		const std::array<int, 4> rates = { 30, 60, 120, 240 };
+		for (std::size_t i = 0; i < rates.size(); ++i) {
+			dents[i] = double(dropped({}, height, rates[i], 4));
+			MESSAGE(double(height), " px at ", rates[i], ": ", dents[i]);
+		}
+		const auto [least, most] = std::ranges::minmax(dents);
+		CHECK(least > 0.02);
+		CHECK(most / least < 1.05);
+	}
+}
+
+TEST_CASE("compression or tension alone: what flows is only what is pressed or drawn") {
+	for (const DentBy by : { DentBy::COMPRESSION, DentBy::TENSION }) {
+		Metal metal;
+		metal.by = by;
+		for (const bool is_pressed : { true, false }) {
+			SoftBodyData body = metal_disc(metal, {});
+			const std::vector<Vec2> rest(body.shape().rest_positions().begin(), body.shape().rest_positions().end());
+			for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+				REQUIRE(!body.set_point(i, rest[i] * (is_pressed ? Real(0.8) : Real(1.25)), {}));
+			}
+			PlasticFlow flow;
+			const bool flows = flow.flow(body, FRAME);
+			// A change of size alone is no dent, as the area stays.
+			CHECK(double(body.dent()) < 1e-5);
+			CHECK_FALSE((flows && is_pressed != (by == DentBy::COMPRESSION)));
+		}
+		SoftBodyData body = metal_disc(metal, {});
+		const std::vector<Vec2> rest(body.shape().rest_positions().begin(), body.shape().rest_positions().end());
+		REQUIRE(!body.set_point(0, rest[0] * (by == DentBy::COMPRESSION ? Real(0.7) : Real(1.3)), {}));
+		PlasticFlow flow;
+		CHECK(flow.flow(body, FRAME));
+		CHECK(double(body.dent()) > 0.01);
+	}
+}
+
+TEST_CASE("flow adds no energy, keeps center, orientation and area, folds nothing and stays below the largest dent: 400 random states of every model") {
+	int flowed = 0;
+	for (const ElasticModel model : MODELS) {
+		for (int seed = 1; seed <= 400; ++seed) {
+			CAPTURE(int(model));
+			CAPTURE(seed);
+			Random random{ std::uint64_t(seed) };
+			std::vector<Vec2> hull = circle_of(50, random.integer(6, 20));
+			for (Vec2 &each : hull) {
+				each *= random.real(Real(0.6), Real(1.2));
+			}
+			Metal metal{ model };
+			metal.yield = random.real(Real(0.01), Real(0.2));
+			metal.rate = random.real(1, 300);
+			metal.most = random.real(Real(0.05), Real(0.9));
+			SoftBodyData body = metal_body(hull, metal, {});
+			PlasticFlow flow;
+			for (int round = 0; round < 5; ++round) {
+				const Real turn = random.real(0, 6);
+				const Real stretch = random.real(Real(0.6), Real(1.6));
+				for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+					const Vec2 q = body.shape().rest_positions()[i];
+					const Vec2 jitter = random.vector(Real(0.15) * body.shape().radius());
+					REQUIRE(!body.set_point(i, Rotation::from_angle(turn).apply(Vec2{ q.x * stretch, q.y } + jitter), {}));
+				}
+				const double before = measure_energy(body, {}).total();
+				const std::vector<Vec2> rest(body.shape().rest_positions().begin(), body.shape().rest_positions().end());
+				if (!flow.flow(body, random.real(Real(0.0005), Real(0.02)))) {
+					CHECK(std::ranges::equal(rest, body.shape().rest_positions()));
+					continue;
+				}
+				++flowed;
+				CHECK(measure_energy(body, {}).total() <= before * (1 + 1e-6));
+				const SoftBodyShape &shape = body.shape();
+				CHECK(double(signed_area(shape.rest_hull())) == doctest::Approx(double(body.shared_shape()->rest_area())).epsilon(1e-5));
+				CHECK_FALSE(is_folded(shape.rest_hull()));
+				CHECK(double(body.dent()) <= double(metal.most) + 0.011);
+				Vec2 center;
+				double torque = 0;
+				for (std::size_t i = 0; i < shape.point_count(); ++i) {
+					center += shape.rest_positions()[i] * (shape.masses()[i] / shape.total_mass());
+					torque += double(shape.masses()[i] * cross(rest[i], shape.rest_positions()[i]));
+				}
+				CHECK(double(length(center)) < 1e-4 * double(shape.radius()));
+				CHECK(std::abs(torque) < 1e-4 * double(shape.rest_inertia()));
+			}
+		}
+	}
+	CHECK(flowed > 3000);
+}
+
+TEST_CASE("100 stampings leave a body whole: area within a twentieth, nothing inverted, dent below its bound") {
+	for (const ElasticModel model : { ElasticModel::SPRINGS_AND_SHAPE, ElasticModel::MODES, ElasticModel::TRIANGLES }) {
+		CAPTURE(int(model));
+		WorldData world = floor_world();
+		Metal metal{ model };
+		metal.most = Real(0.4);
+		const BodyId id = world.add_soft_body(metal_disc(metal, { 0, -50 }));
+		Simulator simulator(world);
+		for (int stamp = 0; stamp < 100; ++stamp) {
+			SoftBodyData &body = *world.find(id);
+			for (std::uint32_t i = 0; i < body.point_count(); ++i) {
+				REQUIRE(!body.set_point(i, body.positions()[i], { 0, 500 })); // thrown at the floor
+			}
+			for (int i = 0; i < 12; ++i) {
+				simulator.simulate(FRAME);
+			}
+		}
+		for (int i = 0; i < 300; ++i) {
+			simulator.simulate(FRAME);
+		}
+		const SoftBodyData &body = *world.find(id);
+		CHECK_FALSE(is_folded(body.hull()));
+		CHECK(double(body.dent()) > 0.05);
+		CHECK(double(body.dent()) <= 0.411);
+		CHECK(double(signed_area(body.hull())) == doctest::Approx(double(body.shared_shape()->rest_area())).epsilon(0.05));
+		CHECK(world.find(id)->is_asleep());
+	}
+}
+
+TEST_CASE("a dented body goes on from its saved state in the same bits, and its first shape comes back when asked") {
+	WorldData world = floor_world();
+	const BodyId id = world.add_soft_body(metal_disc({}, { 0, -400 }));
+	Simulator simulator(world);
+	for (int i = 0; i < 58; ++i) {
+		simulator.simulate(FRAME);
+	}
+	REQUIRE(world.find(id)->is_dented());
+	const std::vector<std::uint8_t> bytes = to_bytes(world.find(id)->save_state());
+	WorldData other = floor_world();
+	const BodyId twin = other.add_soft_body(metal_disc({}, { 0, -400 }));
+	const auto state = body_state_from_bytes(bytes);
+	REQUIRE(state);
+	REQUIRE(!other.find(twin)->restore_state(state.value()));
+	CHECK(other.find(twin)->dent() == world.find(id)->dent());
+	Simulator later(other);
+	for (int i = 0; i < 120; ++i) {
+		simulator.simulate(FRAME);
+		later.simulate(FRAME);
+		REQUIRE(std::ranges::equal(world.find(id)->positions(), other.find(twin)->positions()));
+	}
+	CHECK(world.find(id)->dent() == other.find(twin)->dent());
+	world.find(id)->reset_dents();
+	CHECK_FALSE(world.find(id)->is_dented());
+	for (int i = 0; i < 300; ++i) {
+		simulator.simulate(FRAME);
+	}
+	const Aabb box = bounding_box(world.find(id)->hull());
+	CHECK(double(box.max.y - box.min.y) > 95);
+	BodyState damaged = state.value();
+	std::swap(damaged.rest_positions[0], damaged.rest_positions[5]);
+	const Status refused = other.find(twin)->restore_state(damaged);
+	REQUIRE(refused);
+	CHECK(refused->message().find("rest_positions") != std::string::npos);
+	damaged.rest_positions.pop_back();
+	CHECK(other.find(twin)->restore_state(damaged).has_value());
+}
+
+TEST_CASE("a dent stays where yield is switched off, and where springs or size are changed") {
+	WorldData world = floor_world();
+	const BodyId id = world.add_soft_body(metal_disc({}, { 0, -400 }));
+	Simulator simulator(world);
+	for (int i = 0; i < 120; ++i) {
+		simulator.simulate(FRAME);
+	}
+	SoftBodyData &body = *world.find(id);
+	const double dent = double(body.dent());
+	REQUIRE(dent > 0.02);
+	BodySettings settings = body.settings();
+	settings.yield_strain = 0;
+	REQUIRE(!body.set_settings(settings));
+	CHECK(double(body.dent()) == dent);
+	const auto heavier = body.shared_shape()->resized(1, 3).value();
+	REQUIRE(!body.set_shape(heavier));
+	CHECK(double(body.dent()) == doctest::Approx(dent).epsilon(1e-4));
+	const auto larger = body.shared_shape()->resized(2, 3).value();
+	SoftBodyData copy = SoftBodyData::create(larger, settings, {}).value();
+	copy.adopt_dents(body);
+	CHECK(double(copy.dent()) == doctest::Approx(dent).epsilon(1e-4));
+	SoftBodyData owned = copy;
+	owned.reset_dents();
+	CHECK_FALSE(owned.is_dented());
+	CHECK(copy.is_dented());
+}
