@@ -238,7 +238,7 @@ TEST_CASE("what cannot be cut is refused by name, and a blade that misses leaves
 	CHECK(missed.value().pieces.size() == 1);
 	CHECK(missed.value().pieces[0].options.mass == options.mass);
 	REQUIRE_FALSE(body.set_point(0, Vec2{ 200, 200 }, {})); // through the other side
-	CHECK(name_of(ACROSS) == "body");
+	CHECK(name_of(ACROSS) == "shape");
 }
 
 TEST_CASE("bodies are cut to dust no finer than the smallest piece") {
@@ -256,7 +256,7 @@ TEST_CASE("bodies are cut to dust no finer than the smallest piece") {
 		const auto pieces = cut_body(dust[which], made_of[which], std::vector<Vec2>{ middle - way, middle + way }, limits);
 		REQUIRE(cut.has_value() == pieces.has_value());
 		if (!pieces) {
-			CHECK(mentions("smallest_piece least_width blade", pieces.error().name));
+			CHECK(mentions("smallest_piece least_width cut", pieces.error().name));
 			continue;
 		}
 		const StructureOptions old = made_of[which];

@@ -18,9 +18,10 @@ namespace softbody {
 
 namespace {
 
-// Least distance of a new corner from the next one, as a share of the mean hull edge. Larger: cuts go beside where they were drawn.
-// Smaller: short edges, which take more substeps.
-constexpr double SNAP_SHARE = 0.1;
+// Least distance of a new corner from the next one, as a share of the mean hull edge and of the side of a square of the body's
+// area; the smaller counts. Larger: cuts go beside where they were drawn. Smaller: short edges, which take more substeps.
+constexpr double SNAP_OF_EDGE = 0.1;
+constexpr double SNAP_OF_SIZE = 0.02;
 
 // Least distance of new corners in units of the last digit of a place [1]: far from the origin rounding would cross them.
 constexpr double SNAP_DIGITS = 64;
@@ -52,7 +53,7 @@ Error refusal_of(const RefusedSpan &span, double area, const BodyCutLimits &limi
 		case RefusedSpan::Reason::CROSSING:
 			break;
 	}
-	return { "blade", "a way through the body that its rest shape does not have", "must part it into pieces that do not cross themselves",
+	return { "cut", "a way through the body that its rest shape does not have", "must part it into pieces that do not cross themselves",
 		"cut where the body is less bent" };
 }
 
@@ -69,7 +70,7 @@ CutLimits geometric_limits(const SoftBodyData &body, const BodyCutLimits &limits
 	for (const Vec2 p : body.hull()) {
 		reach = std::max({ reach, double(std::abs(p.x)), double(std::abs(p.y)) });
 	}
-	result.snap = std::max(SNAP_SHARE * result.spacing, SNAP_DIGITS * double(std::numeric_limits<Real>::epsilon()) * reach);
+	result.snap = std::max(std::min(SNAP_OF_EDGE * result.spacing, SNAP_OF_SIZE * std::sqrt(double(body.shape().rest_area()))), SNAP_DIGITS * double(std::numeric_limits<Real>::epsilon()) * reach);
 	result.most_pieces = std::size_t(limits.most_pieces);
 	return result;
 }
@@ -228,7 +229,7 @@ Result<BodyCut> plan_cut(const SoftBodyData &body, const StructureOptions &optio
 		return *status;
 	}
 	if (is_folded(body.hull())) {
-		return Error{ "body", "folded over itself", "must not cross itself where it is cut", "cut it when it has its shape back" };
+		return Error{ "shape", "folded over itself", "must not cross itself where it is cut", "cut it when it has its shape back" };
 	}
 	const SoftBodyShape &shape = body.shape();
 	std::vector<Vec2> rest;

@@ -361,12 +361,12 @@ bool Cutter::try_span(const Part &part, std::span<const Vec2> outline, const Spa
 	outer.push_back(first);
 	inner.insert(inner.end(), added.rbegin(), added.rend());
 	outer.insert(outer.end(), added.begin(), added.end());
-	// A blade that follows the outline through several corners leaves a sliver no wider than corners can tell.
+	// A blade that follows the outline through several corners leaves a sliver of rounding.
 	double way_size = 0;
 	for (std::size_t i = 0; i + 1 < way.size(); ++i) {
 		way_size += size_of(way[i + 1] - way[i]);
 	}
-	const double sliver = limits_.snap * way_size;
+	const double sliver = limits_.snap / 64 * way_size;
 	if (std::abs(double(signed_area(places(inner, &CutPoint::position)))) < sliver || std::abs(double(signed_area(places(outer, &CutPoint::position)))) < sliver) {
 		cut_.points.resize(kept_points);
 		return false;

@@ -13,6 +13,7 @@
 #include "godot/drawing/debug_drawing.h"
 #include "godot/drawing/drawing_frame.h"
 #include "godot/drawing/soft_body_skin.h"
+#include "godot/nodes/body_design.h"
 #include "godot/nodes/body_material.h"
 #include "godot/nodes/body_picker.h"
 #include "godot/nodes/body_pins.h"
@@ -42,6 +43,7 @@
 #include <vector>
 
 namespace softbody {
+class BodyCuts;
 class SoftBodySpace2D;
 }
 
@@ -173,6 +175,12 @@ public:
 	PackedByteArray get_state() const;
 	Error set_state(const PackedByteArray &p_state);
 
+	// Cuts: body_cuts.cpp.
+	TypedArray<SoftBody2D> cut(const Vector2 &p_from, const Vector2 &p_to);
+	TypedArray<SoftBody2D> cut_polyline(const PackedVector2Array &p_points);
+	TypedArray<PackedVector2Array> preview_cut(const PackedVector2Array &p_points) const;
+	String get_cut_problem(const PackedVector2Array &p_points) const;
+
 	// Motion: soft_body_2d_motion.cpp.
 	void set_linear_velocity(const Vector2 &p_velocity);
 	Vector2 get_linear_velocity() const;
@@ -267,6 +275,7 @@ protected:
 	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:
+	friend class softbody::BodyCuts;
 	static void bind_properties();
 	static void bind_body_methods();
 	static void bind_structure_methods();
@@ -304,20 +313,7 @@ private:
 
 	softbody::SizedHull sized_hull(const Transform2D &p_transform) const;
 
-	/// Points and springs at one scale of the node. Its springs have stiffness and damping 1 times what is painted on them; how
-	/// stiff they are is a setting.
-	struct Design {
-		std::shared_ptr<const softbody::SoftBodyShape> shape;
-		Transform2D scale;
-		double area = 0; ///< inside the hull at that scale [px²]
-		double mass = 0; ///< [kg]
-		ModelChoice wanted; ///< model by the node's properties
-		ModelChoice used;
-		softbody::Status model_problem; ///< why `used` is not `wanted`
-		bool is_reversed = false; ///< see `polygon_reversed_`
-		bool has_deep_dents = false; ///< see `softbody::has_deep_dents`
-		PackedStringArray problems; ///< parts of the structure that do not fit the others and were left out
-	};
+	using Design = softbody::BodyDesign;
 
 	/// A callable of a bound method of this node that may be kept beyond the call. It is by name: the node outlives its code
 	/// when the editor reloads the extension, and a `callable_mp` points into that code.

@@ -41,6 +41,11 @@ public:
 	/// To be called after a node or joint has been removed from its space: drops spaces that have none left.
 	void drop_empty_spaces();
 
+	/// Whether nodes are being stepped now. Code of the user may run meanwhile, as nodes are moved.
+	bool is_stepping() const { return stepping_; }
+	/// Calls `p_emit` after the present step, or else after the next one, if the object `p_sender` then still exists.
+	void after_step(uint64_t p_sender, std::function<void()> p_emit) { signals_.add(p_sender, std::move(p_emit)); }
+
 	/// Settings of the project's soft bodies, as last read.
 	const softbody::StepSettings &settings() const { return settings_; }
 	/// The state of the frame that nodes need for drawing.
