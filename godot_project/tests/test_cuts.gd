@@ -316,3 +316,29 @@ func test_inner_points_springs_and_custom_mass() -> void:
 		check_equal(piece.springs.size(), 0, "number of springs that were given")
 		check_equal(piece.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_NETWORK, "model")
 	await ticks(30)
+
+
+func test_springs_stand_in_for_the_modes_of_pieces_for_some_ticks() -> void:
+	var body := add_weightless_body(Vector2.ZERO, {"linear_velocity": Vector2(90, 10), "angular_velocity": 3.0})
+	await ticks(2)
+	check_equal(body.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_MODES, "model before")
+	var built := SoftBodySimulation2D.get_built_shape_count()
+	var pieces := cut_across(body)
+	for piece in pieces:
+		check_equal(piece.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_SPRINGS_SHAPE_AND_AREA, "model at the cut")
+	var momentum := momentum_of(pieces)
+	var spin := spin_of(pieces)
+	await ticks(12)
+	for piece in pieces:
+		check_equal(piece.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_MODES, "model later")
+		check_equal(piece.elastic_model, SoftBody2D.ELASTIC_MODEL_AUTOMATIC, "model that was set")
+	check_equal(SoftBodySimulation2D.get_built_shape_count() - built, 4, "number of shapes that were made")
+	check_near(momentum_of(pieces), momentum, 0.02, "momentum")
+	check_near(spin_of(pieces) / spin, 1.0, 2e-3, "angular momentum over that before")
+	var again := pieces[0].cut(pieces[0].get_center_of_mass_position() + Vector2(0, -200), pieces[0].get_center_of_mass_position() + Vector2(1, 200))
+	check_equal(again.size(), 2, "number of pieces of a piece")
+	again[1].cut(again[1].get_center_of_mass_position() - Vector2(200, 10), again[1].get_center_of_mass_position() + Vector2(200, 10))
+	again[0].queue_free() # before its modes are there
+	await ticks(12)
+	for piece: SoftBody2D in stage.get_children():
+		check_equal(piece.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_MODES, "model of a piece of a piece")

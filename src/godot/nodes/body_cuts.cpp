@@ -6,12 +6,14 @@
 #include "godot/convert.h"
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_attachment_2d.h"
+#include "godot/server/shape_cache.h"
 #include "godot/server/soft_body_simulation_2d.h"
 #include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -62,6 +64,8 @@ private:
 	void describe_pieces(const BodyCut &p_cut);
 	void copy_to(SoftBody2D &r_node) const;
 	static void take_structure(SoftBody2D &r_node, Piece &r_piece);
+	static void find_modes(SoftBody2D &r_node);
+	static void take_modes(SoftBody2D &r_node, uint64_t p_task);
 	Status make_body(const BodyCut &p_cut, std::size_t p_index, SoftBody2D &r_node);
 	static void take_pins(SoftBody2D &r_node, const BodyPiece &p_piece, const BodyPins &p_pins, PointOrder p_whole_order);
 	void keep_first();
@@ -191,7 +195,46 @@ void BodyCuts::take_structure(SoftBody2D &r_node, Piece &r_piece) {
 	if (r_node.values_.mass_mode == SoftBody2D::MASS_MODE_CUSTOM) {
 		r_node.values_.mass = r_piece.mass;
 	}
+	static uint64_t tasks = 0;
+	r_node.awaited_modes_ = 0;
+	if (r_node.choose_model().model == SoftBody2D::ELASTIC_MODEL_MODES) {
+		r_node.awaited_modes_ = ++tasks;
+	}
 	r_node.design_.reset();
+}
+
+// Elastic modes take a hundred times as long as all the rest of a cut. Springs stand in for them for some ticks.
+void BodyCuts::find_modes(SoftBody2D &r_node) {
+	if (r_node.awaited_modes_ == 0) {
+		return;
+	}
+	const SizedHull sized = r_node.sized_hull(r_node.built_scale_);
+	StructureOptions options = r_node.structure_.options(sized.scale.rest);
+	options.elastic = true;
+	const auto held = std::make_shared<std::shared_ptr<const SoftBodyShape>>();
+	const uint64_t task = r_node.awaited_modes_;
+	SoftBodySimulation2D::get_singleton()->late_work().add(
+			r_node.get_instance_id(), [held, hull = sized.points, options] { *held = prepare_shape(hull, options); },
+			[held, &r_node, task] { take_modes(r_node, task); });
+}
+
+// The points stay, and so does the momentum, though masses are divided anew between them.
+void BodyCuts::take_modes(SoftBody2D &r_node, uint64_t p_task) {
+	if (r_node.awaited_modes_ != p_task) {
+		return; // it was cut once more
+	}
+	r_node.awaited_modes_ = 0;
+	r_node.design_.reset();
+	if (r_node.body() == nullptr) {
+		return;
+	}
+	const SoftBodyData before = *r_node.body();
+	r_node.apply_shape();
+	SoftBodyData *const after = r_node.body();
+	keep_momentum(before, { &after, 1 });
+	if (before.is_asleep()) {
+		after->put_to_sleep();
+	}
 }
 
 // The body as it will be, of a node that has the structure of the piece.
@@ -365,6 +408,7 @@ Result<TypedArray<SoftBody2D>> BodyCuts::make(const BodyCut &p_cut) {
 	const BodyStructure old_structure = node_.structure_;
 	const SoftBody2D::Values old_values = node_.values_;
 	const std::optional<BodyDesign> old_design = node_.design_;
+	const uint64_t old_task = node_.awaited_modes_;
 	Status refused;
 	for (std::size_t i = 1; i < pieces_.size() && !refused; i++) {
 		pieces_[i].node = memnew(SoftBody2D);
@@ -382,6 +426,7 @@ Result<TypedArray<SoftBody2D>> BodyCuts::make(const BodyCut &p_cut) {
 		node_.structure_ = old_structure;
 		node_.values_ = old_values;
 		node_.design_ = old_design;
+		node_.awaited_modes_ = old_task;
 		for (std::size_t i = 1; i < pieces_.size(); i++) {
 			if (pieces_[i].node != nullptr) {
 				memdelete(pieces_[i].node);
@@ -410,6 +455,7 @@ Result<TypedArray<SoftBody2D>> BodyCuts::make(const BodyCut &p_cut) {
 			carry_pin_targets(node);
 			carry_exceptions(node);
 		}
+		find_modes(node);
 		nodes.push_back(&node);
 		ids.push_back(node.get_instance_id());
 	}

@@ -328,6 +328,7 @@ private:
 	bool leaves_to_shared_material(const StringName &p_property);
 	void take_over_physics_material();
 	ModelChoice choose_model() const;
+	ModelChoice modes_or_stand_in(ElasticModel p_model, const char *p_reason) const;
 	double mass_of_area(double p_area) const;
 	/// Sets both, unless no body can have that mass. False if it was refused.
 	bool take_over_mass(const StringName &p_property, MassMode p_mode, double p_mass);
@@ -455,6 +456,7 @@ private:
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
 	bool polygon_reversed_ = false;
+	uint64_t awaited_modes_ = 0; ///< number of the task that finds its elastic modes after a cut, or 0
 	bool is_mirrored_x_ = false; ///< whether the node's scale of x is negative
 	mutable std::optional<Design> design_; ///< forgotten when the structure changes
 	mutable softbody::FallMemory falls_;
