@@ -152,6 +152,19 @@ func test_a_texture_goes_on_across_the_cut() -> void:
 		check_near(piece.global_position, Vector2(50, 20), 0.5, "position of the piece's node")
 
 
+func test_a_texture_that_fills_the_box_goes_on_too() -> void:
+	var texture := PlaceholderTexture2D.new()
+	texture.size = Vector2(200, 100)
+	var body := add_weightless_body(Vector2.ZERO, {"texture": texture, "texture_offset": Vector2(7, 3), "texture_scale": Vector2(2, 1.5), "texture_rotation": 0.4})
+	await ticks(1)
+	for piece in cut_across(body):
+		for i in piece.polygon.size():
+			# What the box of the whole, 100 px wide, shows at that place; and what the piece does.
+			var pixel := (piece.polygon[i] + Vector2(50, 50)) * Vector2(2, 1)
+			var shown := ((pixel - Vector2(100, 50)).rotated(0.4) + Vector2(7, 3)) * Vector2(2, 1.5) + Vector2(100, 50)
+			check_near((piece.uv[i].rotated(0.4) + Vector2(7, 3)) * Vector2(2, 1.5), shown, 0.01, "place of the texture")
+
+
 func test_pins_stay_with_their_points() -> void:
 	var body := add_body(Vector2.ZERO)
 	var holder := Node2D.new()

@@ -43,6 +43,9 @@ struct Sums {
 	}
 };
 
+// Of sums of up to 60 numbers, each rounded; in single precision the sums are exact beside the numbers.
+constexpr double ROUNDING = (sizeof(Real) == 4 ? 2 : 32) * EPSILON;
+
 enum class Model { NETWORK,
 	MODES,
 	TRIANGLES };
@@ -92,9 +95,9 @@ TEST_CASE("mass, momentum and angular momentum of the pieces are those of the bo
 			for (const SoftBodyData &piece : pieces.value()) {
 				after.add(piece);
 			}
-			CHECK(std::abs(after.mass / before.mass - 1) <= 4 * EPSILON);
-			CHECK(std::hypot(after.x - before.x, after.y - before.y) <= 2 * EPSILON * before.size);
-			CHECK(std::abs(after.spin - before.spin) <= 2 * EPSILON * before.arm);
+			CHECK(std::abs(after.mass / before.mass - 1) <= 2 * ROUNDING);
+			CHECK(std::hypot(after.x - before.x, after.y - before.y) <= ROUNDING * before.size);
+			CHECK(std::abs(after.spin - before.spin) <= ROUNDING * before.arm);
 		}
 	}
 }
@@ -236,7 +239,7 @@ TEST_CASE("what cannot be cut is refused by name, and a blade that misses leaves
 	const auto missed = plan_cut(body, options, std::vector<Vec2>{ { 0, 0 }, { 1, 1 } });
 	REQUIRE(missed);
 	CHECK(missed.value().pieces.size() == 1);
-	CHECK(missed.value().pieces[0].options.mass == options.mass);
+	CHECK(double(missed.value().pieces[0].options.mass) == doctest::Approx(1.7).epsilon(4 * EPSILON));
 	REQUIRE_FALSE(body.set_point(0, Vec2{ 200, 200 }, {})); // through the other side
 	CHECK(name_of(ACROSS) == "shape");
 }
@@ -340,7 +343,7 @@ TEST_CASE("pieces of 1,000 random cuts are simple, at their smallest size, and s
 		worst_momentum = std::fmax(worst_momentum, std::abs(after.spin - before.spin) / before.arm);
 	}
 	CHECK(cuts > 500);
-	CHECK(worst_momentum < 2 * EPSILON);
+	CHECK(worst_momentum < ROUNDING);
 }
 
 TEST_CASE("a pile whose bodies are cut goes on without a failure, and in the same bits on any number of threads" * doctest::test_suite("threads")) {

@@ -79,6 +79,7 @@ private:
 	const SoftBodyData whole_; ///< as it was before the cut
 	std::vector<Piece> pieces_;
 	bool was_moving_ = false; ///< whether it was drawn between two ticks
+	Transform2D start_; ///< the frame in which it was at the earlier one
 };
 
 Result<BodyCut> BodyCuts::plan(const SoftBody2D &p_node, const PackedVector2Array &p_points) {
@@ -122,10 +123,9 @@ void BodyCuts::describe_pieces(const BodyCut &p_cut) {
 		}
 	};
 	std::vector<Vector2> corners;
-	std::vector<Vector2> uv;
+	const std::vector<Vector2> uv = node_.skin_.uv_in_use();
 	std::vector<Color> colors;
 	in_core_order(whole.polygon, corners);
-	in_core_order(style.uv, uv);
 	in_core_order(style.vertex_colors, colors);
 	const std::vector<Vector2> places = carried<Vector2>(p_cut.polygon, corners);
 	const std::vector<Vector2> uv_places = uv.empty() ? uv : carried<Vector2>(p_cut.polygon, uv);
@@ -275,14 +275,15 @@ void BodyCuts::take_pins(SoftBody2D &r_node, const BodyPiece &p_piece, const Bod
 	r_node.pins_.take_part(p_pins, points);
 }
 
-// Blending goes on between the frames that fit the piece before and after the last step.
+// Blending goes on from the frame of the whole. A piece is where the whole was seen, though the rendering server has not said
+// so yet.
 void BodyCuts::draw_as_before(SoftBody2D &r_node) const {
-	const SoftBodyData &body = *r_node.body();
 	if (was_moving_) {
-		r_node.interpolation_.begin(r_node.transform_at(measure_frame(body, body.previous_positions(), body.velocities())));
+		r_node.interpolation_.begin(start_);
 	} else {
 		r_node.interpolation_.end();
 	}
+	r_node.on_screen_ = node_.on_screen_;
 	r_node.settled_ = false;
 	r_node.area_checked_ = false;
 }
@@ -342,6 +343,14 @@ void BodyCuts::add_piece(Piece &r_piece) {
 	}
 	node.update_picker();
 	node.lock_rotation();
+	if (was_moving_ && node.is_physics_interpolated_and_enabled()) { // the engine blends it from the frame of the whole, too
+		const Transform2D now = node.get_transform();
+		node.set_transform(base.affine_inverse() * start_);
+		node.known_transform_ = node.get_global_transform();
+		node.reset_physics_interpolation();
+		node.set_transform(now);
+		node.known_transform_ = node.get_global_transform();
+	}
 	draw_as_before(node);
 }
 
@@ -405,6 +414,7 @@ void BodyCuts::carry_attachments() {
 Result<TypedArray<SoftBody2D>> BodyCuts::make(const BodyCut &p_cut) {
 	describe_pieces(p_cut);
 	was_moving_ = node_.interpolation_.is_moving();
+	start_ = node_.interpolation_.start();
 	const BodyStructure old_structure = node_.structure_;
 	const SoftBody2D::Values old_values = node_.values_;
 	const std::optional<BodyDesign> old_design = node_.design_;
