@@ -33,5 +33,6 @@ nlohmann::json stress(const Options &options);
 nlohmann::json soak(const Options &options);
 nlohmann::json model(const Options &options);
 nlohmann::json heap(const Options &options);
+nlohmann::json cuts(const Options &options);
 
 } // namespace bench

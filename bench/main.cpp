@@ -24,6 +24,7 @@ const std::map<std::string, bench::Bench> BENCHES = {
 	{ "soak", bench::soak },
 	{ "model", bench::model },
 	{ "heap", bench::heap },
+	{ "cuts", bench::cuts },
 };
 
 int usage(const char *program) {

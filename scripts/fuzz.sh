@@ -4,14 +4,14 @@
 #
 # Usage: scripts/fuzz.sh SECONDS [TARGET…]
 #   SECONDS  for each target; 0 only replays the corpus
-#   TARGET   shape, state, geometry or world (tests/fuzz); default: all of them, one after the other
+#   TARGET   shape, state, geometry, world or cut (tests/fuzz); default: all of them, one after the other
 # What is found new stays in build/fuzz/corpus. Bytes that break a claim are kept in build/fuzz: give them to the program
 # build/fuzz/fuzz_TARGET to see what happens, mend it, and write a test of it into tests/fuzz/test_fuzz.cpp.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 . "$REPO_DIR/scripts/lib/build.sh"
 
-ALL_TARGETS=(shape state geometry world)
+ALL_TARGETS=(shape state geometry world cut)
 BUILD_DIR=$REPO_DIR/build/fuzz
 
 if [[ ! ${1:-} =~ ^[0-9]+$ ]]; then

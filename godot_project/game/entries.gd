@@ -10,6 +10,7 @@ const SCENES: Array[Dictionary] = [
 	{"title": "Laboratory", "path": "res://laboratory/laboratory.tscn", "about": "Models and methods under one load"},
 	{"title": "Stress test", "path": "res://laboratory/stress_test.tscn", "about": "How many does this machine hold?"},
 	{"title": "Crates and a lift", "path": "res://examples/crates_and_lift.tscn", "about": "Rigid bodies push and are pushed"},
+	{"title": "Cuts", "path": "res://examples/cuts.tscn", "about": "Draw a line through jelly"},
 	{"title": "Looks", "path": "res://examples/looks.tscn", "about": "Outlines, textures, colors"},
 	{"title": "Pile", "path": "res://examples/pile.tscn", "about": "Many bodies on a heap"},
 	{"title": "Friction", "path": "res://examples/friction.tscn", "about": "Who slides, who holds"},

@@ -51,6 +51,22 @@ func test_pinned_points_follow_their_targets() -> void:
 		check_near(polygon_of(body)[pin] - hook.global_position, offset, 5, "place of the pin beside its hook")
 
 
+func test_a_drawn_line_cuts_what_it_goes_through() -> void:
+	_open("cuts")
+	await seconds(1.5)
+	var melon := _body("Melon")
+	var star := _body("Star")
+	var mass := melon.mass
+	var made: int = _scene.call("cut_all", PackedVector2Array([melon.get_center_of_mass_position() + Vector2(-150, -20), melon.get_center_of_mass_position() + Vector2(40, 10),
+			star.get_center_of_mass_position() + Vector2(0, 5), star.get_center_of_mass_position() + Vector2(140, 0)]))
+	check(made >= 2, "number of new pieces is %d" % made)
+	check_below(melon.mass, 0.9 * mass, "mass of what is left of the melon")
+	await seconds(1)
+	for body: SoftBody2D in _scene.find_children("*", "SoftBody2D", true, false):
+		check_above(body.get_area(), 0.6 * body.get_rest_area(), "area of a piece")
+		check_below(body.get_center_of_mass_position().y, 640, "y of a piece")
+
+
 func test_the_joint_breaks_and_is_mended() -> void:
 	_open("joints")
 	var joint := _scene.get_node("%Breaking") as SoftBodyJoint2D

@@ -31,5 +31,7 @@ void fuzz_geometry(std::span<const std::uint8_t> data);
 /// Any sequence of calls of the public interface of a world; if their bytes are a multiple of four, in two worlds whose tasks
 /// run in different orders.
 void fuzz_world(std::span<const std::uint8_t> data);
+/// Cuts of any body along any line: refused by name, or simple pieces that lose nothing.
+void fuzz_cut(std::span<const std::uint8_t> data);
 
 } // namespace softbody::fuzzing

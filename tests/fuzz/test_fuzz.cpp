@@ -43,6 +43,7 @@ TEST_CASE("random bytes break none of the claims of a fuzz target") {
 	try_random(fuzzing::fuzz_state, 2000, 2);
 	try_random(fuzzing::fuzz_geometry, 2000, 3);
 	try_random(fuzzing::fuzz_world, 300, 4);
+	try_random(fuzzing::fuzz_cut, 2000, 5);
 }
 
 // What reaches most code, chosen by libFuzzer, and whatever broke a claim (found_*).
@@ -51,8 +52,8 @@ TEST_CASE("the corpus breaks none of the claims") {
 	if (!std::filesystem::is_directory(corpus)) {
 		SKIP_TEST("no folder tests/fuzz/corpus here: run from the top of the repository");
 	}
-	const std::array<std::pair<const char *, Target>, 4> targets = { { { "shape", fuzzing::fuzz_shape },
-			{ "state", fuzzing::fuzz_state }, { "geometry", fuzzing::fuzz_geometry }, { "world", fuzzing::fuzz_world } } };
+	const std::array<std::pair<const char *, Target>, 5> targets = { { { "shape", fuzzing::fuzz_shape },
+			{ "state", fuzzing::fuzz_state }, { "geometry", fuzzing::fuzz_geometry }, { "world", fuzzing::fuzz_world }, { "cut", fuzzing::fuzz_cut } } };
 	for (const auto &[name, target] : targets) {
 		int count = 0;
 		for (const auto &entry : std::filesystem::directory_iterator(corpus / name)) {

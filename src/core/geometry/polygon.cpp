@@ -66,8 +66,15 @@ std::optional<SelfContact> find_self_contact(std::span<const Vec2> polygon) {
 		if (signed_double_area(a, b, c) == 0 && dot(b - a, c - b) < 0) {
 			return SelfContact{ SelfContact::Kind::FOLDED_BACK, i, (i + 1) % count };
 		}
+		const Aabb box = { { std::min(a.x, b.x), std::min(a.y, b.y) }, { std::max(a.x, b.x), std::max(a.y, b.y) } };
 		for (std::size_t j = i + 2; j < count; ++j) {
-			if ((j + 1) % count != i && segment_intersection(a, b, polygon[j], polygon[(j + 1) % count])) {
+			const Vec2 from = polygon[j];
+			const Vec2 to = polygon[j + 1 < count ? j + 1 : 0];
+			if ((from.x < box.min.x && to.x < box.min.x) || (from.x > box.max.x && to.x > box.max.x) ||
+					(from.y < box.min.y && to.y < box.min.y) || (from.y > box.max.y && to.y > box.max.y)) {
+				continue; // as nearly all
+			}
+			if ((j + 1) % count != i && segment_intersection(a, b, from, to)) {
 				return SelfContact{ SelfContact::Kind::MEETING_EDGES, i, j };
 			}
 		}

@@ -19,6 +19,8 @@ public:
 	/// Ends blending: the body is drawn at its place until the next step.
 	void end() { is_moving_ = false; }
 	bool is_moving() const { return is_moving_; }
+	/// The node's frame at the start of the blending.
+	const godot::Transform2D &start() const { return start_; }
 
 	/// Called after the user has moved the node, and the core the points of both ends. Where the engine blends the
 	/// node's transform (`is_engines`), blending goes on from the node's old frame; otherwise the body is drawn at the

@@ -129,23 +129,45 @@ void SoftBodySkin::set_rest(std::vector<Vec2> rest, PointOrder order, Real pixel
 
 // The hull's box shows the whole texture, unless `uv` assigns a texture pixel to each hull point. Offset, rotation and
 // scale then move it as those of Polygon2D do, around the middle of the box.
-std::vector<Vector2> SoftBodySkin::texture_coordinates() const {
-	const TexturePart part = part_of(style_.texture);
+std::vector<Vec2> SoftBodySkin::corner_pixels(Vector2 part_size) const {
 	std::vector<Vec2> pixels;
-	Vector2 middle;
-	if (std::size_t(style_.uv.size()) == hull_count_) {
+	if (has_own_uv()) {
 		for (std::size_t i = 0; i < hull_count_; ++i) {
 			pixels.push_back(to_core(style_.uv[order_.mirror(int(i))]));
 		}
-	} else {
-		const std::span<const Vec2> hull = std::span<const Vec2>(rest_).first(hull_count_);
-		const Aabb box = bounding_box(hull);
-		const Vec2 size = box.max - box.min;
-		for (const Vec2 p : hull) {
-			pixels.push_back({ (p.x - box.min.x) / size.x * Real(part.size.x), (p.y - box.min.y) / size.y * Real(part.size.y) });
-		}
-		middle = part.size / 2;
+		return pixels;
 	}
+	const std::span<const Vec2> hull = std::span<const Vec2>(rest_).first(hull_count_);
+	const Aabb box = bounding_box(hull);
+	const Vec2 size = box.max - box.min;
+	for (const Vec2 p : hull) {
+		pixels.push_back({ (p.x - box.min.x) / size.x * Real(part_size.x), (p.y - box.min.y) / size.y * Real(part_size.y) });
+	}
+	return pixels;
+}
+
+// Rotation and scale are about the texture's middle where the box shows it, and about its corner where `uv` says what is shown.
+std::vector<Vector2> SoftBodySkin::uv_in_use() const {
+	std::vector<Vector2> uvs;
+	if (style_.texture.is_null() && !has_own_uv()) {
+		return uvs;
+	}
+	const Vector2 size = part_of(style_.texture).size;
+	Vector2 shift;
+	if (!has_own_uv() && style_.texture_scale.x != 0 && style_.texture_scale.y != 0) {
+		const Transform2D turn(real_t(style_.texture_rotation), Vector2());
+		shift = turn.basis_xform_inv(size / 2 / style_.texture_scale) - size / 2;
+	}
+	for (const Vec2 pixel : corner_pixels(size)) {
+		uvs.push_back(to_godot(pixel) + shift);
+	}
+	return uvs;
+}
+
+std::vector<Vector2> SoftBodySkin::texture_coordinates() const {
+	const TexturePart part = part_of(style_.texture);
+	const std::vector<Vec2> pixels = corner_pixels(part.size);
+	const Vector2 middle = has_own_uv() ? Vector2() : part.size / 2;
 	const Transform2D turn(real_t(style_.texture_rotation), Vector2());
 	std::vector<Vector2> uvs;
 	for (const Vec2 pixel : fill_.spread<Vec2>(pixels)) {

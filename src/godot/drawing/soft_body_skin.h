@@ -43,6 +43,10 @@ public:
 
 	std::span<const Vec2> rest() const { return rest_; }
 
+	/// What SkinStyle::uv would have to be, in the order of the core, to show the texture as it is shown now; empty without a
+	/// texture.
+	std::vector<godot::Vector2> uv_in_use() const;
+
 	/// Adds the commands that draw the meshes to a canvas item.
 	void draw(const godot::RID &item);
 	/// Moves the meshes to the present points, in the order of `set_rest`. O(vertices).
@@ -70,6 +74,9 @@ private:
 	void make();
 	void make_fill();
 	void make_outline();
+	/// Before offset, scale and rotation [px of the texture].
+	std::vector<Vec2> corner_pixels(godot::Vector2 part_size) const;
+	bool has_own_uv() const { return std::size_t(style_.uv.size()) == hull_count_; }
 	std::vector<godot::Vector2> texture_coordinates() const;
 	std::vector<godot::Color> colors() const;
 

@@ -80,6 +80,17 @@ void BodyPins::take_over(const SoftBodyData &p_body, PointOrder p_order) {
 	}
 }
 
+void BodyPins::take_part(const BodyPins &p_whole, std::span<const std::pair<int, int>> p_points) {
+	BodyPins part;
+	for (const auto &[point, source] : p_points) {
+		const int64_t found = p_whole.points_.find(source);
+		part.points_.push_back(point);
+		part.targets_.push_back(p_whole.target_of(source));
+		part.places_.push_back(found >= 0 && found < int64_t(p_whole.places_.size()) ? p_whole.places_[size_t(found)] : Place());
+	}
+	*this = std::move(part);
+}
+
 Status BodyPins::apply(SoftBodyData &r_body, PointOrder p_order) const {
 	Status status;
 	for (int i = 0; i < int(r_body.point_count()); i++) {

@@ -13,6 +13,8 @@
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace softbody {
@@ -35,6 +37,11 @@ public:
 	void unpin(int p_point);
 	/// Takes over which points of the body are pinned. A point that stays pinned keeps its target.
 	void take_over(const SoftBodyData &p_body, PointOrder p_order);
+	/// Takes over pins of another body: for each pair the point here and the point there. Targets and places in their
+	/// frames stay.
+	void take_part(const BodyPins &p_whole, std::span<const std::pair<int, int>> p_points);
+	/// Exchanges the paths for others to the same targets.
+	void set_paths(const godot::TypedArray<godot::NodePath> &p_paths) { targets_ = p_paths; }
 	/// The places in the frames of the targets are looked up anew: for a body of another rest shape.
 	void forget_places() { places_.clear(); }
 

@@ -81,6 +81,7 @@ struct BodyProperties {
 		double least_area = 0.5;
 		double least_stretch = 0.2;
 		double most_stretch = 3;
+		double smallest_piece = 0.02;
 		Integrator integrator = INTEGRATOR_AUTOMATIC;
 		int substeps = 0;
 		uint32_t collision_layer = 1;

@@ -13,6 +13,7 @@
 #include "godot/drawing/debug_drawing.h"
 #include "godot/drawing/drawing_frame.h"
 #include "godot/drawing/soft_body_skin.h"
+#include "godot/nodes/body_design.h"
 #include "godot/nodes/body_growth.h"
 #include "godot/nodes/body_material.h"
 #include "godot/nodes/body_picker.h"
@@ -43,6 +44,7 @@
 #include <vector>
 
 namespace softbody {
+class BodyCuts;
 class SoftBodySpace2D;
 }
 
@@ -174,6 +176,12 @@ public:
 	PackedByteArray get_state() const;
 	Error set_state(const PackedByteArray &p_state);
 
+	// Cuts: body_cuts.cpp.
+	TypedArray<SoftBody2D> cut(const Vector2 &p_from, const Vector2 &p_to);
+	TypedArray<SoftBody2D> cut_polyline(const PackedVector2Array &p_points);
+	TypedArray<PackedVector2Array> preview_cut(const PackedVector2Array &p_points) const;
+	String get_cut_problem(const PackedVector2Array &p_points) const;
+
 	// Motion: soft_body_2d_motion.cpp.
 	void set_linear_velocity(const Vector2 &p_velocity);
 	Vector2 get_linear_velocity() const;
@@ -268,6 +276,7 @@ protected:
 	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
 
 private:
+	friend class softbody::BodyCuts;
 	static void bind_properties();
 	static void bind_body_methods();
 	static void bind_structure_methods();
@@ -305,20 +314,7 @@ private:
 
 	softbody::SizedHull sized_hull(const Transform2D &p_transform) const;
 
-	/// Points and springs at one scale of the node. Its springs have stiffness and damping 1 times what is painted on them; how
-	/// stiff they are is a setting.
-	struct Design {
-		std::shared_ptr<const softbody::SoftBodyShape> shape;
-		Transform2D scale;
-		double area = 0; ///< inside the hull at that scale [px²]
-		double mass = 0; ///< [kg]
-		ModelChoice wanted; ///< model by the node's properties
-		ModelChoice used;
-		softbody::Status model_problem; ///< why `used` is not `wanted`
-		bool is_reversed = false; ///< see `polygon_reversed_`
-		bool has_deep_dents = false; ///< see `softbody::has_deep_dents`
-		PackedStringArray problems; ///< parts of the structure that do not fit the others and were left out
-	};
+	using Design = softbody::BodyDesign;
 
 	/// A callable of a bound method of this node that may be kept beyond the call. It is by name: the node outlives its code
 	/// when the editor reloads the extension, and a `callable_mp` points into that code.
@@ -333,6 +329,7 @@ private:
 	bool leaves_to_shared_material(const StringName &p_property);
 	void take_over_physics_material();
 	ModelChoice choose_model() const;
+	ModelChoice modes_or_stand_in(ElasticModel p_model, const char *p_reason) const;
 	double mass_of_area(double p_area) const;
 	/// Sets both, unless no body can have that mass. False if it was refused.
 	bool take_over_mass(const StringName &p_property, MassMode p_mode, double p_mass);
@@ -460,6 +457,7 @@ private:
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
 	bool polygon_reversed_ = false;
+	uint64_t awaited_modes_ = 0; ///< number of the task that finds its elastic modes after a cut, or 0
 	softbody::BodyGrowth growth_;
 	bool is_mirrored_x_ = false; ///< whether the node's scale of x is negative
 	mutable std::optional<Design> design_; ///< forgotten when the structure changes

@@ -117,6 +117,9 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Values::least_stretch>({ "least_stretch", Range::between(0, 1), &SoftBody2D::apply_settings, true }, PROPERTY_HINT_RANGE, "0,1,0.01");
 	bind_value<&Values::most_stretch>({ "most_stretch", Range::at_least(1), &SoftBody2D::apply_settings, true }, PROPERTY_HINT_RANGE, "1,10,0.01,or_greater");
 
+	ADD_GROUP("Cuts", "");
+	bind_value<&Values::smallest_piece>({ "smallest_piece", Range::between(0, 0.5) }, PROPERTY_HINT_RANGE, "0,0.5,0.001");
+
 	ADD_GROUP("Solver", "");
 	bind_value<&Values::integrator>({ "integrator", Range::between(0, softbody::INTEGRATOR_COUNT - 1), &SoftBody2D::apply_settings }, PROPERTY_HINT_ENUM, "Automatic,Explicit Euler,Semi-Implicit Euler,Midpoint,Heun,Runge-Kutta 4,Velocity Verlet,XPBD");
 	bind_value<&Values::substeps>({ "substeps", Range::between(0, softbody::MAX_SUBSTEPS), &SoftBody2D::apply_settings }, PROPERTY_HINT_RANGE, "0,64,1");

@@ -21,6 +21,7 @@ void SoftBody2D::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("mouse_exited"));
 	ADD_SIGNAL(MethodInfo("sleeping_state_changed"));
 	ADD_SIGNAL(MethodInfo("failed"));
+	ADD_SIGNAL(MethodInfo("was_cut", PropertyInfo(Variant::ARRAY, "pieces", PROPERTY_HINT_ARRAY_TYPE, "SoftBody2D")));
 }
 
 void SoftBody2D::bind_structure_methods() {
@@ -110,6 +111,12 @@ void SoftBody2D::bind_body_methods() {
 	ClassDB::bind_method(D_METHOD("get_area"), &SoftBody2D::get_area);
 	ClassDB::bind_method(D_METHOD("get_rest_area"), &SoftBody2D::get_rest_area);
 	ClassDB::bind_method(D_METHOD("get_penetration"), &SoftBody2D::get_penetration);
+
+	// Cuts.
+	ClassDB::bind_method(D_METHOD("cut", "from", "to"), &SoftBody2D::cut);
+	ClassDB::bind_method(D_METHOD("cut_polyline", "points"), &SoftBody2D::cut_polyline);
+	ClassDB::bind_method(D_METHOD("preview_cut", "points"), &SoftBody2D::preview_cut);
+	ClassDB::bind_method(D_METHOD("get_cut_problem", "points"), &SoftBody2D::get_cut_problem);
 
 	// State.
 	ClassDB::bind_method(D_METHOD("get_state"), &SoftBody2D::get_state);

@@ -91,10 +91,16 @@ void SoftBody2D::take_over_physics_material() {
 	}
 }
 
+// A piece of a cut does without modes until they are found.
+SoftBody2D::ModelChoice SoftBody2D::modes_or_stand_in(ElasticModel p_model, const char *p_reason) const {
+	const bool waits = awaited_modes_ != 0 && p_model == ELASTIC_MODEL_MODES;
+	return { waits ? ELASTIC_MODEL_SPRINGS_SHAPE_AND_AREA : p_model, p_reason };
+}
+
 // By the properties alone, so that the order in which they were set does not count.
 SoftBody2D::ModelChoice SoftBody2D::choose_model() const {
 	if (values_.elastic_model != ELASTIC_MODEL_AUTOMATIC) {
-		return { values_.elastic_model, REASON_CHOSEN };
+		return modes_or_stand_in(values_.elastic_model, REASON_CHOSEN);
 	}
 	if (structure_.has_springs()) {
 		return { ELASTIC_MODEL_NETWORK, REASON_OWN_SPRINGS };
@@ -105,7 +111,7 @@ SoftBody2D::ModelChoice SoftBody2D::choose_model() const {
 	if (material_.values().has_network_values) {
 		return { ELASTIC_MODEL_NETWORK, REASON_NETWORK_VALUES };
 	}
-	return { ElasticModel(ELASTIC_MODEL_SPRINGS + int(softbody::choose_elastic_model(std::size_t(structure_.polygon_count())))), REASON_MATERIAL };
+	return modes_or_stand_in(ElasticModel(ELASTIC_MODEL_SPRINGS + int(softbody::choose_elastic_model(std::size_t(structure_.polygon_count())))), REASON_MATERIAL);
 }
 
 SoftBody2D::ElasticModel SoftBody2D::get_elastic_model_in_use() const {

@@ -98,6 +98,12 @@ void SoftBodyAttachment2D::_notification(int p_what) {
 	}
 }
 
+void SoftBodyAttachment2D::follow_now() {
+	if (const SoftBody2D *body = soft_body()) {
+		follow(body->is_drawn_at_tick() || is_physics_interpolated_and_enabled() ? 1 : softbody::present_fraction());
+	}
+}
+
 void SoftBodyAttachment2D::follow(double p_fraction) {
 	const SoftBody2D *body = soft_body();
 	if (body == nullptr) {

@@ -30,6 +30,9 @@ public:
 	void set_rest_rotation(double p_rotation);
 	double get_rest_rotation() const;
 
+	/// Goes at once where the body is drawn in this frame, after the body or the parent has become another one.
+	void follow_now();
+
 	PackedStringArray get_warnings() const;
 	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
 

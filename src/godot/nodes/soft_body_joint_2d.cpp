@@ -327,6 +327,43 @@ void SoftBodyJoint2D::note_break(softbody::StepSignals &r_signals) {
 	r_signals.add(get_instance_id(), [this] { emit_signal("broken"); });
 }
 
+// An end that has not been found yet stands where the joint does.
+void SoftBodyJoint2D::follow_cut(uint64_t p_node, const softbody::SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) {
+	for (int i = 0; i < 2; i++) {
+		std::optional<End> &end = ends_[i];
+		const Node *named = end || paths_[i].is_empty() ? nullptr : get_node_or_null(paths_[i]);
+		if (end ? end->node != p_node : named == nullptr || named->get_instance_id() != p_node) {
+			continue;
+		}
+		const softbody::Vec2 place = end && end->anchor.point < p_whole.point_count() ? softbody::position_of(end->anchor, p_whole) : to_core(get_global_position());
+		SoftBody2D *nearest = nullptr;
+		JointAnchor anchor;
+		softbody::Real least = std::numeric_limits<softbody::Real>::infinity();
+		for (const uint64_t id : p_pieces) {
+			SoftBody2D *piece = Object::cast_to<SoftBody2D>(ObjectDB::get_instance(id));
+			if (piece == nullptr || piece->get_body() == nullptr) {
+				continue;
+			}
+			const JointAnchor found = softbody::nearest_anchor(*piece->get_body(), {}, place);
+			if (const softbody::Real distance = length_squared(softbody::position_of(found, *piece->get_body()) - place); distance < least) {
+				least = distance;
+				nearest = piece;
+				anchor = found;
+			}
+		}
+		if (nearest == nullptr) {
+			continue;
+		}
+		if (end) {
+			end->node = nearest->get_instance_id();
+			end->anchor = anchor;
+		}
+		if (is_inside_tree() && nearest->is_inside_tree()) {
+			paths_[i] = get_path_to(nearest);
+		}
+	}
+}
+
 void SoftBodyJoint2D::mend() {
 	broken_ = false;
 	forget_ends();

@@ -61,6 +61,7 @@ public:
 	RID get_rigid_body() const override;
 	void prepare_step() override;
 	void note_break(softbody::StepSignals &r_signals) override;
+	void follow_cut(uint64_t p_node, const softbody::SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) override;
 
 protected:
 	static void _bind_methods();

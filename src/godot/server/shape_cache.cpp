@@ -129,6 +129,28 @@ Result<std::shared_ptr<const SoftBodyShape>> find_or_create_shape(std::span<cons
 	return find_or_create(all, { std::vector<Vec2>(hull.begin(), hull.end()), options, size });
 }
 
+std::shared_ptr<const SoftBodyShape> prepare_shape(std::span<const Vec2> hull, StructureOptions options) {
+	options.mass = 1;
+	const Design design{ std::vector<Vec2>(hull.begin(), hull.end()), options, 1 };
+	Cache &all = cache();
+	{
+		const std::lock_guard lock(all.mutex);
+		if (const auto found = all.known.find(design); found != all.known.end()) {
+			if (std::shared_ptr<const SoftBodyShape> shape = found->second.shape.lock()) {
+				return shape;
+			}
+		}
+	}
+	const auto made = SoftBodyCreator::create_polygon(design.hull, design.options);
+	if (!made) {
+		return nullptr;
+	}
+	const std::lock_guard lock(all.mutex);
+	++all.built;
+	all.known.insert_or_assign(design, Known{ made.value(), nullptr });
+	return made.value();
+}
+
 std::int64_t built_shape_count() {
 	Cache &all = cache();
 	const std::lock_guard lock(all.mutex);

@@ -20,4 +20,8 @@ Result<std::shared_ptr<const SoftBodyShape>> find_or_create_shape(std::span<cons
 /// Number of shapes built, not found, since the extension was loaded.
 std::int64_t built_shape_count();
 
+/// Makes the shape of these options with a mass of 1, which takes long with elastic modes, on any thread and without keeping
+/// others waiting. While the result is held, the cache makes shapes of other masses and sizes from it. Null if it was refused.
+std::shared_ptr<const SoftBodyShape> prepare_shape(std::span<const Vec2> hull, StructureOptions options);
+
 } // namespace softbody

@@ -129,6 +129,7 @@ void SoftBodySimulation2D::step() {
 	if (settings_.has_physics_thread) {
 		OS::get_singleton()->delay_usec(PHYSICS_THREAD_PAUSE);
 	}
+	late_work_.take_one();
 	const uint64_t start = Time::get_singleton()->get_ticks_usec();
 	step_spaces(delta);
 	last_step_usec_ = double(Time::get_singleton()->get_ticks_usec() - start);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "godot/drawing/drawing_frame.h"
+#include "godot/server/late_work.h"
 #include "godot/server/soft_body_space_2d.h"
 #include "godot/server/step_settings.h"
 #include "godot/server/step_signals.h"
@@ -40,6 +41,12 @@ public:
 	softbody::SoftBodySpace2D &space_of(const CanvasItem *p_node);
 	/// To be called after a node or joint has been removed from its space: drops spaces that have none left.
 	void drop_empty_spaces();
+
+	/// Whether nodes are being stepped now. Code of the user may run meanwhile, as nodes are moved.
+	bool is_stepping() const { return stepping_; }
+	/// Calls `p_emit` after the present step, or else after the next one, if the object `p_sender` then still exists.
+	void after_step(uint64_t p_sender, std::function<void()> p_emit) { signals_.add(p_sender, std::move(p_emit)); }
+	softbody::LateWork &late_work() { return late_work_; }
 
 	/// Settings of the project's soft bodies, as last read.
 	const softbody::StepSettings &settings() const { return settings_; }
@@ -87,6 +94,7 @@ private:
 	softbody::StepThreads threads_; ///< before the spaces, whose simulators use them
 	std::vector<Space> spaces_;
 	softbody::StepSignals signals_;
+	softbody::LateWork late_work_;
 	bool stepping_ = false; ///< while nodes may come and go, but no space may
 	uint64_t watched_tree_ = 0; ///< instance id of the tree whose ticks step the spaces
 	int64_t tick_count_ = 0;

@@ -60,6 +60,7 @@ public:
 	void note_change(SteppedNode &r_node) { busy_.add(r_node); }
 	void add_joint(SteppedJoint &r_joint) { joints_.push_back(&r_joint); }
 	void remove_joint(SteppedJoint &r_joint) { std::erase(joints_, &r_joint); }
+	std::span<SteppedJoint *const> joints() const { return joints_; }
 	/// Reads gravity and environment, steps the core by `p_delta` [s], and hands the result to the nodes and to the
 	/// rigid bodies of the engine. Sends the helpers of `p_threads` away before it asks the physics server anything more.
 	/// Adds the signals of the step to `r_signals`, and its times to `r_profile`.

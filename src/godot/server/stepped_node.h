@@ -82,6 +82,9 @@ public:
 	virtual void prepare_step() = 0;
 	/// The step has removed the core's joint, which bore too much.
 	virtual void note_break(StepSignals &r_signals) = 0;
+	/// The body `p_whole` of the node `p_node` has been cut: ends on it go to the nearest of the pieces, which are nodes by
+	/// instance id.
+	virtual void follow_cut(uint64_t p_node, const SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) = 0;
 
 protected:
 	~SteppedJoint() = default;
