@@ -33,7 +33,7 @@ SLOW_SUITES='*slow*' # of doctest: what takes longest, or does so under AddressS
 # Suites that run once more with the physics server on a thread of its own. Of the others, those that put a question to the
 # engine itself in the tick in which they add something cannot hold there: the engine does not know it yet.
 PHYSICS_THREAD_SUITES=(test_soft_floors test_found_by_shape test_rigid_bodies test_driven_bodies test_one_way test_areas test_joints
-	test_resting test_contacts test_characters)
+	test_resting test_contacts test_characters test_cuts)
 # Suites that an exported release cannot run: of warnings that it does not give, of documents that it does not hold, of the editor,
 # of drawing without a window, and of the demo's panels, whose containers report connections of their own in Godot's release template.
 DEBUG_SUITES=" test_class test_class_reference test_damaged_scenes test_drawing test_drawing_debug test_drawing_looks

@@ -355,3 +355,63 @@ func test_springs_stand_in_for_the_modes_of_pieces_for_some_ticks() -> void:
 	await ticks(12)
 	for piece: SoftBody2D in stage.get_children():
 		check_equal(piece.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_MODES, "model of a piece of a piece")
+
+
+func test_pieces_lie_where_the_body_lay_whatever_the_frame() -> void:
+	var reversed := SoftBody2D.make_box_polygon(Vector2(120, 80), 20)
+	reversed.reverse()
+	var cases: Array[Dictionary] = [
+		{"polygon": reversed},
+		{"scale": Vector2(-1.5, 1.5)},
+		{"scale": Vector2(1.4, 0.7), "rotation": 0.6},
+		{"skew": 0.3, "rotation": -2.0},
+		{"top_level": true, "rotation": 1.0},
+		{"scale": Vector2(0.3, 0.3)},
+		{"polygon": Transform2D(0, Vector2(700, -300)) * reversed, "rotation": 0.4},
+	]
+	for i in cases.size():
+		var parent := Node2D.new()
+		parent.transform = Transform2D(0.5, Vector2(2, 2), 0.0, Vector2(i * 2000, 3000))
+		stage.add_child(parent)
+		var body := SoftBody2D.new()
+		body.gravity_scale = 0
+		for property: String in cases[i]:
+			body.set(property, cases[i][property])
+		parent.add_child(body)
+		var what := "case %d: " % i
+		await ticks(2)
+		var before := polygon_of(body)
+		var area := body.get_rest_area()
+		var middle := body.get_center_of_mass_position()
+		var pieces := body.cut(middle + Vector2(-900, 20), middle + Vector2(900, -35))
+		check_equal(pieces.size(), 2, what + "number of pieces")
+		check_near(total(pieces, &"get_rest_area") / area, 1.0, 1e-4, what + "area over that of the whole")
+		var after := PackedVector2Array()
+		for piece in pieces:
+			check(piece.get_parent() == parent, what + "parent of a piece")
+			check_near(piece.get_global_transform().determinant() / body.get_global_transform().determinant(), 1.0, 1e-3, what + "scale of a piece's node")
+			after.append_array(polygon_of(piece))
+		for point in before:
+			check(after.has(point), what + "a corner is where it was, to the last bit")
+		await ticks(20)
+		for piece in pieces:
+			for point in polygon_of(piece):
+				var nearest := INF
+				for old in after:
+					nearest = minf(nearest, old.distance_to(point))
+				check_below(nearest, 0.05, what + "way of a corner of a body at rest")
+
+
+func test_material_and_surface_are_those_of_the_whole() -> void:
+	var body := add_weightless_body(Vector2.ZERO, {"youngs_modulus": 777.0, "poisson_ratio": 0.2, "physics_material_override": surface(0.9, 0.3), "linear_damp": 0.5,
+			"contact_monitor": true, "self_collision": SoftBody2D.SELF_COLLISION_ON, "process_mode": Node.PROCESS_MODE_ALWAYS, "input_pickable": true})
+	var shared := SoftBodyMaterial2D.new()
+	shared.youngs_modulus = 432.0
+	var other := add_weightless_body(Vector2(300, 0), {"soft_body_material": shared})
+	await ticks(2)
+	for piece in cut_across(body):
+		check_equal([piece.youngs_modulus, piece.poisson_ratio, piece.linear_damp, piece.contact_monitor, piece.self_collision, piece.process_mode, piece.input_pickable],
+				[777.0, 0.2, 0.5, true, SoftBody2D.SELF_COLLISION_ON, Node.PROCESS_MODE_ALWAYS, true], "values of a piece")
+		check(piece.physics_material_override == body.physics_material_override, "surface of a piece")
+	for piece in cut_across(other):
+		check(piece.soft_body_material == shared, "material of a piece")

@@ -20,7 +20,7 @@ var body_values := {
 	"spring_length_scales": PackedFloat32Array([1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0.75]),
 	"pinned_points": PackedInt32Array([3, 8]), "pin_targets": [^"..", ^"../Joint"] as Array[NodePath],
 	"youngs_modulus": 480.0, "poisson_ratio": 0.25, "damping_ratio": 0.5, "elastic_model": SoftBody2D.ELASTIC_MODEL_SPRINGS,
-	"least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0,
+	"least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0, "smallest_piece": 0.125,
 	"network_values_set": true, "mass_mode": SoftBody2D.MASS_MODE_CUSTOM, "mass": 2.5, "firm_for_weight": false, "stiffness": 640.0, "damping": 0.5, "shape_matching": 0.75, "shape_damping_ratio": 0.5, "pressure": 12.0,
 	"inflation": 1.125, "physics_material_override": PhysicsMaterial.new(), "rolling_resistance": 0.0625, "gravity_scale": 1.25,
 	"linear_damp_mode": 1, "linear_damp": 0.25, "angular_damp_mode": 1, "angular_damp": 0.5,
