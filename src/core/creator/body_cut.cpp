@@ -231,7 +231,7 @@ Result<BodyCut> plan_cut(const SoftBodyData &body, const StructureOptions &optio
 	if (is_folded(body.hull())) {
 		return Error{ "shape", "folded over itself", "must not cross itself where it is cut", "cut it when it has its shape back" };
 	}
-	const SoftBodyShape &shape = body.shape();
+	const SoftBodyShape &shape = *body.shared_shape(); // without dents, as `options` describe it
 	std::vector<Vec2> rest;
 	for (const Vec2 p : shape.rest_hull()) {
 		rest.push_back(p + shape.origin_offset());
@@ -285,6 +285,29 @@ Result<BodyCut> plan_cut(const SoftBodyData &body, const StructureOptions &optio
 	return cut;
 }
 
+namespace {
+
+// Dents are carried as places are. A piece that they would fold does without.
+void place_dents(const SoftBodyData &body, SoftBodyData &placed, const auto &fill) {
+	std::vector<Vec2> dents(body.point_count());
+	for (std::size_t i = 0; i < dents.size(); ++i) {
+		dents[i] = body.shape().rest_positions()[i] - body.shared_shape()->rest_positions()[i];
+	}
+	std::vector<Vec2> places(placed.point_count());
+	fill(dents, places);
+	Vec2 center;
+	for (std::size_t i = 0; i < places.size(); ++i) {
+		places[i] += placed.shape().rest_positions()[i];
+		center += places[i] * (placed.shape().masses()[i] / placed.shape().total_mass());
+	}
+	for (Vec2 &place : places) {
+		place -= center;
+	}
+	static_cast<void>(placed.set_rest_positions(places));
+}
+
+} // namespace
+
 void place_piece(const SoftBodyData &body, const BodyCut &cut, std::size_t piece_index, SoftBodyData &placed) {
 	const BodyPiece &piece = cut.pieces[piece_index];
 	const std::size_t hull_count = piece.outline.size();
@@ -310,6 +333,10 @@ void place_piece(const SoftBodyData &body, const BodyCut &cut, std::size_t piece
 			of_piece[i] = Vec2(sum + Vec2d(of_piece[0]));
 		}
 	};
+	if (body.is_dented()) {
+		place_dents(body, placed, fill);
+	}
+	placed.pause_damage();
 	fill(body.positions(), placed.mutable_positions());
 	for (std::size_t i = 0; i < hull_count; ++i) {
 		placed.mutable_positions()[i] = cut.polygon.points[piece.outline[i]].position; // pieces that were found simple are

@@ -56,7 +56,8 @@ struct BodyCut {
 Result<BodyCut> plan_cut(const SoftBodyData &body, const StructureOptions &options, std::span<const Vec2> blade,
 		const BodyCutLimits &limits = {});
 
-/// Puts the points of a piece where they were in the body, with their velocities and the places of the step before. Points
+/// Puts the points of a piece where they were in the body, with their velocities, the places of the step before and dents,
+/// and lets nothing dent or tear it for a while (`SoftBodyData::pause_damage`). Points
 /// that the body had keep all of these to the bit; new ones are carried by the points around them. Precondition: the
 /// piece's shape has its outline as hull, in this order, and then its inner points; further points may follow.
 void place_piece(const SoftBodyData &body, const BodyCut &cut, std::size_t piece, SoftBodyData &placed);

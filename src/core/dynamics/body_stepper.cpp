@@ -195,7 +195,7 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 	const std::span<Vec2> before(before_.data(), count);
 	collision_.begin_body(context_->colliders, data, slice.elapsed, slice.duration);
 	const bool meets_itself = data.settings().self_collision && !slice.is_coupled;
-	const bool may_dent = data.settings().can_dent();
+	const bool may_dent = data.settings().can_dent() && data.takes_damage();
 	bool is_dented = false;
 	std::vector<Vec2> &outside = data.last_valid_hull();
 	const Vec2 *sweep = sweep_start(active_index, body_index, slice);
@@ -279,6 +279,7 @@ void BodyStepper::time_rest(const Batch &batch, Real dt) {
 		};
 		// A body that a load presses to its limits trembles there.
 		const bool is_slow = moves_below(slow) || (moves_below(slow * SLEEP_AT_LIMITS) && is_pressed(data));
+		data.count_damage_pause(dt);
 		RestState &rest = data.rest_state();
 		rest.rest_time = is_slow ? rest.rest_time + dt : Real(0);
 		if (batch.settings->can_sleep && rest.rest_time > DROWSY_TIME) {

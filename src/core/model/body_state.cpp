@@ -60,7 +60,7 @@ Status check_values(const BodyState &state) {
 	if (!(size > Real(0.5) && size < 2)) {
 		return refused("rotation_memory", "length " + number_text(size), "must have unit length", UNSOUND);
 	}
-	return check_at_least("state.rest.rest_time", state.rest.rest_time, 0, "s");
+	return first_error({ check_at_least("state.rest.rest_time", state.rest.rest_time, 0, "s"), check_at_least("state.damage_pause", state.damage_pause, 0, "s") });
 }
 
 // The unsigned integer of a number's bits.
@@ -176,7 +176,7 @@ void visit_state(State &state, auto &archive) {
 	each(state.rotation_memory.c, state.rotation_memory.s);
 	each(state.touch.touching, state.touch.approach, state.touch.restitution, state.touch.normal, state.touch.surface_velocity, state.touch.account);
 	each(state.rest.rest_time, state.rest.drowsy_center, state.rest.drowsy_velocity, state.rest.asleep, state.rest.island, state.rest.surroundings);
-	each(state.active, state.frozen, state.load.force, state.load.torque, state.acceleration);
+	each(state.damage_pause, state.active, state.frozen, state.load.force, state.load.torque, state.acceleration);
 }
 
 } // namespace

@@ -95,6 +95,7 @@ struct BodyMemory {
 	std::vector<PairMemory> pair_touches;
 	std::vector<OneWayMemory> one_ways; ///< the few one-way colliders that hold the body or that it passes through
 	RestState rest;
+	Real damage_pause = 0; ///< time for which strain does not dent or tear the body [s]
 	std::vector<Vec2> last_valid_hull; ///< see SoftBodyData::last_valid_hull; empty, or one a hull point
 	bool active = true;
 	bool frozen = false;

@@ -13,6 +13,7 @@ namespace {
 using Values = MaterialValues;
 
 constexpr double MOST_RATIO = 0.49; // MOST_POISSON_RATIO, as it is written
+constexpr double MAX_DENT = 0.9; // MOST_DENT, as it is written
 
 constexpr std::array FIELDS{
 	MaterialField{ "youngs_modulus", &Values::youngs_modulus, ValueRange::above(0, "N/m") },
@@ -22,6 +23,10 @@ constexpr std::array FIELDS{
 	MaterialField{ "bounce", &Values::bounce, ValueRange::between(0, 1) },
 	MaterialField{ "rolling_resistance", &Values::rolling_resistance, ValueRange::at_least(0) },
 	MaterialField{ "inflation", &Values::inflation, ValueRange::at_least(0) },
+	MaterialField{ "yield_strain", &Values::yield_strain, ValueRange::at_least(0) },
+	MaterialField{ "flow_rate", &Values::flow_rate, ValueRange::at_least(0, "1/s") },
+	MaterialField{ "max_dent", &Values::max_dent, ValueRange::between(0, MAX_DENT) },
+	MaterialField{ "tear_stretch", &Values::tear_stretch, ValueRange::at_least(0) },
 	MaterialField{ "stiffness", &Values::stiffness, ValueRange::at_least(0, "N/m"), true },
 	MaterialField{ "damping", &Values::damping, ValueRange::at_least(0, "N·s/m"), true },
 	MaterialField{ "shape_matching", &Values::shape_matching, ValueRange::at_least(0), true },

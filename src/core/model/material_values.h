@@ -24,6 +24,10 @@ struct MaterialValues {
 	double friction = 0.4; ///< [1]
 	double bounce = 0; ///< [1]
 	double rolling_resistance = 0.03; ///< [1]
+	double yield_strain = 0; ///< BodySettings::yield_strain [1]
+	double flow_rate = 30; ///< BodySettings::flow_rate [1/s]
+	double max_dent = 0.5; ///< BodySettings::max_dent [1]
+	double tear_stretch = 0; ///< TearLimits::stretch [1]; 0: never
 	double density = 0; ///< [kg/m²]; 0 leaves the mass to the node. Only resources have one.
 	/// Whether one of the raw values of the spring network was set: stiffness, damping, shape matching, its damping, pressure.
 	bool has_network_values = false;

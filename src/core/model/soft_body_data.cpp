@@ -3,6 +3,7 @@
 #include "core/model/soft_body_data.h"
 
 #include "core/geometry/polygon.h"
+#include "core/model/body_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,9 @@
 namespace softbody {
 
 namespace {
+
+// Time for which a body takes no damage after its shape was set or it was torn [s]: about as long as it takes to settle.
+constexpr Real DAMAGE_PAUSE = Real(0.25);
 
 Status check_pose(const Pose &pose) {
 	const Vec2 rotation{ pose.rotation.c, pose.rotation.s };
@@ -199,10 +203,47 @@ Real SoftBodyData::dent() const {
 
 void SoftBodyData::reset_dents() {
 	if (is_dented()) {
-		own_shape_ = {};
-		own_shape();
+		const std::vector<Vec2> before(shape().rest_positions().begin(), shape().rest_positions().end());
+		const BodyFrame frame = measure_frame(*this);
+		restore_dents({});
+		follow_rest(before, frame);
+		pause_damage();
 		note_change();
 	}
+}
+
+void SoftBodyData::pause_damage() {
+	memory_.damage_pause = DAMAGE_PAUSE;
+}
+
+void SoftBodyData::follow_rest(std::span<const Vec2> before, const BodyFrame &frame) {
+	for (const std::span<Vec2> points : { mutable_positions(), mutable_previous_positions() }) {
+		for (std::size_t i = 0; i < points.size(); ++i) {
+			if (inverse_masses()[i] > 0) {
+				points[i] += frame.rotation.apply(shape().rest_positions()[i] - before[i]);
+			}
+		}
+	}
+}
+
+Status SoftBodyData::set_rest_positions(std::span<const Vec2> places) {
+	if (places.size() != point_count()) {
+		return Error{ "rest_positions", std::to_string(places.size()) + " entries", "must have one a point, " + std::to_string(point_count()),
+			"give each point a place" };
+	}
+	if (Status status = check_all_finite("rest_positions", places)) {
+		return status;
+	}
+	if (is_folded(places.first(shape_->hull_count()))) {
+		return Error{ "rest_positions", "a folded hull", "must be a simple polygon of positive area", "move the points less" };
+	}
+	const std::vector<Vec2> before(shape().rest_positions().begin(), shape().rest_positions().end());
+	const BodyFrame frame = measure_frame(*this);
+	restore_dents(places);
+	follow_rest(before, frame);
+	pause_damage();
+	note_change();
+	return {};
 }
 
 void SoftBodyData::restore_dents(std::span<const Vec2> rest_positions) {

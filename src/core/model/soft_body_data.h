@@ -18,6 +18,10 @@
 
 namespace softbody {
 
+template <class T>
+struct BasicBodyFrame;
+using BodyFrame = BasicBodyFrame<Real>;
+
 /// Point mass (thesis 4.4.2, "Point2D"). A value: bodies store their points as parallel arrays, because the step reads
 /// positions without masses and masses without forces.
 struct Point2D {
@@ -111,8 +115,18 @@ public:
 	/// Largest change of the length of a spring's line at rest, as a share of the first [1]: 0 without a dent. O(springs).
 	Real dent() const;
 	bool is_dented() const;
-	/// Gives the body its first shape back as its shape at rest; positions stay. Wakes it.
+	/// Gives the body its first shape back, as `set_rest_positions` does.
 	void reset_dents();
+	/// Dents the body: its points rest at `places` about the center of mass from now on, and are moved along, so that its strain
+	/// stays. Refuses another number of points, non-finite places and a hull that is folded. Wakes it.
+	Status set_rest_positions(std::span<const Vec2> places);
+	/// For a quarter of a second of steps no strain dents or tears the body. One whose shape was set may lie partly inside its
+	/// surroundings, and one that was torn springs back.
+	void pause_damage();
+	/// Whether strain may dent or tear the body now.
+	bool takes_damage() const { return memory_.damage_pause == 0; }
+	/// Counts the time of a pause, after a step of `dt` [s].
+	void count_damage_pause(Real dt) { memory_.damage_pause = std::max(Real(0), memory_.damage_pause - dt); }
 	/// Takes over the dents of a body of the same structure, which may be of another size.
 	void adopt_dents(const SoftBodyData &other);
 
@@ -205,6 +219,7 @@ private:
 	void note_change();
 	void own_shape();
 	void restore_dents(std::span<const Vec2> rest_positions);
+	void follow_rest(std::span<const Vec2> before, const BodyFrame &frame);
 	/// Counts a change, if the body is in a world.
 	void count(std::uint64_t ChangeCounts::*changes) const {
 		if (changes_) {

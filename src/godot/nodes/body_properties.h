@@ -66,6 +66,13 @@ struct BodyProperties {
 		SELF_COLLISION_AUTOMATIC,
 	};
 
+	/// Strains that leave a dent, as `softbody::DentBy`.
+	enum DentBy {
+		DENT_BY_BOTH,
+		DENT_BY_COMPRESSION,
+		DENT_BY_TENSION,
+	};
+
 	enum OutlineTextureMode {
 		OUTLINE_TEXTURE_TILE,
 		OUTLINE_TEXTURE_STRETCH,
@@ -82,6 +89,7 @@ struct BodyProperties {
 		double least_stretch = 0.2;
 		double most_stretch = 3;
 		double smallest_piece = 0.02;
+		DentBy dent_by = DENT_BY_BOTH;
 		Integrator integrator = INTEGRATOR_AUTOMATIC;
 		int substeps = 0;
 		uint32_t collision_layer = 1;

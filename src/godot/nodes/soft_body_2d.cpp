@@ -52,6 +52,8 @@ String SoftBody2D::describe() const {
 
 // Builds the body anew in its rest shape at the node's transform, which other points or another scale need.
 void SoftBody2D::rebuild_body(bool p_keeps_motion) {
+	first_dents_ = get_dents();
+	const bool had_body = body() != nullptr;
 	if (p_keeps_motion && body() != nullptr) {
 		const softbody::BodyFrame motion = softbody::measure_frame(*body());
 		first_linear_velocity_ = to_godot(motion.velocity);
@@ -78,6 +80,10 @@ void SoftBody2D::rebuild_body(bool p_keeps_motion) {
 	built_scale_ = softbody::scale_and_skew(transform);
 	design_ = design.value();
 	polygon_reversed_ = design_->is_reversed;
+	if (!had_body || std::size_t(first_dents_.size()) == fresh.value().point_count()) { // dents of other points are forgotten
+		accept("dents", apply_dents(fresh.value(), first_dents_));
+	}
+	first_dents_.clear();
 	space_->world().remove_soft_body(body_id_);
 	body_id_ = space_->add_body(*this, std::move(fresh.value()));
 	apply_pins();
@@ -232,10 +238,12 @@ void SoftBody2D::take_over_transform() {
 		const std::vector<softbody::Vec2> velocities(body()->velocities().begin(), body()->velocities().end());
 		const softbody::BodyFrame motion = softbody::measure_frame(*body());
 		const softbody::PointOrder order_before = order();
-		if (Math::abs(transform.determinant()) > Math::abs(known_transform_.determinant())) {
-			growth_.note_growth();
-		}
+		const bool grows = Math::abs(transform.determinant()) > Math::abs(known_transform_.determinant());
 		rebuild_body(false);
+		if (grows) {
+			growth_.note_growth();
+			body()->pause_damage();
+		}
 		const Transform2D frame = simulated_frame(transform);
 		const bool is_mirrored = order_before.is_reversed != polygon_reversed_;
 		for (uint32_t i = 0; i < velocities.size(); i++) {

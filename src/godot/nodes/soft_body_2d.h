@@ -182,6 +182,12 @@ public:
 	TypedArray<PackedVector2Array> preview_cut(const PackedVector2Array &p_points) const;
 	String get_cut_problem(const PackedVector2Array &p_points) const;
 
+	// Dents: soft_body_2d_dents.cpp.
+	void set_dents(const PackedVector2Array &p_dents);
+	PackedVector2Array get_dents() const;
+	double get_dent() const;
+	void reset_dents();
+
 	// Motion: soft_body_2d_motion.cpp.
 	void set_linear_velocity(const Vector2 &p_velocity);
 	Vector2 get_linear_velocity() const;
@@ -254,6 +260,7 @@ public:
 	void stir_proxy() override;
 	softbody::HullProxy &proxy() override { return proxy_; }
 	void note_failure(softbody::StepSignals &r_signals) override;
+	void note_dent(softbody::StepSignals &r_signals) override;
 	void finish_step() override;
 	bool follow_with_proxy(bool p_may_detail) override;
 	void take_sleep(softbody::StepSignals &r_signals) override;
@@ -377,6 +384,7 @@ private:
 	void rebuild_body(bool p_keeps_motion);
 	/// Gives a body that has just been made the velocities that were set before.
 	void start_first_motion();
+	softbody::Status apply_dents(softbody::SoftBodyData &r_body, const PackedVector2Array &p_dents) const;
 	void apply_constant_forces();
 	void lock_rotation();
 	/// From the locked rotation; 0 of a body that may turn.
@@ -438,6 +446,7 @@ private:
 	softbody::CollisionExceptions exceptions_;
 	Ref<PhysicsMaterial> former_surface_; ///< made for values that an old scene set under their former names
 	bool has_own_mass_ = false; ///< whether a mass was set, or is that of a scene
+	PackedVector2Array first_dents_; ///< of a body that is still to be made
 	Vector2 first_linear_velocity_; ///< of a body that is still to be made
 	double first_angular_velocity_ = 0;
 	Vector2 constant_force_;
@@ -486,12 +495,3 @@ private:
 };
 
 } // namespace godot
-
-VARIANT_ENUM_CAST(SoftBody2D::Integrator);
-VARIANT_ENUM_CAST(SoftBody2D::ElasticModel);
-VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);
-VARIANT_ENUM_CAST(SoftBody2D::MassMode);
-VARIANT_ENUM_CAST(SoftBody2D::DampMode);
-VARIANT_ENUM_CAST(SoftBody2D::FailureMode);
-VARIANT_ENUM_CAST(SoftBody2D::DisableMode);
-VARIANT_ENUM_CAST(SoftBody2D::SelfCollision);

@@ -117,7 +117,9 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Values::least_stretch>({ "least_stretch", Range::between(0, 1), &SoftBody2D::apply_settings, true }, PROPERTY_HINT_RANGE, "0,1,0.01");
 	bind_value<&Values::most_stretch>({ "most_stretch", Range::at_least(1), &SoftBody2D::apply_settings, true }, PROPERTY_HINT_RANGE, "1,10,0.01,or_greater");
 
-	ADD_GROUP("Cuts", "");
+	ADD_GROUP("Dents, Tears and Cuts", "");
+	softbody::bind_damage_values<SoftBody2D>();
+	bind_value<&Values::dent_by>({ "dent_by", Range::between(0, softbody::DENT_BY_COUNT - 1), &SoftBody2D::apply_settings }, PROPERTY_HINT_ENUM, "Both,Compression,Tension");
 	bind_value<&Values::smallest_piece>({ "smallest_piece", Range::between(0, 0.5) }, PROPERTY_HINT_RANGE, "0,0.5,0.001");
 
 	ADD_GROUP("Solver", "");
@@ -133,6 +135,7 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Structure::length_scales>({ "spring_length_scales" });
 	bind_property("pinned_points", &SoftBody2D::set_pinned_points, &SoftBody2D::get_pinned_points);
 	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "pin_targets", PROPERTY_HINT_ARRAY_TYPE, String::num_int64(Variant::NODE_PATH) + "/" + String::num_int64(PROPERTY_HINT_NODE_PATH_VALID_TYPES) + ":Node2D"), "set_pin_targets", "get_pin_targets");
+	bind_property("dents", &SoftBody2D::set_dents, &SoftBody2D::get_dents, PROPERTY_HINT_NONE, "", nullptr, nullptr, PROPERTY_USAGE_NO_EDITOR);
 	bind_value<&Style::uv>({ "uv" }, PROPERTY_HINT_NONE, "suffix:px");
 	bind_value<&Style::vertex_colors>({ "vertex_colors" });
 }

@@ -21,6 +21,7 @@ void SoftBody2D::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("mouse_exited"));
 	ADD_SIGNAL(MethodInfo("sleeping_state_changed"));
 	ADD_SIGNAL(MethodInfo("failed"));
+	ADD_SIGNAL(MethodInfo("dented", PropertyInfo(Variant::FLOAT, "amount")));
 	ADD_SIGNAL(MethodInfo("was_cut", PropertyInfo(Variant::ARRAY, "pieces", PROPERTY_HINT_ARRAY_TYPE, "SoftBody2D")));
 }
 
@@ -112,6 +113,10 @@ void SoftBody2D::bind_body_methods() {
 	ClassDB::bind_method(D_METHOD("get_rest_area"), &SoftBody2D::get_rest_area);
 	ClassDB::bind_method(D_METHOD("get_penetration"), &SoftBody2D::get_penetration);
 
+	// Dents.
+	ClassDB::bind_method(D_METHOD("get_dent"), &SoftBody2D::get_dent);
+	ClassDB::bind_method(D_METHOD("reset_dents"), &SoftBody2D::reset_dents);
+
 	// Cuts.
 	ClassDB::bind_method(D_METHOD("cut", "from", "to"), &SoftBody2D::cut);
 	ClassDB::bind_method(D_METHOD("cut_polyline", "points"), &SoftBody2D::cut_polyline);
@@ -146,6 +151,7 @@ void SoftBody2D::bind_body_methods() {
 }
 
 void SoftBody2D::bind_enumerations() {
+	softbody::bind_enumeration<SoftBody2D>("DentBy", { "DENT_BY_BOTH", "DENT_BY_COMPRESSION", "DENT_BY_TENSION" });
 	softbody::bind_enumeration<SoftBody2D>("SelfCollision", { "SELF_COLLISION_OFF", "SELF_COLLISION_ON", "SELF_COLLISION_AUTOMATIC" });
 	softbody::bind_enumeration<SoftBody2D>("Integrator", { "INTEGRATOR_AUTOMATIC", "INTEGRATOR_EXPLICIT_EULER", "INTEGRATOR_SEMI_IMPLICIT_EULER", "INTEGRATOR_MIDPOINT", "INTEGRATOR_HEUN", "INTEGRATOR_RUNGE_KUTTA_4", "INTEGRATOR_VELOCITY_VERLET", "INTEGRATOR_XPBD" });
 	softbody::bind_enumeration<SoftBody2D>("MassMode", { "MASS_MODE_AUTO", "MASS_MODE_CUSTOM" });

@@ -86,3 +86,13 @@ softbody::ValueOf<VALUE> SoftBody2D::get_contact_value(int p_index) const {
 }
 
 } // namespace godot
+
+VARIANT_ENUM_CAST(SoftBody2D::Integrator);
+VARIANT_ENUM_CAST(SoftBody2D::ElasticModel);
+VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);
+VARIANT_ENUM_CAST(SoftBody2D::MassMode);
+VARIANT_ENUM_CAST(SoftBody2D::DampMode);
+VARIANT_ENUM_CAST(SoftBody2D::FailureMode);
+VARIANT_ENUM_CAST(SoftBody2D::DisableMode);
+VARIANT_ENUM_CAST(SoftBody2D::SelfCollision);
+VARIANT_ENUM_CAST(SoftBody2D::DentBy);

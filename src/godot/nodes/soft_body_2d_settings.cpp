@@ -113,6 +113,10 @@ softbody::Result<softbody::BodySettings> SoftBody2D::make_settings(const Design 
 	settings.least_stretch = softbody::Real(values_.least_stretch);
 	settings.most_stretch = softbody::Real(values_.most_stretch);
 	settings.inflation = softbody::Real(material.inflation);
+	settings.yield_strain = softbody::Real(material.yield_strain);
+	settings.flow_rate = softbody::Real(material.flow_rate);
+	settings.max_dent = softbody::Real(material.max_dent);
+	settings.dent_by = softbody::DentBy(values_.dent_by);
 	const softbody::BodyMaterial::Surface surface = material_.surface();
 	settings.friction = softbody::Real(surface.friction);
 	settings.rough = surface.rough;

@@ -16,6 +16,10 @@ inline constexpr const char *MATERIAL_HINTS[] = {
 	"0,1,0.01", // bounce
 	"0,1,0.001,or_greater", // rolling_resistance
 	"0,3,0.01,or_greater", // inflation
+	"0,0.5,0.001,or_greater", // yield_strain
+	"0,300,0.1,or_greater,suffix:1/s", // flow_rate
+	"0,0.9,0.01", // max_dent
+	"0,2,0.01,or_greater", // tear_stretch
 	"0,10000,0.1,or_greater,exp,suffix:N/m", // stiffness
 	"0,20,0.001,or_greater,suffix:N·s/m", // damping
 	"0,2,0.01,or_greater", // shape_matching
@@ -29,6 +33,16 @@ template <class Class, double MaterialValues::*VALUE>
 void bind_material_value() {
 	const std::size_t index = index_of(VALUE);
 	bind_property(material_fields()[index].name, &Class::template set_material_value<VALUE>, &Class::template get_material_value<VALUE>, godot::PROPERTY_HINT_RANGE, MATERIAL_HINTS[index]);
+}
+
+/// What leaves dents, and what tears.
+template <class Class>
+void bind_damage_values() {
+	using Values = MaterialValues;
+	bind_material_value<Class, &Values::yield_strain>();
+	bind_material_value<Class, &Values::flow_rate>();
+	bind_material_value<Class, &Values::max_dent>();
+	bind_material_value<Class, &Values::tear_stretch>();
 }
 
 template <class Class>

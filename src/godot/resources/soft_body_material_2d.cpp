@@ -73,6 +73,8 @@ void SoftBodyMaterial2D::_bind_methods() {
 	softbody::bind_material_value<SoftBodyMaterial2D, &Values::rolling_resistance>();
 	softbody::bind_material_value<SoftBodyMaterial2D, &Values::inflation>();
 	softbody::bind_material_value<SoftBodyMaterial2D, &Values::density>();
+	ADD_GROUP("Dents and Tears", "");
+	softbody::bind_damage_values<SoftBodyMaterial2D>();
 	ADD_GROUP("Network", "");
 	softbody::bind_network_values<SoftBodyMaterial2D>();
 	ClassDB::bind_static_method("SoftBodyMaterial2D", D_METHOD("make_preset", "preset"), &SoftBodyMaterial2D::make_preset);

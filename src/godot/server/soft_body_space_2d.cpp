@@ -195,6 +195,11 @@ void SoftBodySpace2D::step(double p_delta, StepThreads &p_threads, StepSignals &
 			node->note_failure(r_signals);
 		}
 	}
+	for (const BodyId body : report.dented_bodies) {
+		if (SteppedNode *node = node_of(body)) {
+			node->note_dent(r_signals);
+		}
+	}
 	busy_.for_each([](SteppedNode &r_node) { r_node.finish_step(); });
 	r_profile.finish += watch.lap();
 	tell_riders();

@@ -39,6 +39,8 @@ public:
 	virtual HullProxy &proxy() = 0;
 	/// Says of a body that the step has reset why that was done.
 	virtual void note_failure(StepSignals &r_signals) = 0;
+	/// Says of a body that its shape at rest has changed in the step.
+	virtual void note_dent(StepSignals &r_signals) = 0;
 	/// Moves the node along, and keeps what drawing interpolates.
 	virtual void finish_step() = 0;
 	/// Moves the proxy along. If it returns true, `flush_hull_proxies` must be called.

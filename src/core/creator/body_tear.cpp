@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: MIT
+// Tears a soft body where strain is more than it bears.
+#include "core/creator/body_tear.h"
+
+#include "core/geometry/mean_value.h"
+#include "core/geometry/polygon.h"
+#include "core/model/body_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace softbody {
+
+namespace {
+
+// Most places of the search along the longer side of the body.
+constexpr int MOST_COLUMNS = 24;
+
+// Distance of the places, of the mean distance of the hull's points [1].
+constexpr double SPACING = 0.5;
+
+// Distance by which the deformation is measured beside a place, of that of the places [1].
+constexpr double DIFFERENCE = 0.05;
+
+// Least part of what the mean bears that any place does [1].
+constexpr double LEAST_STRENGTH = 1e-3;
+
+// How far a way goes on beyond the outline, of the distance of the places [1].
+constexpr double OVERSHOOT = 0.1;
+
+// Resistance of what has failed, of that of what is not strained [1]: of two such ways the shorter one is taken.
+constexpr double FAILED_RESISTANCE = 0.02;
+
+// Mean of e/stretch along a way from which on it fails [1].
+constexpr double FAILING_USE = 0.5;
+
+// Ends of the way that are tried, the weakest way first. Others were refused for what they leave.
+constexpr std::size_t MOST_TRIALS = 8;
+
+// Share of the spacing by which bends of the way are straightened [1].
+constexpr double STRAIGHTENED = 0.6;
+
+struct Line {
+	std::uint32_t a = 0;
+	std::uint32_t b = 0;
+	Real use = 0; ///< strain over what it bears [1]
+};
+
+// The most strained of the lines, by what each bears.
+Line most_used_line(const SoftBodyData &body, Real stretch) {
+	const SoftBodyShape &shape = *body.shared_shape();
+	Real stiffness = 0;
+	for (const Spring2D &spring : shape.springs()) {
+		stiffness += spring.stiffness;
+	}
+	stiffness /= Real(std::max<std::size_t>(1, shape.springs().size()));
+	Line most;
+	for (const Spring2D &spring : shape.springs()) {
+		const Real now = length(body.positions()[spring.b] - body.positions()[spring.a]);
+		const Real strain = now / length(shape.rest_positions()[spring.b] - shape.rest_positions()[spring.a]) - 1;
+		const Real bears = stiffness > 0 ? stretch * spring.stiffness / stiffness : stretch;
+		if (strain > 0 && strain > most.use * bears) {
+			most = { spring.a, spring.b, bears > 0 ? strain / bears : std::numeric_limits<Real>::max() };
+		}
+	}
+	return most;
+}
+
+/// A place inside the deformed body.
+struct Place {
+	int column = 0;
+	int row = 0;
+	Vec2 position; ///< in the world [length]
+	/// Rest positions by positions: dX/dx and dX/dy [1].
+	Vec2d rest_x;
+	Vec2d rest_y;
+	double bears = 1; ///< strain, of what the mean of the body bears [1]
+	OutlinePlace exit; ///< on the outline, beside it
+	bool is_beside_outline = false;
+};
+
+/// Length at rest of a part of a way, and how much of it has failed.
+struct Part {
+	double length = 0; ///< at rest [length]
+	double used = 0; ///< integral of min(1, e/stretch) along it [length]
+
+	double cost() const { return length * (1 + FAILED_RESISTANCE) - used; }
+	Part operator+(const Part &other) const { return { length + other.length, used + other.used }; }
+};
+
+/// A way from the start to the outline.
+struct WayOut {
+	std::size_t place = 0; ///< the last one
+	Part part;
+};
+
+/// A search over places in rows and columns that turn with the body.
+class CrackSearch {
+public:
+	CrackSearch(const SoftBodyData &body, Real stretch) : body_(body), stretch_(double(stretch)) {}
+
+	/// Ways through the body across the line, in the world and from outline to outline, the weakest first.
+	std::vector<std::vector<Vec2>> across(const Line &line);
+
+private:
+	static constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
+
+	void make_places();
+	void measure(Place &place, std::span<const double> bears) const;
+	std::vector<double> point_strengths() const;
+	std::size_t place_at(int column, int row) const;
+	std::size_t nearest(Vec2 position) const;
+	Part part(const Place &place, Vec2d way) const;
+	bool leads(Vec2 way) const;
+	void search(std::size_t start);
+	std::vector<WayOut> exits() const;
+	std::vector<Vec2> trace(std::size_t end) const;
+	std::vector<Vec2> straightened(std::span<const Vec2> way) const;
+
+	const SoftBodyData &body_;
+	double stretch_ = 1;
+	double h_ = 0; ///< distance of the places [length]
+	int columns_ = 0;
+	int rows_ = 0;
+	std::vector<Place> places_;
+	std::vector<std::size_t> grid_; ///< index of the place of each column and row, or NONE
+	Vec2 direction_; ///< of the present search; unit
+	std::vector<Part> parts_; ///< of the weakest way from the start to each place
+	std::vector<std::size_t> before_; ///< the place before it on that way
+};
+
+void CrackSearch::make_places() {
+	const BodyFrame frame = measure_frame(body_);
+	const std::span<const Vec2> hull = body_.hull();
+	Vec2 low{ std::numeric_limits<Real>::max(), std::numeric_limits<Real>::max() };
+	Vec2 high = -low;
+	double around = 0;
+	for (std::size_t i = 0; i < hull.size(); ++i) {
+		const Vec2 p = frame.rotation.apply_inverse(hull[i] - frame.center);
+		low = { std::min(low.x, p.x), std::min(low.y, p.y) };
+		high = { std::max(high.x, p.x), std::max(high.y, p.y) };
+		around += double(length(hull[(i + 1) % hull.size()] - hull[i]));
+	}
+	const double width = double(high.x - low.x);
+	const double height = double(high.y - low.y);
+	h_ = std::max(SPACING * around / double(hull.size()), std::max(width, height) / MOST_COLUMNS);
+	columns_ = std::max(1, int(std::ceil(width / h_)));
+	rows_ = std::max(1, int(std::ceil(height / h_)));
+	grid_.assign(std::size_t(columns_) * std::size_t(rows_), NONE);
+	const std::vector<double> bears = point_strengths();
+	for (int row = 0; row < rows_; ++row) {
+		for (int column = 0; column < columns_; ++column) {
+			Place place;
+			place.column = column;
+			place.row = row;
+			const Vec2 local{ Real(double(low.x) + (column + 0.5) * width / columns_), Real(double(low.y) + (row + 0.5) * height / rows_) };
+			place.position = frame.center + frame.rotation.apply(local);
+			if (point_in_polygon(place.position, hull)) {
+				measure(place, bears);
+				grid_[std::size_t(row * columns_ + column)] = places_.size();
+				places_.push_back(place);
+			}
+		}
+	}
+	for (Place &place : places_) {
+		for (const auto &[x, y] : { std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1) }) {
+			place.is_beside_outline |= place_at(place.column + x, place.row + y) == NONE;
+		}
+		place.exit = nearest_place(hull, place.position);
+	}
+}
+
+// What each point bears: the mean of its springs, of that of all.
+std::vector<double> CrackSearch::point_strengths() const {
+	const SoftBodyShape &shape = *body_.shared_shape();
+	std::vector<double> sums(shape.point_count(), 0);
+	std::vector<int> counts(shape.point_count(), 0);
+	double mean = 0;
+	for (const Spring2D &spring : shape.springs()) {
+		for (const std::uint32_t point : { spring.a, spring.b }) {
+			sums[point] += double(spring.stiffness);
+			++counts[point];
+		}
+		mean += double(spring.stiffness) / double(shape.springs().size());
+	}
+	for (std::size_t i = 0; i < sums.size(); ++i) {
+		sums[i] = mean > 0 && counts[i] > 0 ? sums[i] / counts[i] / mean : 1;
+	}
+	return sums;
+}
+
+void CrackSearch::measure(Place &place, std::span<const double> bears) const {
+	const std::span<const Vec2> hull = body_.hull();
+	const std::span<const Vec2> rest_hull = body_.shared_shape()->rest_hull();
+	const auto rest_of = [&](std::span<const double> weights) {
+		Vec2d sum;
+		for (std::size_t i = 0; i < weights.size(); ++i) {
+			sum += Vec2d(rest_hull[i]) * weights[i];
+		}
+		return sum;
+	};
+	const std::vector<double> weights = mean_value_weights(hull, place.position);
+	const Vec2d rest = rest_of(weights);
+	const Real beside = Real(DIFFERENCE * h_);
+	const Vec2 x = place.position + Vec2{ beside, 0 };
+	const Vec2 y = place.position + Vec2{ 0, beside };
+	place.rest_x = (rest_of(mean_value_weights(hull, x)) - rest) * (1 / double(x.x - place.position.x));
+	place.rest_y = (rest_of(mean_value_weights(hull, y)) - rest) * (1 / double(y.y - place.position.y));
+	place.bears = 0;
+	for (std::size_t i = 0; i < weights.size(); ++i) {
+		place.bears += bears[i] * weights[i];
+	}
+}
+
+std::size_t CrackSearch::place_at(int column, int row) const {
+	const bool is_on_grid = column >= 0 && column < columns_ && row >= 0 && row < rows_;
+	return is_on_grid ? grid_[std::size_t(row * columns_ + column)] : NONE;
+}
+
+std::size_t CrackSearch::nearest(Vec2 position) const {
+	std::size_t found = NONE;
+	Real least = std::numeric_limits<Real>::max();
+	for (std::size_t i = 0; i < places_.size(); ++i) {
+		const Real distance = length_squared(places_[i].position - position);
+		if (distance < least) {
+			least = distance;
+			found = i;
+		}
+	}
+	return found;
+}
+
+// The strain across a way is that of a line which stood on it at rest: with X = G x it lies along G^-1 N now.
+Part CrackSearch::part(const Place &place, Vec2d way) const {
+	const Vec2d rest = place.rest_x * way.x + place.rest_y * way.y;
+	const double at_rest = std::sqrt(dot(rest, rest));
+	const double area = cross(place.rest_x, place.rest_y);
+	if (!(at_rest > 0) || !(area > 0)) {
+		return { std::sqrt(dot(way, way)), 0 };
+	}
+	const Vec2d normal = perpendicular(rest) * (1 / at_rest);
+	const Vec2d now{ cross(normal, place.rest_y) / area, cross(place.rest_x, normal) / area };
+	const double strain = std::sqrt(dot(now, now)) - 1;
+	const double bears = stretch_ * std::max(LEAST_STRENGTH, place.bears);
+	return { at_rest, at_rest * std::clamp(strain / bears, 0.0, 1.0) };
+}
+
+// A way turns by at most 45 degrees from where it leads, so that it parts the body and does not peel it.
+bool CrackSearch::leads(Vec2 way) const {
+	const Real forward = dot(way, direction_);
+	return forward > 0 && std::abs(cross(way, direction_)) <= forward * Real(1.001);
+}
+
+// Dijkstra 1959.
+void CrackSearch::search(std::size_t start) {
+	parts_.assign(places_.size(), { std::numeric_limits<double>::infinity(), 0 });
+	before_.assign(places_.size(), NONE);
+	parts_[start] = {};
+	using Entry = std::pair<double, std::size_t>;
+	std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+	open.push({ 0, start });
+	while (!open.empty()) {
+		const auto [cost, from] = open.top();
+		open.pop();
+		if (cost > parts_[from].cost()) {
+			continue;
+		}
+		const Place &place = places_[from];
+		for (int row = place.row - 1; row <= place.row + 1; ++row) {
+			for (int column = place.column - 1; column <= place.column + 1; ++column) {
+				const std::size_t to = place_at(column, row);
+				if (to == NONE || to == from || !leads(places_[to].position - place.position)) {
+					continue;
+				}
+				const Vec2d half = (Vec2d(places_[to].position) - Vec2d(place.position)) * 0.5;
+				const Part way = parts_[from] + part(place, half) + part(places_[to], half);
+				if (way.cost() < parts_[to].cost()) {
+					parts_[to] = way;
+					before_[to] = from;
+					open.push({ way.cost(), to });
+				}
+			}
+		}
+	}
+}
+
+// The weakest way to each edge of the outline, the weakest first.
+std::vector<WayOut> CrackSearch::exits() const {
+	std::vector<WayOut> best(body_.hull().size(), { NONE, {} });
+	for (std::size_t i = 0; i < places_.size(); ++i) {
+		const Place &place = places_[i];
+		const bool is_reached = std::isfinite(parts_[i].length);
+		if (!is_reached || !place.is_beside_outline || !leads(place.exit.position - place.position)) {
+			continue;
+		}
+		const Part way = parts_[i] + part(place, Vec2d(place.exit.position) - Vec2d(place.position));
+		WayOut &other = best[place.exit.edge];
+		if (other.place == NONE || way.cost() < other.part.cost()) {
+			other = { i, way };
+		}
+	}
+	std::erase_if(best, [](const WayOut &way) { return way.place == NONE; });
+	std::ranges::stable_sort(best, {}, [](const WayOut &way) { return way.part.cost(); });
+	best.resize(std::min(best.size(), MOST_TRIALS));
+	return best;
+}
+
+// From the start to a little beyond the outline.
+std::vector<Vec2> CrackSearch::trace(std::size_t end) const {
+	const Place &last = places_[end];
+	const Vec2 outwards = last.exit.position - last.position;
+	const Real size = length(outwards);
+	std::vector<Vec2> way{ last.exit.position + (size > 0 ? outwards * (Real(OVERSHOOT * h_) / size) : Vec2{}), last.exit.position };
+	for (std::size_t i = end; i != NONE; i = before_[i]) {
+		way.push_back(places_[i].position);
+	}
+	std::ranges::reverse(way);
+	return way;
+}
+
+// Douglas and Peucker 1973.
+std::vector<Vec2> CrackSearch::straightened(std::span<const Vec2> way) const {
+	if (way.size() < 3) {
+		return { way.begin(), way.end() };
+	}
+	const Vec2 along = way.back() - way.front();
+	const Real size = length(along);
+	std::size_t farthest = 0;
+	Real most = 0;
+	for (std::size_t i = 1; i + 1 < way.size(); ++i) {
+		const Real distance = size > 0 ? std::abs(cross(along, way[i] - way.front())) / size : length(way[i] - way.front());
+		if (distance > most) {
+			most = distance;
+			farthest = i;
+		}
+	}
+	if (!(most > Real(STRAIGHTENED * h_))) {
+		return { way.front(), way.back() };
+	}
+	std::vector<Vec2> bent = straightened(way.first(farthest + 1));
+	bent.pop_back();
+	std::ranges::copy(straightened(way.subspan(farthest)), std::back_inserter(bent));
+	return bent;
+}
+
+std::vector<std::vector<Vec2>> CrackSearch::across(const Line &line) {
+	make_places();
+	const std::size_t hull_count = body_.hull().size();
+	const Vec2 from = body_.positions()[line.a];
+	const Vec2 along = body_.positions()[line.b] - from;
+	const Vec2 middle = from + along * Real(0.5);
+	const std::size_t start = nearest(middle);
+	if (start == NONE) {
+		return {};
+	}
+	const Vec2 normal = perpendicular(along) * (1 / length(along));
+	/// Ways to one side, and how each goes on from the start.
+	struct Side {
+		std::vector<WayOut> ways;
+		std::vector<std::vector<Vec2>> traces;
+	};
+	std::array<Side, 2> sides;
+	for (std::size_t i = 0; i < sides.size(); ++i) {
+		direction_ = i == 0 ? normal : -normal;
+		const bool is_on_outline = (line.a + 1) % hull_count == line.b && line.a < hull_count && line.b < hull_count;
+		const bool is_reversed = (line.b + 1) % hull_count == line.a && line.a < hull_count && line.b < hull_count;
+		if (i == 0 ? is_reversed : is_on_outline) { // a line of the outline itself: outwards there is only its middle
+			places_[start].exit = { is_on_outline ? line.a : line.b, Real(0.5), middle, Real(0) };
+			before_.assign(places_.size(), NONE);
+			sides[i].ways.push_back({ start, part(places_[start], Vec2d(middle) - Vec2d(places_[start].position)) });
+		} else {
+			search(start);
+			sides[i].ways = exits();
+		}
+		for (const WayOut &way : sides[i].ways) {
+			sides[i].traces.push_back(trace(way.place));
+		}
+	}
+	struct Choice {
+		Part part;
+		std::size_t first = 0;
+		std::size_t second = 0;
+	};
+	std::vector<Choice> choices;
+	for (std::size_t i = 0; i < sides[0].ways.size(); ++i) {
+		for (std::size_t j = 0; j < sides[1].ways.size(); ++j) {
+			const Part whole = sides[0].ways[i].part + sides[1].ways[j].part;
+			if (whole.used >= FAILING_USE * whole.length) {
+				choices.push_back({ whole, i, j });
+			}
+		}
+	}
+	std::ranges::stable_sort(choices, {}, [](const Choice &choice) { return choice.part.cost(); });
+	choices.resize(std::min(choices.size(), MOST_TRIALS));
+	std::vector<std::vector<Vec2>> blades;
+	for (const Choice &choice : choices) {
+		std::vector<Vec2> blade = sides[0].traces[choice.first];
+		std::ranges::reverse(blade);
+		const std::vector<Vec2> &rest = sides[1].traces[choice.second];
+		blade.insert(blade.end(), rest.begin() + 1, rest.end());
+		blades.push_back(straightened(blade));
+	}
+	return blades;
+}
+
+Status check_tear_limits(const TearLimits &limits) {
+	return check_above("stretch", limits.stretch, 0, "");
+}
+
+} // namespace
+
+bool is_overstretched(const SoftBodyData &body, Real stretch) {
+	return most_used_line(body, stretch).use > 1;
+}
+
+Result<BodyCut> plan_tear(const SoftBodyData &body, const StructureOptions &options, const TearLimits &limits) {
+	if (Status status = check_tear_limits(limits)) {
+		return *status;
+	}
+	const std::array<Vec2, 2> beside{ body.hull()[0], body.hull()[0] };
+	const auto whole = plan_cut(body, options, beside, limits.pieces);
+	const Line line = most_used_line(body, limits.stretch);
+	if (!whole || !(line.use > 1)) {
+		return whole;
+	}
+	for (const std::vector<Vec2> &blade : CrackSearch(body, limits.stretch).across(line)) {
+		auto cut = plan_cut(body, options, blade, limits.pieces);
+		if (cut && cut.value().pieces.size() > 1) {
+			return cut;
+		}
+	}
+	return whole;
+}
+
+} // namespace softbody
