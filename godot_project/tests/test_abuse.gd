@@ -8,11 +8,19 @@ const MANY := 10000
 var other_values := {
 	"polygon": SoftBody2D.make_box_polygon(Vector2(120, 70), 25), "inner_points": PackedVector2Array([Vector2(10, 5), Vector2(-20, 0)]),
 	"springs": PackedInt32Array([0, 1, 1, 2, 2, 3, 0, 8, 16, 5]), "spring_stiffness_scales": _scales(2), "spring_damping_scales": _scales(3),
-	"spring_length_scales": _scales(0.9), "pinned_points": PackedInt32Array([0, 3]), "pin_targets": [^".."] as Array[NodePath],
+	"spring_length_scales": _scales(0.9), "pinned_points": PackedInt32Array([0, 3]), "pin_targets": [^".."] as Array[NodePath], "dents": _dents(),
 	"poisson_ratio": 0.25, "mass_mode": SoftBody2D.MASS_MODE_CUSTOM, "vertex_colors": PackedColorArray([Color.RED]), "uv": PackedVector2Array([Vector2.ONE]), "texture": PlaceholderTexture2D.new(),
 	"outline_texture": PlaceholderTexture2D.new(), "soft_body_material": SoftBodyMaterial2D.new(), "material": CanvasItemMaterial.new(),
 	"integrator": SoftBody2D.INTEGRATOR_XPBD, "physics_material_override": PhysicsMaterial.new(),
 }
+
+static func _dents() -> PackedVector2Array:
+	var dents := PackedVector2Array()
+	dents.resize(17)
+	dents[3] = Vector2(-4, 2)
+	return dents
+
+
 ## Bodies whose script does something while the step moves them along.
 class Moved extends SoftBody2D:
 	var action := Callable()

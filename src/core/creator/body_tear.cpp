@@ -40,6 +40,9 @@ constexpr double FAILED_RESISTANCE = 0.02;
 // Mean of e/stretch along a way from which on it fails [1].
 constexpr double FAILING_USE = 0.5;
 
+// Strain of a line over what it bears from which on the body tears in any case [1].
+constexpr Real HOPELESS_USE = 2;
+
 // Ends of the way that are tried, the weakest way first. Others were refused for what they leave.
 constexpr std::size_t MOST_TRIALS = 8;
 
@@ -103,12 +106,19 @@ struct WayOut {
 /// A search over places in rows and columns that turn with the body.
 class CrackSearch {
 public:
-	CrackSearch(const SoftBodyData &body, Real stretch) : body_(body), stretch_(double(stretch)) {}
+	CrackSearch(const SoftBodyData &body, Real stretch) : body_(body), stretch_(double(stretch)) { make_places(); }
 
-	/// Ways through the body across the line, in the world and from outline to outline, the weakest first.
+	/// Ways across the line, in the world and from outline to outline, the weakest first.
 	std::vector<std::vector<Vec2>> across(const Line &line);
+	/// Ways in the same direction, `step` distances of places from the line's middle towards the body's. None beyond that.
+	std::vector<std::vector<Vec2>> beside(const Line &line, int step);
 
 private:
+	/// Ways from the start to one side, and their bends.
+	struct Side {
+		std::vector<WayOut> ways;
+		std::vector<std::vector<Vec2>> traces;
+	};
 	static constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
 
 	void make_places();
@@ -117,6 +127,7 @@ private:
 	std::size_t place_at(int column, int row) const;
 	std::size_t nearest(Vec2 position) const;
 	Part part(const Place &place, Vec2d way) const;
+	std::vector<std::vector<Vec2>> ways_through(Vec2 middle, Vec2 along, std::array<std::size_t, 2> own_edges, double least_use);
 	bool leads(Vec2 way) const;
 	void search(std::size_t start);
 	std::vector<WayOut> exits() const;
@@ -350,28 +361,39 @@ std::vector<Vec2> CrackSearch::straightened(std::span<const Vec2> way) const {
 }
 
 std::vector<std::vector<Vec2>> CrackSearch::across(const Line &line) {
-	make_places();
 	const std::size_t hull_count = body_.hull().size();
 	const Vec2 from = body_.positions()[line.a];
 	const Vec2 along = body_.positions()[line.b] - from;
-	const Vec2 middle = from + along * Real(0.5);
+	const bool is_on_outline = line.a < hull_count && line.b < hull_count;
+	// To the outer side of a line of the outline there is only its own middle.
+	const std::size_t to_left = is_on_outline && (line.b + 1) % hull_count == line.a ? line.b : NONE;
+	const std::size_t to_right = is_on_outline && (line.a + 1) % hull_count == line.b ? line.a : NONE;
+	return ways_through(from + along * Real(0.5), along, { to_left, to_right }, FAILING_USE);
+}
+
+std::vector<std::vector<Vec2>> CrackSearch::beside(const Line &line, int step) {
+	const Vec2 from = body_.positions()[line.a];
+	const Vec2 along = body_.positions()[line.b] - from;
+	const Vec2 inwards = measure_frame(body_).center - (from + along * Real(0.5));
+	const Real way = length(inwards);
+	if (!(Real(step * h_) < way)) {
+		return {};
+	}
+	return ways_through(from + along * Real(0.5) + inwards * (Real(step * h_) / way), inwards, { NONE, NONE }, 0);
+}
+
+// Through the place nearest to `middle`, across `along`. `own_edges` are the only ways out to its left and right, if they are given.
+std::vector<std::vector<Vec2>> CrackSearch::ways_through(Vec2 middle, Vec2 along, std::array<std::size_t, 2> own_edges, double least_use) {
 	const std::size_t start = nearest(middle);
-	if (start == NONE) {
+	if (start == NONE || !(length(along) > 0)) {
 		return {};
 	}
 	const Vec2 normal = perpendicular(along) * (1 / length(along));
-	/// Ways to one side, and how each goes on from the start.
-	struct Side {
-		std::vector<WayOut> ways;
-		std::vector<std::vector<Vec2>> traces;
-	};
 	std::array<Side, 2> sides;
 	for (std::size_t i = 0; i < sides.size(); ++i) {
 		direction_ = i == 0 ? normal : -normal;
-		const bool is_on_outline = (line.a + 1) % hull_count == line.b && line.a < hull_count && line.b < hull_count;
-		const bool is_reversed = (line.b + 1) % hull_count == line.a && line.a < hull_count && line.b < hull_count;
-		if (i == 0 ? is_reversed : is_on_outline) { // a line of the outline itself: outwards there is only its middle
-			places_[start].exit = { is_on_outline ? line.a : line.b, Real(0.5), middle, Real(0) };
+		if (own_edges[i] != NONE) {
+			places_[start].exit = { own_edges[i], Real(0.5), middle, Real(0) };
 			before_.assign(places_.size(), NONE);
 			sides[i].ways.push_back({ start, part(places_[start], Vec2d(middle) - Vec2d(places_[start].position)) });
 		} else {
@@ -391,7 +413,7 @@ std::vector<std::vector<Vec2>> CrackSearch::across(const Line &line) {
 	for (std::size_t i = 0; i < sides[0].ways.size(); ++i) {
 		for (std::size_t j = 0; j < sides[1].ways.size(); ++j) {
 			const Part whole = sides[0].ways[i].part + sides[1].ways[j].part;
-			if (whole.used >= FAILING_USE * whole.length) {
+			if (whole.used >= least_use * whole.length) {
 				choices.push_back({ whole, i, j });
 			}
 		}
@@ -429,11 +451,19 @@ Result<BodyCut> plan_tear(const SoftBodyData &body, const StructureOptions &opti
 	if (!whole || !(line.use > 1)) {
 		return whole;
 	}
-	for (const std::vector<Vec2> &blade : CrackSearch(body, limits.stretch).across(line)) {
-		auto cut = plan_cut(body, options, blade, limits.pieces);
-		if (cut && cut.value().pieces.size() > 1) {
-			return cut;
+	CrackSearch cracks(body, limits.stretch);
+	std::vector<std::vector<Vec2>> blades = cracks.across(line);
+	for (int step = 1; step <= 2 * MOST_COLUMNS; ++step) {
+		for (const std::vector<Vec2> &blade : blades) {
+			auto cut = plan_cut(body, options, blade, limits.pieces);
+			if (cut && cut.value().pieces.size() > 1) {
+				return cut;
+			}
 		}
+		if (!(line.use > HOPELESS_USE)) {
+			break;
+		}
+		blades = cracks.beside(line, step);
 	}
 	return whole;
 }

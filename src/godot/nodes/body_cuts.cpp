@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Cuts of a node: the largest piece keeps the node, the others become nodes beside it.
-#include "core/creator/body_cut.h"
+#include "godot/nodes/body_cuts.h"
+
+#include "core/creator/body_tear.h"
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 #include "godot/convert.h"
-#include "godot/nodes/soft_body_2d.h"
 #include "godot/nodes/soft_body_attachment_2d.h"
 #include "godot/server/shape_cache.h"
 #include "godot/server/soft_body_simulation_2d.h"
@@ -31,71 +32,42 @@ const char *const SHARED_PROPERTIES[] = { "process_mode", "process_priority", "p
 	"visible", "modulate", "self_modulate", "show_behind_parent", "top_level", "light_mask", "visibility_layer", "z_index", "z_as_relative",
 	"y_sort_enabled", "texture_filter", "texture_repeat", "material", "use_parent_material" };
 
-// Whether the caller is to blame, not where the body happens to be.
-bool is_bad_input(const Error &p_error) {
-	return p_error.name.starts_with("blade") || p_error.name == "body";
-}
-
 } // namespace
 
-/// One cut of one node. Everything that can be refused is asked first; then nothing is.
-class BodyCuts {
-public:
-	explicit BodyCuts(SoftBody2D &r_node) : node_(r_node), whole_(*r_node.body()) {}
-
-	static Result<BodyCut> plan(const SoftBody2D &p_node, const PackedVector2Array &p_points);
-	/// The polygons of the pieces as they are deformed, in the world.
-	static TypedArray<PackedVector2Array> outlines(const BodyCut &p_cut);
-	/// The nodes of the pieces, this one first. Nothing has changed if it is refused.
-	Result<TypedArray<SoftBody2D>> make(const BodyCut &p_cut);
-
-private:
-	/// What a piece's node has of its own.
-	struct Piece {
-		SoftBody2D *node = nullptr; ///< null for the first piece until it is made
-		BodyStructure::Values structure;
-		PackedVector2Array uv;
-		PackedColorArray vertex_colors;
-		double mass = 0; ///< if it is not that of its area
-		BodyDesign design;
-		std::optional<SoftBodyData> body;
-	};
-
-	void describe_pieces(const BodyCut &p_cut);
-	void copy_to(SoftBody2D &r_node) const;
-	static void take_structure(SoftBody2D &r_node, Piece &r_piece);
-	static void find_modes(SoftBody2D &r_node);
-	static void take_modes(SoftBody2D &r_node, uint64_t p_task);
-	Status make_body(const BodyCut &p_cut, std::size_t p_index, SoftBody2D &r_node);
-	static void take_pins(SoftBody2D &r_node, const BodyPiece &p_piece, const BodyPins &p_pins, PointOrder p_whole_order);
-	void keep_first();
-	void add_piece(Piece &r_piece);
-	void carry_exceptions(SoftBody2D &r_node) const;
-	void carry_pin_targets(SoftBody2D &r_node) const;
-	void carry_attachments();
-	void draw_as_before(SoftBody2D &r_node) const;
-
-	SoftBody2D &node_;
-	const SoftBodyData whole_; ///< as it was before the cut
-	std::vector<Piece> pieces_;
-	bool was_moving_ = false; ///< whether it was drawn between two ticks
-	Transform2D start_; ///< the frame in which it was at the earlier one
-};
-
 Result<BodyCut> BodyCuts::plan(const SoftBody2D &p_node, const PackedVector2Array &p_points) {
-	const SoftBodyData *body = p_node.followed_body();
-	const BodyDesign *design = body != nullptr ? p_node.design() : nullptr;
-	if (design == nullptr || p_node.space_ == nullptr) {
+	const SoftBodyData *body = whole_of(p_node);
+	if (body == nullptr) {
 		return Error{ "body", "none", "must be in the scene tree of a running game", "add the node to the tree first" };
 	}
+	return plan_cut(*body, options_of(p_node, *body), to_core(p_points), limits_of(p_node));
+}
+
+Result<BodyCut> BodyCuts::plan_tear(const SoftBody2D &p_node, double p_stretch) {
+	const SoftBodyData *body = whole_of(p_node);
+	if (body == nullptr) {
+		return Error{ "body", "none", "must be in the scene tree of a running game", "add the node to the tree first" };
+	}
+	return softbody::plan_tear(*body, options_of(p_node, *body), { Real(p_stretch), limits_of(p_node) });
+}
+
+const SoftBodyData *BodyCuts::whole_of(const SoftBody2D &p_node) {
+	const SoftBodyData *body = p_node.followed_body();
+	return body != nullptr && p_node.design() != nullptr && p_node.space_ != nullptr ? body : nullptr;
+}
+
+StructureOptions BodyCuts::options_of(const SoftBody2D &p_node, const SoftBodyData &p_body) {
 	StructureOptions options = p_node.structure_.options(p_node.structure_.simulated_scale(p_node.built_scale_));
-	options.mass = body->shape().total_mass();
-	options.elastic = body->shape().modes() != nullptr;
-	options.elastic_triangles = body->shape().triangles() != nullptr;
+	options.mass = p_body.shape().total_mass();
+	options.elastic = p_body.shape().modes() != nullptr;
+	options.elastic_triangles = p_body.shape().triangles() != nullptr;
+	return options;
+}
+
+BodyCutLimits BodyCuts::limits_of(const SoftBody2D &p_node) {
 	BodyCutLimits limits;
 	limits.smallest_piece = Real(p_node.values_.smallest_piece);
 	limits.least_width = LEAST_PIECE_WIDTH;
-	return plan_cut(*body, options, to_core(p_points), limits);
+	return limits;
 }
 
 TypedArray<PackedVector2Array> BodyCuts::outlines(const BodyCut &p_cut) {
@@ -477,44 +449,3 @@ Result<TypedArray<SoftBody2D>> BodyCuts::make(const BodyCut &p_cut) {
 }
 
 } // namespace softbody
-
-namespace godot {
-
-TypedArray<SoftBody2D> SoftBody2D::cut(const Vector2 &p_from, const Vector2 &p_to) {
-	return cut_polyline({ p_from, p_to });
-}
-
-TypedArray<SoftBody2D> SoftBody2D::cut_polyline(const PackedVector2Array &p_points) {
-	SoftBodySimulation2D *simulation = SoftBodySimulation2D::get_singleton();
-	if (simulation->is_stepping()) {
-		simulation->after_step(get_instance_id(), [this, p_points] { cut_polyline(p_points); });
-		return {};
-	}
-	const auto planned = softbody::BodyCuts::plan(*this, p_points);
-	if (!planned) {
-		const String message = describe() + ": not cut: " + softbody::to_godot(planned.error()) + ".";
-		ERR_FAIL_COND_V_MSG(softbody::is_bad_input(planned.error()), {}, message);
-		WARN_PRINT(message); // players draw where they like
-		return {};
-	}
-	if (planned.value().pieces.size() < 2) {
-		return {};
-	}
-	const auto made = softbody::BodyCuts(*this).make(planned.value());
-	ERR_FAIL_COND_V_MSG(!made, {}, describe() + ": not cut: " + softbody::to_godot(made.error()) + ".");
-	const TypedArray<SoftBody2D> pieces = made.value();
-	simulation->after_step(get_instance_id(), [this, pieces] { emit_signal("was_cut", pieces); });
-	return pieces;
-}
-
-TypedArray<PackedVector2Array> SoftBody2D::preview_cut(const PackedVector2Array &p_points) const {
-	const auto planned = softbody::BodyCuts::plan(*this, p_points);
-	return planned && planned.value().pieces.size() > 1 ? softbody::BodyCuts::outlines(planned.value()) : TypedArray<PackedVector2Array>();
-}
-
-String SoftBody2D::get_cut_problem(const PackedVector2Array &p_points) const {
-	const auto planned = softbody::BodyCuts::plan(*this, p_points);
-	return planned ? String() : softbody::to_godot(planned.error());
-}
-
-} // namespace godot

@@ -2,6 +2,7 @@
 // The node: its life in the tree and its agreement with the body in the core.
 #include "godot/nodes/soft_body_2d.h"
 
+#include "core/creator/body_tear.h"
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 #include "core/model/rigid_motion.h"
@@ -309,6 +310,10 @@ void SoftBody2D::finish_step() {
 		undo_turn(*found);
 		growth_.end_step(*found);
 		follow_body();
+	}
+	const bool may_tear = moving_ && material_.values().tear_stretch > 0 && found->takes_damage();
+	if (may_tear && softbody::is_overstretched(*found, softbody::Real(most_bearable_strain()))) {
+		space_->note_overstretched(*this);
 	}
 	if (moving_) {
 		interpolation_.begin(before);

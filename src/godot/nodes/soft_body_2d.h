@@ -261,6 +261,7 @@ public:
 	softbody::HullProxy &proxy() override { return proxy_; }
 	void note_failure(softbody::StepSignals &r_signals) override;
 	void note_dent(softbody::StepSignals &r_signals) override;
+	void tear(softbody::StepSignals &r_signals) override;
 	void finish_step() override;
 	bool follow_with_proxy(bool p_may_detail) override;
 	void take_sleep(softbody::StepSignals &r_signals) override;
@@ -382,6 +383,8 @@ private:
 	void enter_space();
 	void leave_space();
 	void rebuild_body(bool p_keeps_motion);
+	double most_bearable_strain() const;
+	void tear_now();
 	/// Gives a body that has just been made the velocities that were set before.
 	void start_first_motion();
 	softbody::Status apply_dents(softbody::SoftBodyData &r_body, const PackedVector2Array &p_dents) const;

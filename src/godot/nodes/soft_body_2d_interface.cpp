@@ -22,6 +22,7 @@ void SoftBody2D::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("sleeping_state_changed"));
 	ADD_SIGNAL(MethodInfo("failed"));
 	ADD_SIGNAL(MethodInfo("dented", PropertyInfo(Variant::FLOAT, "amount")));
+	ADD_SIGNAL(MethodInfo("torn", PropertyInfo(Variant::ARRAY, "pieces", PROPERTY_HINT_ARRAY_TYPE, "SoftBody2D")));
 	ADD_SIGNAL(MethodInfo("was_cut", PropertyInfo(Variant::ARRAY, "pieces", PROPERTY_HINT_ARRAY_TYPE, "SoftBody2D")));
 }
 

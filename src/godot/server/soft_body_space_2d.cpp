@@ -66,6 +66,7 @@ void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
 	world_.set_contact_substeps(p_settings.contact_substeps);
 	world_.set_sleeping(p_settings.can_sleep);
 	character_mass_ = p_settings.character_mass;
+	most_tears_ = p_settings.most_tears;
 	if (default_substeps_ != p_settings.substeps) {
 		default_substeps_ = p_settings.substeps;
 		nodes_.for_each([](SteppedNode &r_node) { r_node.note_project_settings(); });
@@ -200,6 +201,7 @@ void SoftBodySpace2D::step(double p_delta, StepThreads &p_threads, StepSignals &
 			node->note_dent(r_signals);
 		}
 	}
+	overstretched_.clear();
 	busy_.for_each([](SteppedNode &r_node) { r_node.finish_step(); });
 	r_profile.finish += watch.lap();
 	tell_riders();
@@ -210,6 +212,7 @@ void SoftBodySpace2D::step(double p_delta, StepThreads &p_threads, StepSignals &
 		collect_broken_joints(report, r_signals);
 	}
 	collect_signals(r_signals);
+	tear_overstretched(r_signals);
 	let_idle();
 	r_profile.finish += watch.lap();
 }
@@ -318,6 +321,14 @@ void SoftBodySpace2D::collect_signals(StepSignals &r_signals) {
 		}
 		r_node.take_contacts(contacts, colliders, std::move(touched), r_signals);
 	});
+}
+
+// Turn by turn: one that cannot be torn, as it would leave too little, does not keep the others waiting.
+void SoftBodySpace2D::tear_overstretched(StepSignals &r_signals) {
+	const std::size_t count = std::min(overstretched_.size(), std::size_t(most_tears_));
+	for (std::size_t i = 0; i < count; ++i) {
+		overstretched_[std::size_t(turn_to_tear_++ % overstretched_.size())]->tear(r_signals);
+	}
 }
 
 void SoftBodySpace2D::let_idle() {

@@ -47,6 +47,9 @@ public:
 	/// Number of bodies that were neither asleep nor disabled in the last step.
 	int64_t awake_body_count() const { return int64_t(awake_.size()); }
 	/// Contacts solved in the last step, counted in every substep.
+	/// Of a node whose body bears its strain no more, while it finishes the step. It is torn after the step, or after a later
+	/// one if there are too many.
+	void note_overstretched(SteppedNode &r_node) { overstretched_.push_back(&r_node); }
 	int64_t contact_count() const { return contact_count_; }
 
 	/// Adds a node, which takes part in ticks once it has a body.
@@ -81,6 +84,7 @@ private:
 	void tell_proxies();
 	void tell_riders();
 	void move_proxies();
+	void tear_overstretched(StepSignals &r_signals);
 	void let_idle();
 	/// The node of a body; null if the body has left the world.
 	SteppedNode *node_of(BodyId p_body) const;
@@ -106,6 +110,9 @@ private:
 	int default_substeps_ = 0; ///< as the nodes know it
 	Real character_mass_ = 0; ///< [kg]
 	int detailed_count_ = 0; ///< proxies that show dents
+	std::vector<SteppedNode *> overstretched_; ///< after this step, in the order of the nodes
+	uint64_t turn_to_tear_ = 0; ///< tears looked for so far
+	int most_tears_ = 0; ///< StepSettings::most_tears
 	int64_t contact_count_ = 0;
 };
 

@@ -41,6 +41,8 @@ public:
 	virtual void note_failure(StepSignals &r_signals) = 0;
 	/// Says of a body that its shape at rest has changed in the step.
 	virtual void note_dent(StepSignals &r_signals) = 0;
+	/// Tears the body, after the step, where strain is more than it bears.
+	virtual void tear(StepSignals &r_signals) = 0;
 	/// Moves the node along, and keeps what drawing interpolates.
 	virtual void finish_step() = 0;
 	/// Moves the proxy along. If it returns true, `flush_hull_proxies` must be called.
