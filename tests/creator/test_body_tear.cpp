@@ -175,9 +175,12 @@ TEST_CASE("a body that is bent tears from the stretched side only when half of t
 	auto tear = plan_tear(body, {}, limits_of());
 	REQUIRE(tear);
 	CHECK(tear.value().pieces.size() == 1);
-	tear = plan_tear(body, {}, limits_of(Real(0.02)));
+	tear = plan_tear(body, {}, limits_of(Real(0.3)));
 	REQUIRE(tear);
 	CHECK(tear.value().pieces.size() == 1); // half of the way is pressed
+	tear = plan_tear(body, {}, limits_of(Real(0.1)));
+	REQUIRE(tear);
+	CHECK(tear.value().pieces.size() == 2); // the outer side is stretched four times as far as it bears
 	deform(body, [&](Vec2 p) {
 		const Vec2 q = bent(0.015)(p);
 		return Vec2{ q.x * Real(1.4), q.y };
