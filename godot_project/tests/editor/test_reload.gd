@@ -47,6 +47,7 @@ var material_values := {
 	"youngs_modulus": 240.0, "poisson_ratio": 0.125, "damping_ratio": 0.75,
 	"network_values_set": true, "stiffness": 320.0, "damping": 0.75, "shape_matching": 0.5, "shape_damping_ratio": 0.375, "pressure": 3.0, "inflation": 1.25,
 	"friction": 0.5, "bounce": 0.25, "rolling_resistance": 0.125, "density": 2.0,
+	"yield_strain": 0.0625, "flow_rate": 12.0, "max_dent": 0.25, "tear_stretch": 0.75,
 }
 
 
