@@ -33,6 +33,8 @@ nlohmann::json stress(const Options &options);
 nlohmann::json soak(const Options &options);
 nlohmann::json model(const Options &options);
 nlohmann::json heap(const Options &options);
+nlohmann::json dents(const Options &options);
+/// A part of `dents`.
 nlohmann::json cuts(const Options &options);
 
 } // namespace bench

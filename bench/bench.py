@@ -15,7 +15,7 @@ import machine
 import tables_b
 import tables_books
 import tables_c
-import tables_cuts
+import tables_dents
 import tables_editor
 import tables_engine
 import tables_heap
@@ -64,7 +64,7 @@ BENCHES = {
     "contact-books": Bench(("float",), per_precision(tables_books.summarize), tables_books.print_table),
     "model": Bench(("float",), per_precision(tables_model.summarize), tables_model.print_table, timed=True),
     "heap": Bench(("float",), per_precision(tables_heap.summarize), tables_heap.print_table, timed=True),
-    "cuts": Bench(("float",), per_precision(tables_cuts.summarize), tables_cuts.print_table, timed=True),
+    "dents": Bench(("float",), per_precision(tables_dents.summarize), tables_dents.print_table, timed=True),
     "peers": Bench(
         ("float",), tables_peers.summarize, tables_peers.print_table, timed=True, program="softbody_peers"
     ),

@@ -24,7 +24,7 @@ const std::map<std::string, bench::Bench> BENCHES = {
 	{ "soak", bench::soak },
 	{ "model", bench::model },
 	{ "heap", bench::heap },
-	{ "cuts", bench::cuts },
+	{ "dents", bench::dents },
 };
 
 int usage(const char *program) {

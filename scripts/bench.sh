@@ -17,7 +17,7 @@
 #   soak            ten simulated hours: drift at rest, memory, bodies lost; with --quick, a third of an hour
 #   model           outlines under every elastic model against finite elements, and what they cost; independence of the mesh
 #   heap            heaps of nodes at their default values: folded bodies, sleep, time
-#   cuts            random cuts of random outlines against brute force, and what a cut costs
+#   dents           dents over tick rates and elastic models; random cuts against brute force, and what a cut costs
 #   peers           a pile in other engines, Box2D and Chipmunk, against ours
 #   engine          nodes in an exported game: how many hold 60 ticks per second, and where their time goes
 #   editor          the editor addon's handlers: dragging, painting, drawing, tracing a picture
@@ -28,7 +28,7 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/bench.sh"
 
-names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy contact-books stress soak model heap cuts peers engine editor)
+names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy contact-books stress soak model heap dents peers engine editor)
 name=
 for argument in "$@"; do
 	case $argument in

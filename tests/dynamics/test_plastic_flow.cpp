@@ -7,7 +7,7 @@
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 #include "core/model/material.h"
-#include "scenes/jelly.h"
+#include "scenes/metal.h"
 #include "support/random.h"
 
 #include <algorithm>
@@ -22,62 +22,9 @@ using namespace softbody::testing;
 
 namespace {
 
-constexpr std::array<ElasticModel, 5> MODELS = { ElasticModel::SPRINGS, ElasticModel::SPRINGS_AND_SHAPE,
-	ElasticModel::SPRINGS_SHAPE_AND_AREA, ElasticModel::MODES, ElasticModel::TRIANGLES };
-
-std::vector<Vec2> circle_of(Real radius, int count) {
-	std::vector<Vec2> hull;
-	for (int i = 0; i < count; ++i) {
-		const Real angle = 2 * std::numbers::pi_v<Real> * Real(i) / Real(count);
-		hull.push_back(Vec2{ std::cos(angle), std::sin(angle) } * radius);
-	}
-	return hull;
-}
-
-struct Metal {
-	ElasticModel model = ElasticModel::MODES;
-	Real yield = Real(0.05);
-	Real rate = 40;
-	Real most = Real(0.5);
-	DentBy by = DentBy::BOTH;
-	Material material = { 2000, Real(0.3), Real(0.3) };
-};
-
-SoftBodyData metal_body(std::span<const Vec2> hull, const Metal &metal, Vec2 center) {
-	StructureOptions options;
-	options.stiffness = 1;
-	options.damping = 1;
-	options.elastic = metal.model == ElasticModel::MODES;
-	options.elastic_triangles = metal.model == ElasticModel::TRIANGLES;
-	const auto shape = SoftBodyCreator::create_polygon(hull, options).value();
-	BodySettings settings;
-	REQUIRE(!apply_material(metal.material, metal.model, *shape, settings));
-	settings.yield_strain = metal.yield;
-	settings.flow_rate = metal.rate;
-	settings.max_dent = metal.most;
-	settings.dent_by = metal.by;
-	settings.rolling_resistance = Real(0.03);
-	return SoftBodyData::create(shape, settings, { center, {} }).value();
-}
-
-SoftBodyData metal_disc(const Metal &metal, Vec2 center) {
-	return metal_body(circle_of(50, 16), metal, center);
-}
-
-WorldData floor_world() {
-	WorldData world = pixel_world();
-	REQUIRE(!world.add_border(floor_at(0)));
-	return world;
-}
-
 /// Drops the disc from `height` above the floor. Returns its dent at the end.
 Real dropped(const Metal &metal, Real height, int rate, double seconds, Vec2 *sizes = nullptr) {
-	WorldData world = floor_world();
-	world.add_soft_body(metal_disc(metal, { 0, -50 - height }));
-	Simulator simulator(world);
-	for (int i = 0; i < int(seconds * rate); ++i) {
-		simulator.simulate(Real(1) / Real(rate));
-	}
+	const WorldData world = drop_metal(metal, height, rate, seconds);
 	const SoftBodyData &body = world.soft_bodies()[0];
 	CHECK_FALSE(is_folded(body.hull()));
 	if (sizes != nullptr) {
