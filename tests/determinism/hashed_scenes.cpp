@@ -3,6 +3,7 @@
 #include "determinism/hashed_scenes.h"
 
 #include "core/creator/hulls.h"
+#include "scenes/metal.h"
 #include "scenes/mixed.h"
 
 #include <array>
@@ -95,6 +96,18 @@ WorldData large_pile() {
 	return world;
 }
 
+// Discs of metal under every elastic model that fall, dent, and rain on one another.
+WorldData dented_metal() {
+	WorldData world = floor_world();
+	for (int i = 0; i < 25; ++i) {
+		Metal metal{ MODELS[std::size_t(i) % MODELS.size()] };
+		metal.by = DentBy(i % 3);
+		metal.yield = Real(0.02) + Real(0.01) * Real(i % 4);
+		world.add_soft_body(metal_disc(metal, { Real(i % 5) * 104, -80 - Real(i / 5) * 130 }));
+	}
+	return world;
+}
+
 class Run {
 public:
 	Run(const HashedScene &scene, const ParallelFor &parallel_for) :
@@ -146,9 +159,9 @@ private:
 } // namespace
 
 std::span<const HashedScene> hashed_scenes() {
-	static const std::array<HashedScene, 4> scenes = { HashedScene{ "mixed", [] { return mixed_world(); }, {} },
+	static const std::array<HashedScene, 5> scenes = { HashedScene{ "mixed", [] { return mixed_world(); }, {} },
 		HashedScene{ "chain", chain_of_bodies, carry_pin }, HashedScene{ "ribbons", folding_ribbons, {} },
-		HashedScene{ "pile", large_pile, {} } };
+		HashedScene{ "pile", large_pile, {} }, HashedScene{ "metal", dented_metal, {} } };
 	return scenes;
 }
 

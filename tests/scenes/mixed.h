@@ -151,6 +151,9 @@ inline std::uint64_t hash_of_state(const WorldData &world) {
 		}
 		hash.add(body.rest_time());
 		hash.add(std::uint8_t(body.is_asleep()));
+		for (std::size_t i = 0; body.is_dented() && i < body.point_count(); ++i) {
+			hash.add(body.shape().rest_positions()[i]);
+		}
 	}
 	for (const RigidBody &body : world.rigid_bodies()) {
 		hash.add(body.pose.position);

@@ -66,6 +66,14 @@ void include(HullState &state, const HullState &other) {
 	}
 }
 
+// XPBD damps more in a longer substep, and a dent keeps the difference: a body that may dent has the same substep in short steps.
+int xpbd_substeps(const BodySettings &settings, Real dt) {
+	if (settings.can_dent() && dt < USUAL_STEP) {
+		return std::max(MIN_CONTACT_SUBSTEPS, int(std::lround(XPBD_SUBSTEPS * double(dt) / double(USUAL_STEP))));
+	}
+	return substeps_of_step(XPBD_SUBSTEPS, dt);
+}
+
 bool lives_on_damping(Integrator integrator) {
 	return integrator == Integrator::EXPLICIT_EULER || integrator == Integrator::MIDPOINT || integrator == Integrator::HEUN;
 }
@@ -127,16 +135,19 @@ SubstepPlan plan_within(const FrequencyBounds &bounds, const SoftBodyShape &shap
 	plan.integrator = automatic ? chosen : settings.integrator;
 
 	// A damping of -0 counts as none, and gives a step of -0.
-	const double wanted = std::ceil(double(dt) / std::abs(largest_stable_step(plan.integrator, bounds, STABILITY_BUDGET)));
+	const double largest = std::abs(largest_stable_step(plan.integrator, bounds, STABILITY_BUDGET));
+	const double wanted = std::ceil(double(dt) / largest);
+	// Methods damp an impact differently, and a dent keeps the difference: what may dent has the same one at any tick rate.
+	const double capped = settings.can_dent() && wanted <= MAX_SUBSTEPS ? double(USUAL_STEP) / largest : wanted;
 	if (settings.substeps > 0) {
 		plan.substeps = settings.substeps;
 		plan.reason = PlanReason::FIXED;
-	} else if (automatic && wanted > EXPLICIT_SUBSTEP_CAP) {
+	} else if (automatic && capped > EXPLICIT_SUBSTEP_CAP) {
 		plan.integrator = Integrator::XPBD;
-		plan.substeps = substeps_of_step(XPBD_SUBSTEPS, dt);
+		plan.substeps = xpbd_substeps(settings, dt);
 		plan.reason = PlanReason::TOO_STIFF;
 	} else if (plan.integrator == Integrator::XPBD) {
-		plan.substeps = substeps_of_step(XPBD_SUBSTEPS, dt);
+		plan.substeps = xpbd_substeps(settings, dt);
 		plan.reason = PlanReason::CONTACTS;
 	} else if (!(wanted <= MAX_SUBSTEPS)) { // not ">": an unstable method wants infinitely many
 		plan.substeps = MAX_SUBSTEPS;

@@ -73,7 +73,8 @@ int substeps_of_step(int in_usual_step, Real dt);
 /// Chooses integrator and substeps for a step of `dt` [s] > 0, for a body at its rest shape. AUTOMATIC is velocity
 /// Verlet without and semi-implicit Euler with `has_contacts`, with the smallest n for which h = dt/n is within
 /// STABILITY_BUDGET, at least MIN_CONTACT_SUBSTEPS if `has_contacts`. Past EXPLICIT_SUBSTEP_CAP it is XPBD with
-/// XPBD_SUBSTEPS. Both counts are larger in long steps (`substeps_of_step`). A named integrator is kept, with its own
+/// XPBD_SUBSTEPS. Both counts are larger in long steps (`substeps_of_step`). A body that may dent has the method and the
+/// substep of XPBD that it has in a step of USUAL_STEP, so that dents do not depend on `dt`. A named integrator is kept, with its own
 /// smallest n up to MAX_SUBSTEPS. A fixed count of the settings is kept, safe or not.
 SubstepPlan plan_substeps(const SoftBodyShape &shape, const BodySettings &settings, Real dt, bool has_contacts);
 /// The plan for a step of `dt` [s] that a body begins near its rest shape (CALM_STRAIN), where `plan` is the one for any
