@@ -2,6 +2,7 @@
 // Dents: whether they depend on the tick rate, what an elastic twin keeps, and what bodies pay that do not dent. Cuts as well.
 #include "bench.h"
 
+#include "core/creator/body_tear.h"
 #include "core/dynamics/simulator.h"
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
@@ -145,6 +146,36 @@ double unreached_ratio(int rounds) {
 	return median(times[1]) / median(times[0]);
 }
 
+/// Median time of a tear of a disc that is drawn to 1.5 times its length [us], without and with the check that comes first
+/// for a body that is not overstretched.
+json tear_times(int points, int repetitions) {
+	const softbody::StructureOptions options;
+	const auto shape = softbody::SoftBodyCreator::create_polygon(softbody::testing::circle_of(50, points), options).value();
+	SoftBodyData body = SoftBodyData::create(shape, {}, {}).value();
+	const softbody::TearLimits limits{ .stretch = Real(0.4) };
+	std::vector<double> checks;
+	std::vector<double> tears;
+	std::size_t pieces = 0;
+	int overstretched = 0;
+	for (int i = 0; i < repetitions; ++i) {
+		for (const Real stretch : { Real(1), Real(1.5) }) {
+			for (std::uint32_t k = 0; k < body.point_count(); ++k) {
+				const Vec2 rest = shape->rest_positions()[k];
+				(void)body.set_point(k, { rest.x * stretch, rest.y / stretch }, {});
+			}
+			const auto start = std::chrono::steady_clock::now();
+			if (stretch == 1) {
+				overstretched += softbody::is_overstretched(body, limits.stretch);
+			} else {
+				pieces += softbody::plan_tear(body, options, limits).value().pieces.size();
+			}
+			(stretch == 1 ? checks : tears).push_back(1e6 * seconds_since(start));
+		}
+	}
+	return { { "points", points }, { "check_us", median(checks) }, { "tear_us", median(tears) }, { "pieces", pieces / std::size_t(repetitions) },
+		{ "overstretched_at_rest", overstretched } };
+}
+
 } // namespace
 
 json dents(const Options &options) {
@@ -174,6 +205,10 @@ json dents(const Options &options) {
 	result["elastic_twin_error_percent"] = twin;
 	result["undented"] = undented_cost();
 	result["undented_step_ratio"] = result["undented"]["ratio"];
+	result["tears"] = json::array();
+	for (const int points : { 16, 64, 256 }) {
+		result["tears"].push_back(tear_times(points, options.quick ? 11 : 51));
+	}
 	result["unreached_step_ratio"] = unreached_ratio(options.quick ? 5 : 21);
 	return result;
 }

@@ -52,5 +52,8 @@ def print_table(summary):
     print("Median time of a cut in two [µs]: where it goes, and with the pieces' bodies")
     for row in summary["times"]:
         print(f"  {row['points']:>4} points  {row['model']:<8} {row['plan_us']:>8.1f} {row['cut_us']:>9.1f}")
+    print("Median time of a tear in two: the check before it, and where it goes [µs]")
+    for row in summary["tears"]:
+        print(f"  {row['points']:>4} points  {row['check_us']:>8.2f} {row['tear_us']:>9.1f}")
     print_load(summary)
     print_targets(summary)

@@ -161,6 +161,44 @@ TEST_CASE("painted weak spots tear first") {
 	}
 }
 
+TEST_CASE("a tear follows a painted seam across a body, not the short way") {
+	std::vector<Vec2> hull;
+	for (int side = 0; side < 4; ++side) {
+		for (int i = 0; i < 10; ++i) {
+			const Vec2 p{ Real(-100 + 20 * i), -100 };
+			hull.push_back(side == 0 ? p : side == 1 ? Vec2{ -p.y, p.x } : side == 2 ? -p : Vec2{ p.y, -p.x });
+		}
+	}
+	StructureOptions options;
+	for (int i = 0; i < 25; ++i) {
+		options.inner_points.push_back({ Real(-64 + 32 * (i % 5)), Real(-64 + 32 * (i / 5)) });
+	}
+	const SoftBodyData plain = make(hull, options);
+	for (const Real aside : { Real(-40), Real(40) }) {
+		CAPTURE(aside);
+		options.springs.clear();
+		options.spring_stiffness_scales.clear();
+		const std::span<const Vec2> rest = plain.shape().rest_positions();
+		for (const Spring2D &spring : plain.shape().springs()) {
+			options.springs.push_back({ spring.a, spring.b });
+			const Vec2 middle = (rest[spring.a] + rest[spring.b]) * Real(0.5);
+			options.spring_stiffness_scales.push_back(std::abs(middle.x - aside * middle.y / 100) < 24 ? Real(0.2) : Real(1));
+		}
+		SoftBodyData body = make(hull, options);
+		deform(body, [](Vec2 p) { return Vec2{ p.x * Real(1.2), p.y }; });
+		const auto tear = plan_tear(body, options, limits_of());
+		REQUIRE(tear);
+		REQUIRE(tear.value().pieces.size() == 2);
+		const BodyCut &cut = tear.value();
+		for (const std::uint32_t point : cut.pieces[0].outline) {
+			const Vec2 p = cut.polygon.points[point].position;
+			if (std::ranges::find(cut.pieces[1].outline, point) != cut.pieces[1].outline.end()) {
+				CHECK(std::abs(p.x / Real(1.2) - aside * p.y / 100) < 30);
+			}
+		}
+	}
+}
+
 TEST_CASE("a body that is bent tears from the stretched side only when half of the way has failed") {
 	const auto bent = [](double curvature) {
 		return [curvature](Vec2 p) {

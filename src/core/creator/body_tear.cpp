@@ -4,7 +4,6 @@
 
 #include "core/geometry/mean_value.h"
 #include "core/geometry/polygon.h"
-#include "core/model/body_frame.h"
 
 #include <algorithm>
 #include <array>
@@ -27,6 +26,9 @@ constexpr double SPACING = 0.5;
 
 // Distance by which the deformation is measured beside a place, of that of the places [1].
 constexpr double DIFFERENCE = 0.05;
+
+// Distance at which the middle of a spring has a quarter of its say in what a place bears, of the distance of the places [1].
+constexpr double REACH = 0.5;
 
 // Least part of what the mean bears that any place does [1].
 constexpr double LEAST_STRENGTH = 1e-3;
@@ -75,16 +77,17 @@ Line most_used_line(const SoftBodyData &body, Real stretch) {
 	return most;
 }
 
-/// A place inside the deformed body.
+/// A place inside the body.
 struct Place {
 	int column = 0;
 	int row = 0;
+	Vec2 rest; ///< in the shape as it was made [length]
 	Vec2 position; ///< in the world [length]
-	/// Rest positions by positions: dX/dx and dX/dy [1].
-	Vec2d rest_x;
-	Vec2d rest_y;
+	/// Positions by rest positions: dx/dX and dx/dY [1].
+	Vec2d stretch_x;
+	Vec2d stretch_y;
 	double bears = 1; ///< strain, of what the mean of the body bears [1]
-	OutlinePlace exit; ///< on the outline, beside it
+	OutlinePlace exit; ///< on the outline at rest, beside it
 	bool is_beside_outline = false;
 };
 
@@ -103,7 +106,7 @@ struct WayOut {
 	Part part;
 };
 
-/// A search over places in rows and columns that turn with the body.
+/// A search over places in rows and columns of the shape as it was made, which is never bent or folded.
 class CrackSearch {
 public:
 	CrackSearch(const SoftBodyData &body, Real stretch) : body_(body), stretch_(double(stretch)) { make_places(); }
@@ -122,10 +125,11 @@ private:
 	static constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
 
 	void make_places();
-	void measure(Place &place, std::span<const double> bears) const;
-	std::vector<double> point_strengths() const;
+	void measure(Place &place) const;
+	double strength(Vec2 place) const;
+	Vec2 exit_position(const Place &place) const;
 	std::size_t place_at(int column, int row) const;
-	std::size_t nearest(Vec2 position) const;
+	std::size_t nearest(Vec2 rest) const;
 	Part part(const Place &place, Vec2d way) const;
 	std::vector<std::vector<Vec2>> ways_through(Vec2 middle, Vec2 along, std::array<std::size_t, 2> own_edges, double least_use);
 	bool leads(Vec2 way) const;
@@ -147,13 +151,12 @@ private:
 };
 
 void CrackSearch::make_places() {
-	const BodyFrame frame = measure_frame(body_);
-	const std::span<const Vec2> hull = body_.hull();
+	const std::span<const Vec2> hull = body_.shared_shape()->rest_hull();
 	Vec2 low{ std::numeric_limits<Real>::max(), std::numeric_limits<Real>::max() };
 	Vec2 high = -low;
 	double around = 0;
 	for (std::size_t i = 0; i < hull.size(); ++i) {
-		const Vec2 p = frame.rotation.apply_inverse(hull[i] - frame.center);
+		const Vec2 p = hull[i];
 		low = { std::min(low.x, p.x), std::min(low.y, p.y) };
 		high = { std::max(high.x, p.x), std::max(high.y, p.y) };
 		around += double(length(hull[(i + 1) % hull.size()] - hull[i]));
@@ -163,17 +166,16 @@ void CrackSearch::make_places() {
 	h_ = std::max(SPACING * around / double(hull.size()), std::max(width, height) / MOST_COLUMNS);
 	columns_ = std::max(1, int(std::ceil(width / h_)));
 	rows_ = std::max(1, int(std::ceil(height / h_)));
+	const Vec2 middle = (low + high) * Real(0.5);
 	grid_.assign(std::size_t(columns_) * std::size_t(rows_), NONE);
-	const std::vector<double> bears = point_strengths();
 	for (int row = 0; row < rows_; ++row) {
 		for (int column = 0; column < columns_; ++column) {
 			Place place;
 			place.column = column;
 			place.row = row;
-			const Vec2 local{ Real(double(low.x) + (column + 0.5) * width / columns_), Real(double(low.y) + (row + 0.5) * height / rows_) };
-			place.position = frame.center + frame.rotation.apply(local);
-			if (point_in_polygon(place.position, hull)) {
-				measure(place, bears);
+			place.rest = middle + Vec2{ Real((column + 0.5 - 0.5 * columns_) * h_), Real((row + 0.5 - 0.5 * rows_) * h_) };
+			if (point_in_polygon(place.rest, hull)) {
+				measure(place);
 				grid_[std::size_t(row * columns_ + column)] = places_.size();
 				places_.push_back(place);
 			}
@@ -183,50 +185,46 @@ void CrackSearch::make_places() {
 		for (const auto &[x, y] : { std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1) }) {
 			place.is_beside_outline |= place_at(place.column + x, place.row + y) == NONE;
 		}
-		place.exit = nearest_place(hull, place.position);
+		place.exit = nearest_place(hull, place.rest);
 	}
 }
 
-// What each point bears: the mean of its springs, of that of all.
-std::vector<double> CrackSearch::point_strengths() const {
-	const SoftBodyShape &shape = *body_.shared_shape();
-	std::vector<double> sums(shape.point_count(), 0);
-	std::vector<int> counts(shape.point_count(), 0);
+// What the body bears at a place: the mean of its springs, by how near its middle is, of that of all.
+double CrackSearch::strength(Vec2 place) const {
+	const std::span<const Spring2D> springs = body_.shared_shape()->springs();
+	const std::span<const Vec2> rest = body_.shared_shape()->rest_positions();
+	const double near = REACH * h_;
+	double sum = 0;
+	double weights = 0;
 	double mean = 0;
-	for (const Spring2D &spring : shape.springs()) {
-		for (const std::uint32_t point : { spring.a, spring.b }) {
-			sums[point] += double(spring.stiffness);
-			++counts[point];
-		}
-		mean += double(spring.stiffness) / double(shape.springs().size());
+	for (const Spring2D &spring : springs) {
+		const Vec2 middle = (rest[spring.a] + rest[spring.b]) * Real(0.5);
+		const double share = 1 / (double(length_squared(middle - place)) + near * near);
+		sum += share * share * double(spring.stiffness);
+		weights += share * share;
+		mean += double(spring.stiffness) / double(springs.size());
 	}
-	for (std::size_t i = 0; i < sums.size(); ++i) {
-		sums[i] = mean > 0 && counts[i] > 0 ? sums[i] / counts[i] / mean : 1;
-	}
-	return sums;
+	return mean > 0 ? sum / weights / mean : 1;
 }
 
-void CrackSearch::measure(Place &place, std::span<const double> bears) const {
+void CrackSearch::measure(Place &place) const {
 	const std::span<const Vec2> hull = body_.hull();
-	const std::span<const Vec2> rest_hull = body_.shared_shape()->rest_hull();
-	const auto rest_of = [&](std::span<const double> weights) {
+	const auto carried = [&](Vec2 rest) {
+		const std::vector<double> weights = mean_value_weights(body_.shared_shape()->rest_hull(), rest);
 		Vec2d sum;
 		for (std::size_t i = 0; i < weights.size(); ++i) {
-			sum += Vec2d(rest_hull[i]) * weights[i];
+			sum += Vec2d(hull[i] - hull[0]) * weights[i]; // relative to a point of the body, which keeps digits far from the origin
 		}
 		return sum;
 	};
-	const std::vector<double> weights = mean_value_weights(hull, place.position);
-	const Vec2d rest = rest_of(weights);
+	const Vec2d here = carried(place.rest);
 	const Real beside = Real(DIFFERENCE * h_);
-	const Vec2 x = place.position + Vec2{ beside, 0 };
-	const Vec2 y = place.position + Vec2{ 0, beside };
-	place.rest_x = (rest_of(mean_value_weights(hull, x)) - rest) * (1 / double(x.x - place.position.x));
-	place.rest_y = (rest_of(mean_value_weights(hull, y)) - rest) * (1 / double(y.y - place.position.y));
-	place.bears = 0;
-	for (std::size_t i = 0; i < weights.size(); ++i) {
-		place.bears += bears[i] * weights[i];
-	}
+	const Vec2 x = place.rest + Vec2{ beside, 0 };
+	const Vec2 y = place.rest + Vec2{ 0, beside };
+	place.position = hull[0] + Vec2{ Real(here.x), Real(here.y) };
+	place.stretch_x = (carried(x) - here) * (1 / double(x.x - place.rest.x));
+	place.stretch_y = (carried(y) - here) * (1 / double(y.y - place.rest.y));
+	place.bears = strength(place.rest);
 }
 
 std::size_t CrackSearch::place_at(int column, int row) const {
@@ -234,11 +232,11 @@ std::size_t CrackSearch::place_at(int column, int row) const {
 	return is_on_grid ? grid_[std::size_t(row * columns_ + column)] : NONE;
 }
 
-std::size_t CrackSearch::nearest(Vec2 position) const {
+std::size_t CrackSearch::nearest(Vec2 rest) const {
 	std::size_t found = NONE;
 	Real least = std::numeric_limits<Real>::max();
 	for (std::size_t i = 0; i < places_.size(); ++i) {
-		const Real distance = length_squared(places_[i].position - position);
+		const Real distance = length_squared(places_[i].rest - rest);
 		if (distance < least) {
 			least = distance;
 			found = i;
@@ -247,19 +245,23 @@ std::size_t CrackSearch::nearest(Vec2 position) const {
 	return found;
 }
 
-// The strain across a way is that of a line which stood on it at rest: with X = G x it lies along G^-1 N now.
+// The strain across a way at rest is that of a line that stands on it there.
 Part CrackSearch::part(const Place &place, Vec2d way) const {
-	const Vec2d rest = place.rest_x * way.x + place.rest_y * way.y;
-	const double at_rest = std::sqrt(dot(rest, rest));
-	const double area = cross(place.rest_x, place.rest_y);
-	if (!(at_rest > 0) || !(area > 0)) {
-		return { std::sqrt(dot(way, way)), 0 };
+	const double size = std::sqrt(dot(way, way));
+	if (!(size > 0) || !(cross(place.stretch_x, place.stretch_y) > 0)) {
+		return { size, 0 };
 	}
-	const Vec2d normal = perpendicular(rest) * (1 / at_rest);
-	const Vec2d now{ cross(normal, place.rest_y) / area, cross(place.rest_x, normal) / area };
+	const Vec2d normal = perpendicular(way) * (1 / size);
+	const Vec2d now = place.stretch_x * normal.x + place.stretch_y * normal.y;
 	const double strain = std::sqrt(dot(now, now)) - 1;
 	const double bears = stretch_ * std::max(LEAST_STRENGTH, place.bears);
-	return { at_rest, at_rest * std::clamp(strain / bears, 0.0, 1.0) };
+	return { size, size * std::clamp(strain / bears, 0.0, 1.0) };
+}
+
+Vec2 CrackSearch::exit_position(const Place &place) const {
+	const std::span<const Vec2> hull = body_.hull();
+	const Vec2 from = hull[place.exit.edge];
+	return from + (hull[(place.exit.edge + 1) % hull.size()] - from) * place.exit.t;
 }
 
 // A way turns by at most 45 degrees from where it leads, so that it parts the body and does not peel it.
@@ -286,10 +288,10 @@ void CrackSearch::search(std::size_t start) {
 		for (int row = place.row - 1; row <= place.row + 1; ++row) {
 			for (int column = place.column - 1; column <= place.column + 1; ++column) {
 				const std::size_t to = place_at(column, row);
-				if (to == NONE || to == from || !leads(places_[to].position - place.position)) {
+				if (to == NONE || to == from || !leads(places_[to].rest - place.rest)) {
 					continue;
 				}
-				const Vec2d half = (Vec2d(places_[to].position) - Vec2d(place.position)) * 0.5;
+				const Vec2d half = (Vec2d(places_[to].rest) - Vec2d(place.rest)) * 0.5;
 				const Part way = parts_[from] + part(place, half) + part(places_[to], half);
 				if (way.cost() < parts_[to].cost()) {
 					parts_[to] = way;
@@ -307,10 +309,10 @@ std::vector<WayOut> CrackSearch::exits() const {
 	for (std::size_t i = 0; i < places_.size(); ++i) {
 		const Place &place = places_[i];
 		const bool is_reached = std::isfinite(parts_[i].length);
-		if (!is_reached || !place.is_beside_outline || !leads(place.exit.position - place.position)) {
+		if (!is_reached || !place.is_beside_outline || !leads(place.exit.position - place.rest)) {
 			continue;
 		}
-		const Part way = parts_[i] + part(place, Vec2d(place.exit.position) - Vec2d(place.position));
+		const Part way = parts_[i] + part(place, Vec2d(place.exit.position) - Vec2d(place.rest));
 		WayOut &other = best[place.exit.edge];
 		if (other.place == NONE || way.cost() < other.part.cost()) {
 			other = { i, way };
@@ -325,9 +327,10 @@ std::vector<WayOut> CrackSearch::exits() const {
 // From the start to a little beyond the outline.
 std::vector<Vec2> CrackSearch::trace(std::size_t end) const {
 	const Place &last = places_[end];
-	const Vec2 outwards = last.exit.position - last.position;
+	const Vec2 exit = exit_position(last);
+	const Vec2 outwards = exit - last.position;
 	const Real size = length(outwards);
-	std::vector<Vec2> way{ last.exit.position + (size > 0 ? outwards * (Real(OVERSHOOT * h_) / size) : Vec2{}), last.exit.position };
+	std::vector<Vec2> way{ exit + (size > 0 ? outwards * (Real(OVERSHOOT * h_) / size) : Vec2{}), exit };
 	for (std::size_t i = end; i != NONE; i = before_[i]) {
 		way.push_back(places_[i].position);
 	}
@@ -362,8 +365,9 @@ std::vector<Vec2> CrackSearch::straightened(std::span<const Vec2> way) const {
 
 std::vector<std::vector<Vec2>> CrackSearch::across(const Line &line) {
 	const std::size_t hull_count = body_.hull().size();
-	const Vec2 from = body_.positions()[line.a];
-	const Vec2 along = body_.positions()[line.b] - from;
+	const std::span<const Vec2> rest = body_.shared_shape()->rest_positions();
+	const Vec2 from = rest[line.a];
+	const Vec2 along = rest[line.b] - from;
 	const bool is_on_outline = line.a < hull_count && line.b < hull_count;
 	// To the outer side of a line of the outline there is only its own middle.
 	const std::size_t to_left = is_on_outline && (line.b + 1) % hull_count == line.a ? line.b : NONE;
@@ -372,9 +376,10 @@ std::vector<std::vector<Vec2>> CrackSearch::across(const Line &line) {
 }
 
 std::vector<std::vector<Vec2>> CrackSearch::beside(const Line &line, int step) {
-	const Vec2 from = body_.positions()[line.a];
-	const Vec2 along = body_.positions()[line.b] - from;
-	const Vec2 inwards = measure_frame(body_).center - (from + along * Real(0.5));
+	const std::span<const Vec2> rest = body_.shared_shape()->rest_positions();
+	const Vec2 from = rest[line.a];
+	const Vec2 along = rest[line.b] - from;
+	const Vec2 inwards = -(from + along * Real(0.5));
 	const Real way = length(inwards);
 	if (!(Real(step * h_) < way)) {
 		return {};
@@ -382,7 +387,7 @@ std::vector<std::vector<Vec2>> CrackSearch::beside(const Line &line, int step) {
 	return ways_through(from + along * Real(0.5) + inwards * (Real(step * h_) / way), inwards, { NONE, NONE }, 0);
 }
 
-// Through the place nearest to `middle`, across `along`. `own_edges` are the only ways out to its left and right, if they are given.
+// Through the place nearest to `middle`, across `along`, both at rest. `own_edges` are the only ways out to its left and right, if they are given.
 std::vector<std::vector<Vec2>> CrackSearch::ways_through(Vec2 middle, Vec2 along, std::array<std::size_t, 2> own_edges, double least_use) {
 	const std::size_t start = nearest(middle);
 	if (start == NONE || !(length(along) > 0)) {
@@ -395,7 +400,7 @@ std::vector<std::vector<Vec2>> CrackSearch::ways_through(Vec2 middle, Vec2 along
 		if (own_edges[i] != NONE) {
 			places_[start].exit = { own_edges[i], Real(0.5), middle, Real(0) };
 			before_.assign(places_.size(), NONE);
-			sides[i].ways.push_back({ start, part(places_[start], Vec2d(middle) - Vec2d(places_[start].position)) });
+			sides[i].ways.push_back({ start, part(places_[start], Vec2d(middle) - Vec2d(places_[start].rest)) });
 		} else {
 			search(start);
 			sides[i].ways = exits();

@@ -25,13 +25,14 @@ bool is_overstretched(const SoftBodyData &body, Real stretch);
 
 /// Finds the weakest way through an overstretched body, from outline to outline across the line that is most overstretched.
 /// The way is as weak as the strain across it: a part of the way that is strained by e resists by 1 - e/stretch, as long
-/// as it is at rest. Strain between the hull's points is that of their mean value coordinates. The body tears if the mean
+/// as it is at rest. Strain between the hull's points is that of their mean value coordinates at rest (Floater 2003). A part
+/// bears what the springs bear whose middles are near. The body tears if the mean
 /// of e/stretch along the way, each at most 1, is at least half: then what still holds is less than what has failed. If a line is strained twice as far as it bears, as one at a
 /// pinned point may be, and all that would come off there is too small, the body tears farther in.
 ///
 /// The tear is a cut along that way, and everything that holds for `plan_cut` does. One piece alone: it does not tear.
 /// Refuses, by name, a stretch that is not above 0 and finite, limits that `plan_cut` refuses, and a body that is folded.
-/// O(springs) of a body that is not overstretched; else O(hull points + log n) for each of about 500 places; allocates.
+/// O(springs) of a body that is not overstretched; else O(hull points + springs) for each of about 500 places; allocates.
 Result<BodyCut> plan_tear(const SoftBodyData &body, const StructureOptions &options, const TearLimits &limits);
 
 } // namespace softbody

@@ -12,7 +12,7 @@ namespace softbody {
 /// Plastic flow of a body's rest positions. Strain is measured along the lines of the shape's springs, whether or not they pull:
 /// e = |x_b - x_a| / |q_b - q_a| - 1. A line whose |e| exceeds its yield y has the excess share 1 - y/|e|; a point has the largest
 /// of its lines. In a substep of h [s] each rest position moves by (1 - exp(-flow_rate h)) of this share of the point's displacement
-/// from it, in the frame that turns with the body. So a uniform strain e flows with de/dt = -flow_rate (|e| - y), whatever the
+/// from it, in the frame that turns with the body. So a uniform strain e flows with de/dt = -flow_rate (1 + e)(|e| - y), whatever the
 /// substeps. Every term of the model reads the rest positions, and a dented body is an ordinary body of another shape.
 ///
 /// Center, orientation and area of the rest shape stay. No line's length at rest changes by more than `max_dent` of its first. A
