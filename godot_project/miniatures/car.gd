@@ -1,19 +1,16 @@
 # SPDX-License-Identifier: MIT
 extends Node2D
-## A car of three soft bodies: a body that keeps its dents, and two wheels that hang on it by springs.
+## A car of three soft bodies: a body of metal that dents and tears, and two wheels that hang on it by springs.
 ##
-## SoftBody2D is elastic: whatever dents it, it springs back. Here a script makes the dents stay. Where a point of
-## the body has been pushed farther from its place in the rest shape than [constant YIELD], its place follows: a new
-## `polygon` and new `inner_points` are a new rest shape, and with the state put back the body goes on as it lies.
+## What strains the body further than [constant YIELD] stays, by [member SoftBody2D.yield_strain]; what stretches it further than
+## [constant TEAR] tears, by [member SoftBody2D.tear_stretch].
 
-## How far a point may be pushed and still spring back [px].
-const YIELD := 5.0
-## The share of what lies beyond that stays.
-const FLOW := 0.7
-## Ticks between two looks: each dent makes another shape, for a quarter of the time of a step of three cars.
-const LOOK_INTERVAL := 2
-## No point leaves its first place by more than this, along the car and upright to it [px].
-const DEEPEST := Vector2(80, 26)
+## Strain up to which a car springs back [1]: of springs of mean stiffness. The axles are six times as stiff as the rest, which has half of it.
+const YIELD := 0.2
+const FLOW_RATE := 40.0 # 1/s
+const MOST_DENT := 0.7
+## Strain at which sheet tears [1].
+const TEAR := 0.7
 const TORQUE := 170000.0 # kg px²/s², of each wheel
 const TOP_SPEED := 1400.0 # px/s
 const WHEEL_RADIUS := 27.0
@@ -24,20 +21,19 @@ const OUTLINE: Array[Vector2] = [
 	Vector2(50, -20), Vector2(100, -12), Vector2(110, 2), Vector2(108, 24),
 ]
 const SPACING := 15.0
-## Which of the inner points is the middle one.
-const MIDDLE := 4
 
 ## -1 backwards to 1 forwards.
 var throttle := 0.0
-## Whether dents stay; without, the car is as elastic as its bodies.
-var keeps_dents := true
+## Whether the body is of metal; if not, it is elastic.
+var is_metal := true:
+	set(value):
+		is_metal = value
+		body.yield_strain = YIELD if is_metal else 0.0
+		body.tear_stretch = TEAR if is_metal else 0.0
 var body := SoftBody2D.new()
 var wheels: Array[SoftBody2D] = []
 ## 1 if its front is to the right.
 var direction := 1.0
-
-var _first := PackedVector2Array()
-var _age := 0
 
 
 func _init(tint := Color.WHITE, p_direction := 1.0) -> void:
@@ -55,8 +51,10 @@ func _add_body(tint: Color) -> void:
 	body.inner_points = PackedVector2Array([
 		AXLES[0], AXLES[1], Vector2(-86, 2), Vector2(-34, 4), Vector2(0, 4), Vector2(32, 4), Vector2(86, 8),
 		Vector2(-34, -26), Vector2(0, -30), Vector2(30, -24)])
-	# The springs of the first shape stay, however it is dented.
-	body.springs = body.get_all_springs()
+	body.yield_strain = YIELD
+	body.flow_rate = FLOW_RATE
+	body.max_dent = MOST_DENT
+	body.tear_stretch = TEAR
 	body.mass = 9
 	body.stiffness = 1000
 	body.damping = 3.5
@@ -80,7 +78,6 @@ func _add_body(tint: Color) -> void:
 	if direction < 0: # mirrored as a whole, the texture too
 		body.scale = Vector2(-1, 1)
 	add_child(body)
-	_first = outline + body.inner_points
 
 
 func _add_wheel(place: Vector2) -> void:
@@ -142,47 +139,6 @@ func _physics_process(_delta: float) -> void:
 		var effect := clampf((wish - wheel.get_angular_velocity()) / 12, -1, 1) if throttle != 0 \
 				else clampf(-wheel.get_angular_velocity() / 60, -0.2, 0.2)
 		wheel.apply_torque(effect * TORQUE)
-	_age += 1
-	if keeps_dents and _age % LOOK_INTERVAL == 0:
-		_keep_dents()
-
-
-func _keep_dents() -> void:
-	var rest := body.polygon + body.inner_points
-	var points := body.get_point_positions()
-	var changed := false
-	for i in rest.size():
-		var off := body.to_local(points[i]) - rest[i]
-		if off.length() > YIELD:
-			var place := rest[i] + off.limit_length(off.length() - YIELD) * FLOW
-			rest[i] = _first[i] + (place - _first[i]).clamp(-DEEPEST, DEEPEST)
-			changed = true
-	var outline := rest.slice(0, body.polygon.size())
-	if not changed or not _is_simple(outline):
-		return
-	var middle := rest[outline.size() + MIDDLE]
-	for i in range(outline.size(), rest.size()):
-		if not Geometry2D.is_point_in_polygon(rest[i], outline):
-			rest[i] = rest[i].lerp(middle, 0.3) # a point inside that the outline has passed goes inward
-			if not Geometry2D.is_point_in_polygon(rest[i], outline):
-				return
-	var state := body.get_state()
-	body.polygon = outline
-	body.inner_points = rest.slice(outline.size())
-	body.set_state(state)
-
-
-## Whether no two edges meet, which a polygon must not.
-static func _is_simple(polygon: PackedVector2Array) -> bool:
-	var count := polygon.size()
-	for i in count:
-		if polygon[i].distance_squared_to(polygon[i - 1]) < 1:
-			return false
-		for j in range(i + 2, count):
-			if (j + 1) % count != i and Geometry2D.segment_intersects_segment(
-					polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % count]) != null:
-				return false
-	return true
 
 
 static func _divide(corners: Array[Vector2]) -> PackedVector2Array:
