@@ -4,6 +4,7 @@ extends RefCounted
 
 const SCENES: Array[Dictionary] = [
 	{"title": "Demo", "path": "res://demo/main.tscn", "about": "Jellies of every stiffness to pull at"},
+	{"title": "Slicing", "path": "res://miniatures/slicing.tscn", "about": "Cut the fruit, spare the stones"},
 	{"title": "Petri dish", "path": "res://miniatures/petri_dish.tscn", "about": "Swallow the small, flee the large"},
 	{"title": "Jelly wrestlers", "path": "res://miniatures/jelly_wrestlers.tscn", "about": "Push the other one off"},
 	{"title": "Crash", "path": "res://miniatures/crash.tscn", "about": "A car that keeps its dents"},
@@ -11,6 +12,8 @@ const SCENES: Array[Dictionary] = [
 	{"title": "Stress test", "path": "res://laboratory/stress_test.tscn", "about": "How many does this machine hold?"},
 	{"title": "Crates and a lift", "path": "res://examples/crates_and_lift.tscn", "about": "Rigid bodies push and are pushed"},
 	{"title": "Cuts", "path": "res://examples/cuts.tscn", "about": "Draw a line through jelly"},
+	{"title": "Dents", "path": "res://examples/dents.tscn", "about": "Metal, toughness, dough"},
+	{"title": "Tears", "path": "res://examples/tears.tscn", "about": "Strips that part at their seam"},
 	{"title": "Looks", "path": "res://examples/looks.tscn", "about": "Outlines, textures, colors"},
 	{"title": "Pile", "path": "res://examples/pile.tscn", "about": "Many bodies on a heap"},
 	{"title": "Friction", "path": "res://examples/friction.tscn", "about": "Who slides, who holds"},

@@ -211,3 +211,34 @@ func test_bodies_roll_down_the_tiles() -> void:
 		var body := _body("Body%d" % (i + 1))
 		check_above(body.get_center_of_mass_position().y, 330, "height of %s after 6 s" % body.name)
 		check_below(body.get_penetration(), 1, "penetration of " + body.name)
+
+
+func test_dents_stay_and_grow_out() -> void:
+	_open("dents")
+	await seconds(4)
+	check_equal(_body("Elastic").get_dent(), 0.0, "dent of the elastic disc")
+	check_above(_body("Metal").get_dent(), 0.3, "dent of sheet metal")
+	check_above(_body("Tough").get_dent(), 0.1, "dent of tough matter")
+	check_below(_body("Tough").get_dent(), 0.3, "dent of tough matter")
+	check_below(_body("Dough").get_dent(), 0.1, "dent of what creeps slowly")
+	check_above(_body("Dough").get_dent(), 0.02, "dent of what creeps slowly")
+	await seconds(2.8)
+	check_below(_body("Metal").get_dent(), 0.05, "dent of sheet metal when it has grown out")
+
+
+func test_strips_tear_and_the_painted_one_at_its_seam() -> void:
+	_open("tears")
+	await seconds(4)
+	var strips: Array[SoftBody2D] = _scene.get(&"strips")
+	var found: Array[int] = [0, 0, 0]
+	var seam := 0.0
+	for body: SoftBody2D in _scene.find_children("*", "SoftBody2D", true, false):
+		for i in strips.size():
+			if absf(body.position.y - strips[i].position.y) < 90:
+				found[i] += 1
+		if body != strips[2] and absf(body.position.y - strips[2].position.y) < 90:
+			seam = body.get_rest_area() / (strips[2].get_rest_area() + body.get_rest_area())
+	check_equal(found[0], 1, "pieces of the strip that does not tear")
+	check_equal(found[1], 2, "pieces of the second strip")
+	check_equal(found[2], 2, "pieces of the painted strip")
+	check_near(seam, (150 - 70) / 300.0, (22 + 11) / 300.0, "share of what is beyond the seam, which is 44 px wide between points 21 px apart")

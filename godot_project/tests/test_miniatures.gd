@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 extends "res://tests/support/suite.gd"
-## What the miniatures promise: cells swallow and flee, wrestlers stand, grab and fall, cars keep their dents.
+## What the miniatures promise: cells swallow and flee, wrestlers stand, grab and fall, cars keep their dents, fruit is cut.
 
 const Cell := preload("res://miniatures/petri_cell.gd")
 const Wrestler := preload("res://miniatures/wrestler.gd")
 const Car := preload("res://miniatures/car.gd")
+const Fruit := preload("res://miniatures/fruit.gd")
+const Slicing := preload("res://miniatures/slicing.gd")
 
 
 func _open(name: String) -> Node2D:
@@ -205,3 +207,106 @@ func test_cars_that_meet_head_on_lose_parts() -> void:
 		for body: SoftBody2D in car.find_children("*", "SoftBody2D", true, false):
 			bodies += 1
 	check_above(bodies, 9, "bodies, of which the cars have nine while they are whole")
+
+
+## A game that throws nothing by itself.
+func _open_slicing() -> Slicing:
+	var game := _open("slicing") as Slicing
+	game.set(&"_pause", INF)
+	return game
+
+
+## A fruit or stone that hangs in the air.
+func _hang(game: Slicing, is_stone := false, place := Vector2(640, 360)) -> SoftBody2D:
+	var fruit := game.throw_fruit(is_stone)
+	fruit.position = place
+	fruit.linear_velocity = Vector2.ZERO
+	fruit.angular_velocity = 0
+	fruit.gravity_scale = 0
+	return fruit
+
+
+func _mouse(at: Vector2, pressed: bool, changed: bool) -> void:
+	var event: InputEventMouse
+	if changed:
+		var button := InputEventMouseButton.new()
+		button.button_index = MOUSE_BUTTON_LEFT
+		button.pressed = pressed
+		event = button
+	else:
+		event = InputEventMouseMotion.new()
+	event.position = at
+	stage.get_viewport().push_input(event, true)
+
+
+func _swipe(from: Vector2, to: Vector2) -> void:
+	_mouse(from, true, true)
+	for i in 6:
+		_mouse(from.lerp(to, (i + 1) / 6.0), true, false)
+		await ticks(1)
+	_mouse(to, false, true)
+
+
+func test_a_swipe_with_the_mouse_cuts_a_fruit_and_scores() -> void:
+	var game := _open_slicing()
+	_hang(game)
+	await ticks(2)
+	await _swipe(Vector2(500, 350), Vector2(780, 370))
+	check_equal(game.score, 1, "points")
+	check_equal(game.get_thrown().size(), 2, "pieces")
+	check_equal(game.hearts, Slicing.HEARTS, "hearts")
+	await _swipe(Vector2(640, 200), Vector2(640, 560)) # both halves
+	check_above(game.score, 2, "points after another swipe")
+
+
+func test_the_blade_of_stick_and_keys_cuts() -> void:
+	var game := _open_slicing()
+	_hang(game)
+	game.hand = Vector2(480, 362)
+	Input.action_press(&"ui_accept")
+	Input.action_press(&"ui_right")
+	await ticks(14)
+	Input.action_release(&"ui_right")
+	Input.action_release(&"ui_accept")
+	check_equal(game.score, 1, "points")
+
+
+func test_a_stone_and_what_falls_whole_cost_hearts_and_pieces_do_not() -> void:
+	var game := _open_slicing()
+	_hang(game, true)
+	await ticks(2)
+	await _swipe(Vector2(500, 350), Vector2(780, 370))
+	check_equal(game.hearts, Slicing.HEARTS - 1, "hearts after a stone was hit")
+	check_equal(game.score, 0, "points")
+	for body in game.get_thrown():
+		body.gravity_scale = 1
+	await seconds(2)
+	check_equal(game.get_thrown().size(), 0, "bodies in the air")
+	check_equal(game.hearts, Slicing.HEARTS - 1, "hearts after the stone's pieces fell")
+	var fruit := _hang(game)
+	fruit.gravity_scale = 1
+	await seconds(2)
+	check_equal(game.hearts, Slicing.HEARTS - 2, "hearts after a fruit fell")
+	_hang(game).gravity_scale = 1
+	await seconds(2)
+	check_equal(game.state, Slicing.State.LOST, "state")
+	game.restart()
+	check_equal(game.state, Slicing.State.PLAYING, "state of a new game")
+	check_equal(game.hearts, Slicing.HEARTS, "hearts of a new game")
+
+
+## Chases what flies, as the game throws it, and leaves stones alone.
+func test_a_player_who_hits_every_fruit_wins() -> void:
+	var game := _open("slicing") as Slicing
+	var waited := 0
+	while game.state == Slicing.State.PLAYING and waited < 3600:
+		await ticks(1)
+		waited += 1
+		for body in game.get_thrown():
+			var place := body.get_center_of_mass_position()
+			if body.is_in_group(Fruit.STONES) or not body.is_in_group(Fruit.WHOLE) or place.y > 600:
+				continue
+			await _swipe(place - Vector2(160, 0), place + Vector2(160, 0))
+			waited += 6
+			break
+	check_equal(game.state, Slicing.State.WON, "state after %d ticks, with %d points and %d hearts" % [waited, game.score, game.hearts])

@@ -64,7 +64,7 @@ func test_every_example_runs() -> void:
 
 
 func test_every_miniature_runs() -> void:
-	check_equal(await _run_folder(MINIATURES), 3, "number of miniatures")
+	check_equal(await _run_folder(MINIATURES), 4, "number of miniatures")
 
 
 func test_the_laboratory_and_the_stress_test_run() -> void:
