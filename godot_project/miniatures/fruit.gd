@@ -31,6 +31,8 @@ static func make(kind: int) -> SoftBody2D:
 	body.color = values["flesh"]
 	body.outline_color = values["rind"]
 	body.outline_width = values["rind_width"]
+	body.cut_width = 3 # no rind where it was cut
+	body.cut_color = (values["flesh"] as Color).lightened(0.45)
 	body.antialiased = true
 	body.smallest_piece = 0.08
 	body.collision_proxy_enabled = false

@@ -11,7 +11,7 @@ const SCREEN := Rect2(0, 0, 1280, 720)
 const GOAL := 40 # points: one for each new piece
 const HEARTS := 3
 ## A blade is as long as its way in this time [s].
-const BLADE_TIME := 0.14
+const BLADE_TIME := 0.2
 const BLADE_STEP := 8.0 # px, least distance of its points
 const STICK_SPEED := 1500.0 # px/s
 const PUSH := 90.0 # px/s, with which pieces part

@@ -415,3 +415,39 @@ func test_material_and_surface_are_those_of_the_whole() -> void:
 		check(piece.physics_material_override == body.physics_material_override, "surface of a piece")
 	for piece in cut_across(other):
 		check(piece.soft_body_material == shared, "material of a piece")
+
+
+func _is_near_any(place: Vector2, lines: Array) -> bool:
+	return lines.any(func(line: Array) -> bool:
+		return absf((place - line[0]).dot((line[1] - line[0]).orthogonal().normalized())) < 0.01)
+
+
+## Of each piece exactly the edges on the lines, of which a body whose polygon goes the other way has others.
+func test_pieces_know_which_of_their_edges_are_cut() -> void:
+	for clockwise: bool in [false, true]:
+		for mirrored: bool in [false, true]:
+			var polygon := SoftBody2D.make_circle_polygon(60, 20)
+			if clockwise:
+				polygon.reverse()
+			var body := add_body(Vector2(300, 200), {"polygon": polygon, "gravity_scale": 0.0, "scale": Vector2(-1 if mirrored else 1, 1)})
+			await ticks(2)
+			var lines := [[Vector2(200, 190), Vector2(400, 215)], [Vector2(290, 100), Vector2(315, 300)]]
+			var pieces: Array[SoftBody2D] = []
+			for piece in body.cut(lines[0][0], lines[0][1]):
+				pieces.append_array(piece.cut(lines[1][0], lines[1][1]))
+			check_equal(pieces.size(), 4, "number of pieces")
+			for piece in pieces:
+				var places := piece.get_point_positions()
+				var count := piece.polygon.size()
+				for i in count:
+					var on_line := _is_near_any(places[i], [lines[0]]) and _is_near_any(places[(i + 1) % count], [lines[0]])
+					on_line = on_line or (_is_near_any(places[i], [lines[1]]) and _is_near_any(places[(i + 1) % count], [lines[1]]))
+					check_equal(piece.cut_edges.has(i), on_line, "edge %d of %s, clockwise %s, mirrored %s, is cut" % [i, piece.name, clockwise, mirrored])
+				piece.free()
+
+
+func test_edges_that_are_none_are_warned_of() -> void:
+	var body := add_body(Vector2(300, 200), {"cut_edges": PackedInt32Array([3, 99])})
+	check("cut_edges" in " ".join(body.get_warnings()), "an edge that is none is not warned of")
+	body.cut_edges = PackedInt32Array([3])
+	check(not "cut_edges" in " ".join(body.get_warnings()), "an edge is warned of")

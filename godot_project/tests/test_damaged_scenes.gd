@@ -35,7 +35,7 @@ func test_a_scene_of_a_newer_version_opens_with_what_is_known() -> void:
 ## All arrays that are stored of a body; of those whose length must fit the rest, one that does not.
 const ARRAYS := {
 	"polygon": 2, "inner_points": -1, "springs": 3, "spring_stiffness_scales": 3, "spring_damping_scales": 3,
-	"spring_length_scales": 3, "pinned_points": -1, "pin_targets": 3, "vertex_colors": 3, "uv": 3, "dents": 3,
+	"spring_length_scales": 3, "pinned_points": -1, "pin_targets": 3, "vertex_colors": 3, "uv": 3, "dents": 3, "cut_edges": -1,
 }
 
 

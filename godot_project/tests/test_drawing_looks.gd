@@ -140,6 +140,36 @@ func test_the_outlines_texture_runs_along_the_polygon_from_outside_in() -> void:
 	check_near(red_pixels, 720 / 8.0 * 16, 400, "red pixels of a texture that goes around once")
 
 
+func test_along_a_cut_there_is_a_band_instead_of_the_outline() -> void:
+	if not open_viewport():
+		return
+	for antialiased: bool in [false, true]:
+		for smooth: bool in [false, true]:
+			for clockwise: bool in [false, true]:
+				var polygon := SoftBody2D.make_box_polygon(Vector2(160, 100), 20)
+				if clockwise:
+					polygon.reverse()
+				var body := add_to_view({ "polygon": polygon, "color": Color.RED, "outline_width": 10.0, "outline_color": Color.BLUE,
+						"cut_width": 6.0, "cut_color": Color.GREEN, "antialiased": antialiased, "smooth": smooth, "freeze": true, "gravity_scale": 0.0 })
+				await ticks(1)
+				var pieces := body.cut(body.global_position + Vector2(20, -90), body.global_position + Vector2(20, 90))
+				check_equal(pieces.size(), 2, "pieces")
+				await ticks(1)
+				var image := await picture()
+				check_pixel(image, middle() + Vector2(17, 0), Color.GREEN, "left of the cut")
+				check_pixel(image, middle() + Vector2(23, 0), Color.GREEN, "right of the cut")
+				check_pixel(image, middle() + Vector2(11, 0), Color.RED, "left of the band")
+				check_pixel(image, middle() + Vector2(29, 0), Color.RED, "right of the band")
+				check_pixel(image, middle() + Vector2(-75, 0), Color.BLUE, "the outline")
+				check_pixel(image, middle() + Vector2(-20, 45), Color.BLUE, "the outline at the bottom")
+				for piece in pieces:
+					piece.cut_width = 0
+				await ticks(1)
+				check_pixel(await picture(), middle() + Vector2(17, 0), Color.BLUE, "the outline along the cut")
+				for piece in pieces:
+					piece.free()
+
+
 func test_vertex_colors_blend_between_the_polygon_points() -> void:
 	if not open_viewport():
 		return

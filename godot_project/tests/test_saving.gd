@@ -12,6 +12,7 @@ const PROPERTIES := {
 	"substeps": 9, "collision_layer": 5, "collision_mask": 3, "color": Color(0.25, 0.5, 0.75, 1.0),
 	"antialiased": true, "smooth": true, "texture_offset": Vector2(2, -3), "texture_scale": Vector2(0.5, 2),
 	"texture_rotation": 0.5, "outline_width": 4.0, "outline_color": Color(0.5, 0, 0.25, 1.0), "outline_texture_mode": 1,
+	"cut_width": 3.0, "cut_color": Color(0.25, 0.5, 0, 1.0), "cut_edges": [2, 5],
 	"pressure": 12.0, "inflation": 1.125, "center_point": false, "integrator": SoftBody2D.INTEGRATOR_MIDPOINT,
 	"inner_points": [Vector2(-16, 0), Vector2(20, 4)],
 	"springs": [0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 0, 7, 0, 7, 1, 7, 5, 7, 6, 8, 2, 8, 3, 8, 4, 7, 8],
@@ -28,7 +29,7 @@ const PROPERTIES := {
 	"can_sleep": false, "lock_rotation": true, "input_pickable": true, "simulate_off_screen": false, "failure_mode": 1, "disable_mode": 1, "self_collision": 1, "contact_monitor": true, "max_contacts_reported": 4,
 }
 # Resources, and what would keep the body from moving.
-const OTHERS: Array[String] = ["texture", "outline_texture", "soft_body_material", "physics_material_override", "sleeping", "freeze"]
+const OTHERS: Array[String] = ["texture", "outline_texture", "cut_texture", "soft_body_material", "physics_material_override", "sleeping", "freeze"]
 
 
 func _make() -> SoftBody2D:

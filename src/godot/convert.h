@@ -86,6 +86,8 @@ struct PointOrder {
 	int mirror(int p_index) const {
 		return is_reversed && p_index < hull_count ? (hull_count - p_index) % hull_count : p_index;
 	}
+	/// The same of the hull's edge from the point of that index to the next.
+	int mirror_edge(int p_index) const { return is_reversed ? hull_count - 1 - p_index : p_index; }
 };
 
 /// Rotation and position of a transform; its scale and skew are left out.

@@ -3,6 +3,7 @@
 #include "core/creator/hulls.h"
 #include "core/geometry/mean_value.h"
 #include "core/geometry/polygon_cut.h"
+#include "core/geometry/segment.h"
 #include "scenes/cut_oracles.h"
 #include "scenes/random_cuts.h"
 #include "support/compare.h"
@@ -199,6 +200,44 @@ TEST_CASE("2,000 random cuts of random outlines leave simple pieces that sum to 
 		}
 	}
 	CHECK(cuts > 1000);
+}
+
+TEST_CASE("each edge of a piece tells the edge of the polygon on which it lies, or that a cut made it: 500 random cuts, by distances") {
+	int made = 0;
+	int kept = 0;
+	for (int seed = 0; seed < 500; ++seed) {
+		CAPTURE(seed);
+		Random random{ std::uint64_t(seed) };
+		const std::vector<Vec2> polygon = random_outline(OutlineKind(seed % OUTLINE_KIND_COUNT), 30, random);
+		const PolygonCut result = cut_polygon(polygon, polygon, random_blade(polygon, 6, random), { .least_area = 1, .spacing = 8, .snap = 1 });
+		for (const auto &piece : result.pieces) {
+			const auto sources = source_edges(result, polygon.size(), piece);
+			REQUIRE(sources.size() == piece.size());
+			for (std::size_t i = 0; i < piece.size(); ++i) {
+				const Vec2 a = result.points[piece[i]].position;
+				const Vec2 b = result.points[piece[(i + 1) % piece.size()]].position;
+				const auto distance_to = [&](Vec2 p, std::size_t edge) {
+					const Vec2 from = polygon[edge];
+					const Vec2 to = polygon[(edge + 1) % polygon.size()];
+					return double(length(from + (to - from) * closest_parameter_on_segment(p, from, to) - p));
+				};
+				const Vec2 middle = (a + b) * Real(0.5);
+				if (sources[i]) {
+					++kept;
+					CHECK(std::max(distance_to(a, *sources[i]), distance_to(b, *sources[i])) < 1e-3);
+				} else {
+					++made;
+					bool is_on_outline = false;
+					for (std::size_t edge = 0; edge < polygon.size(); ++edge) {
+						is_on_outline |= std::max({ distance_to(a, edge), distance_to(b, edge), distance_to(middle, edge) }) < 1e-5;
+					}
+					CHECK_FALSE(is_on_outline);
+				}
+			}
+		}
+	}
+	CHECK(made > 2000);
+	CHECK(kept > 8000);
 }
 
 TEST_CASE("a long straight blade leaves every piece on one side of it, unless a part was refused") {

@@ -158,6 +158,27 @@ TEST_CASE("a band from round corners to round or sharp ones covers what lies bet
 	CHECK(band_area(-20, POINTS, 10, 1) == doctest::Approx(rounded(20) - 80 * 80));
 }
 
+TEST_CASE("a band along some edges and one along the others cover together what goes all around, each its own edges") {
+	const std::vector<Vec2> square = box_hull({ 100, 100 }, 100).value();
+	REQUIRE(square.size() == 4);
+	const OutlineBand::Rail rails[] = { { 0, 1 }, { 10, 4 } };
+	const std::vector<std::uint8_t> some{ 1, 0, 0, 1 };
+	const std::vector<std::uint8_t> others{ 0, 1, 1, 0 };
+	const OutlineBand all(4, rails);
+	const OutlineBand first(4, rails, some);
+	const OutlineBand second(4, rails, others);
+	CHECK(area_of(all.triangles(), placed(all, square, 1)) == doctest::Approx(10000 - 6400).epsilon(1e-4));
+	CHECK(area_of(first.triangles(), placed(first, square, 1)) == doctest::Approx(1800).epsilon(1e-4)); // two trapezoids
+	CHECK(area_of(second.triangles(), placed(second, square, 1)) == doctest::Approx(1800).epsilon(1e-4));
+	const std::vector<Vec2> vertices = placed(first, square, 1);
+	for (const Triangle &t : first.triangles()) {
+		const Vec2 middle = (vertices[t[0]] + vertices[t[1]] + vertices[t[2]]) * (Real(1) / 3);
+		const auto off = [&](std::size_t edge) { return std::abs(cross(square[(edge + 1) % 4] - square[edge], middle - square[edge])) / 100; };
+		CHECK(std::min(off(0), off(3)) < 10);
+		CHECK(std::min(off(1), off(2)) > 3); // no triangle lies along an edge that was left out
+	}
+}
+
 TEST_CASE("moved corners of a square are those of a larger one") {
 	const std::vector<Vec2> square{ { 0, 0 }, { 100, 0 }, { 100, 100 }, { 0, 100 } };
 	std::vector<Vec2> moved(4);

@@ -35,7 +35,8 @@ var body_values := {
 		Vector2(0, 16)]),
 	"texture": PlaceholderTexture2D.new(), "texture_offset": Vector2(2, -3), "texture_scale": Vector2(0.5, 2),
 	"texture_rotation": 0.5, "outline_width": 4.0, "outline_color": Color(0.5, 0, 0.25),
-	"outline_texture": PlaceholderTexture2D.new(), "outline_texture_mode": 1, "position": Vector2(300, 200),
+	"outline_texture": PlaceholderTexture2D.new(), "outline_texture_mode": 1,
+	"cut_width": 3.0, "cut_color": Color(0.25, 0.5, 0), "cut_texture": PlaceholderTexture2D.new(), "cut_edges": PackedInt32Array([2, 5]), "position": Vector2(300, 200),
 	"rotation": 0.25, "scale": Vector2(1.5, 1.25), "z_index": 2,
 }
 var joint_values := {

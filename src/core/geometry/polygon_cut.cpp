@@ -6,6 +6,7 @@
 #include "core/geometry/polygon.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -400,6 +401,35 @@ void Cutter::divide(Part part) {
 }
 
 } // namespace
+
+// A corner lies on two edges, a point of the outline on one, and others on none.
+std::vector<std::optional<std::uint32_t>> source_edges(const PolygonCut &cut, std::size_t corner_count, std::span<const std::uint32_t> piece) {
+	using Edges = std::array<std::optional<std::uint32_t>, 2>;
+	const auto shared = [](const Edges &a, const Edges &b) {
+		Edges both;
+		std::size_t count = 0;
+		for (const auto &edge : a) {
+			if (edge && std::ranges::find(b, edge) != b.end()) {
+				both[count++] = edge;
+			}
+		}
+		return both;
+	};
+	std::vector<Edges> edges_of;
+	for (const CutPoint &point : cut.points) {
+		const std::size_t i = edges_of.size();
+		if (i < corner_count) {
+			edges_of.push_back({ std::uint32_t((i + corner_count - 1) % corner_count), std::uint32_t(i) });
+		} else {
+			edges_of.push_back(point.weights.empty() ? shared(edges_of[point.a], edges_of[point.b]) : Edges{});
+		}
+	}
+	std::vector<std::optional<std::uint32_t>> sources;
+	for (std::size_t i = 0; i < piece.size(); ++i) {
+		sources.push_back(shared(edges_of[piece[i]], edges_of[piece[(i + 1) % piece.size()]])[0]);
+	}
+	return sources;
+}
 
 PolygonCut cut_polygon(std::span<const Vec2> polygon, std::span<const Vec2> twin, std::span<const Vec2> blade, const CutLimits &limits) {
 	return Cutter(polygon, twin, blade, limits).cut();

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,6 +63,10 @@ struct PolygonCut {
 /// another state, such as at rest; pieces are simple and within limits there, too. Equal input gives equal output.
 /// O(pieces · (points · blade + points²)).
 PolygonCut cut_polygon(std::span<const Vec2> polygon, std::span<const Vec2> twin, std::span<const Vec2> blade, const CutLimits &limits);
+
+/// For each edge of a piece, from its point of that index to the next, the edge of the polygon on which it lies, from the corner
+/// of this index to the next; nothing for an edge that the cut made. O(points).
+std::vector<std::optional<std::uint32_t>> source_edges(const PolygonCut &cut, std::size_t corner_count, std::span<const std::uint32_t> piece);
 
 /// Values of the polygon's corners, such as velocities or colors, carried to all points of the cut.
 template <class Value, class Corners>

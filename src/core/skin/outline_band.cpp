@@ -83,9 +83,10 @@ void move_corners(std::span<const Vec2> outline, Real distance, std::span<Vec2> 
 	}
 }
 
-OutlineBand::OutlineBand(std::size_t corner_count, std::span<const Rail> rails) :
+OutlineBand::OutlineBand(std::size_t corner_count, std::span<const Rail> rails, std::span<const std::uint8_t> edges) :
 		corner_count_(corner_count), rails_(rails.begin(), rails.end()) {
-	assert(corner_count >= 3 && rails.size() >= 2);
+	assert(corner_count >= 3 && rails.size() >= 2 && (edges.empty() || edges.size() == corner_count));
+	const auto has_edge = [&](std::size_t corner) { return edges.empty() || edges[corner % corner_count] != 0; };
 	std::vector<std::uint32_t> starts;
 	for (const Rail &rail : rails_) {
 		starts.push_back(std::uint32_t(vertex_count_));
@@ -101,13 +102,17 @@ OutlineBand::OutlineBand(std::size_t corner_count, std::span<const Rail> rails) 
 			return starts[r + 1] + std::uint32_t(corner) * far_points + std::min(k, far_points - 1);
 		};
 		for (std::size_t corner = 0; corner < corner_count; ++corner) {
-			for (std::uint32_t k = 0; k + 1 < std::max(near_points, far_points); ++k) {
+			const bool has_corner = has_edge(corner) || has_edge(corner + corner_count - 1);
+			for (std::uint32_t k = 0; has_corner && k + 1 < std::max(near_points, far_points); ++k) {
 				if (far_vertex(corner, k) != far_vertex(corner, k + 1)) {
 					triangles_.push_back({ near_vertex(corner, k), far_vertex(corner, k), far_vertex(corner, k + 1) });
 				}
 				if (near_vertex(corner, k) != near_vertex(corner, k + 1)) {
 					triangles_.push_back({ near_vertex(corner, k), far_vertex(corner, k + 1), near_vertex(corner, k + 1) });
 				}
+			}
+			if (!has_edge(corner)) {
+				continue;
 			}
 			const std::uint32_t near_last = near_vertex(corner, near_points - 1);
 			const std::uint32_t far_last = far_vertex(corner, far_points - 1);

@@ -6,6 +6,7 @@
 #include "core/skin/triangulation.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,9 @@ public:
 	};
 
 	OutlineBand() = default;
-	/// `corner_count` >= 3 points of the outline; at least two rails, in order of distance.
-	OutlineBand(std::size_t corner_count, std::span<const Rail> rails);
+	/// `corner_count` >= 3 points of the outline; at least two rails, in order of distance. `edges` has an entry for the edge
+	/// from each corner to the next; where it is 0 there are no triangles. Empty: the band goes all around.
+	OutlineBand(std::size_t corner_count, std::span<const Rail> rails, std::span<const std::uint8_t> edges = {});
 
 	std::size_t vertex_count() const { return vertex_count_; }
 	const std::vector<Triangle> &triangles() const { return triangles_; }

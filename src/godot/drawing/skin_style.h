@@ -5,6 +5,7 @@
 #include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/variant/color.hpp>
 #include <godot_cpp/variant/packed_color_array.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/vector2.hpp>
 
@@ -32,6 +33,11 @@ struct SkinStyle {
 	double outline_width = 0; ///< [px of the node], 0 for none
 	godot::Ref<godot::Texture2D> outline_texture;
 	OutlineTextureMode outline_texture_mode = OutlineTextureMode::TILE;
+
+	godot::Color cut_color{ 1, 1, 1 };
+	double cut_width = 0; ///< [px of the node] of the band where the body was cut; 0: the outline goes on there
+	godot::Ref<godot::Texture2D> cut_texture;
+	godot::PackedInt32Array cut_edges; ///< edges that a cut made, from the hull point of that index to the next, in the user's order
 };
 
 } // namespace softbody

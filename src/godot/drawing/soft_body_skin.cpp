@@ -63,6 +63,7 @@ RID rid_of(const Ref<Texture2D> &p_texture) {
 SoftBodySkin::~SoftBodySkin() {
 	fill_mesh_.free();
 	outline_mesh_.free();
+	cut_mesh_.free();
 }
 
 std::span<Vec2> SoftBodySkin::Mesh::vertices() {
@@ -211,13 +212,18 @@ void SoftBodySkin::make_fill() {
 	}
 }
 
-// The outline lies inside the hull: its outer edge is where the body touches other things.
-void SoftBodySkin::make_outline() {
-	if (!has_outline()) {
-		outline_mesh_.free();
-		return;
+std::vector<std::uint8_t> SoftBodySkin::cut_edges() const {
+	const std::size_t pieces = rim_.size() / hull_count_; // of the rim, for each edge of the hull
+	std::vector<std::uint8_t> edges(rim_.size(), 0);
+	for (std::size_t i = 0; i < hull_count_; ++i) {
+		if (style_.cut_edges.has(order_.mirror_edge(int(i)))) {
+			std::fill_n(edges.begin() + std::ptrdiff_t(i * pieces), pieces, std::uint8_t(1));
+		}
 	}
-	const Real width = Real(style_.outline_width);
+	return edges;
+}
+
+OutlineBand SoftBodySkin::make_band(Mesh &r_mesh, Real width, const Ref<Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const {
 	const std::uint32_t arc = style_.smooth ? SMOOTH_ARC_POINTS : ARC_POINTS;
 	std::vector<OutlineBand::Rail> rails;
 	if (style_.antialiased) {
@@ -226,27 +232,51 @@ void SoftBodySkin::make_outline() {
 	} else {
 		rails = { { 0, 1 }, { width, arc } };
 	}
-	outline_ = OutlineBand(fill_.rim_count(), rails);
+	const OutlineBand band(fill_.rim_count(), rails, edges);
 
 	std::vector<Real> way{ 0 }; // along the rim at rest
 	for (std::size_t i = 0; i < rim_.size(); ++i) {
 		way.push_back(way.back() + length(rim_[(i + 1) % rim_.size()] - rim_[i]));
 	}
-	const TexturePart part = part_of(style_.outline_texture);
-	const bool is_tiled = style_.outline_texture_mode == SkinStyle::OutlineTextureMode::TILE;
+	const TexturePart part = part_of(texture);
 	// A whole number of tiles, so that the last tile ends where the first begins.
 	const Real tile = width * Real(part.size.x / part.size.y);
 	const Real tiles = is_tiled ? std::max(Real(1), std::round(way.back() / tile)) : Real(1);
-	std::vector<Vector2> uvs(outline_.vertex_count());
-	std::vector<Color> colors(style_.antialiased ? outline_.vertex_count() : 0, Color(1, 1, 1));
-	outline_.for_vertices([&](std::size_t vertex, std::size_t corner, std::size_t rail) {
+	std::vector<Vector2> uvs(band.vertex_count());
+	std::vector<Color> colors(style_.antialiased ? band.vertex_count() : 0, Color(1, 1, 1));
+	band.for_vertices([&](std::size_t vertex, std::size_t corner, std::size_t rail) {
 		const Vector2 uv(way[corner] / way.back() * tiles, CLAMP(rails[rail].distance / width, Real(0), Real(1)));
 		uvs[vertex] = is_tiled ? uv : part.start + uv * part.share;
 		if (!colors.empty() && (rail == 0 || rail + 1 == rails.size())) {
 			colors[vertex].a = 0;
 		}
 	});
-	outline_mesh_.make(outline_.triangles(), uvs, colors);
+	r_mesh.make(band.triangles(), uvs, colors);
+	return band;
+}
+
+// The outline lies inside the hull: its outer edge is where the body touches other things.
+void SoftBodySkin::make_outline() {
+	outline_mesh_.free();
+	if (!has_outline()) {
+		return;
+	}
+	std::vector<std::uint8_t> edges;
+	if (has_cuts()) {
+		edges = cut_edges();
+		for (std::uint8_t &edge : edges) {
+			edge = edge == 0 ? 1 : 0;
+		}
+	}
+	const bool is_tiled = style_.outline_texture_mode == SkinStyle::OutlineTextureMode::TILE;
+	outline_ = make_band(outline_mesh_, Real(style_.outline_width), style_.outline_texture, is_tiled, edges);
+}
+
+void SoftBodySkin::make_cuts() {
+	cut_mesh_.free();
+	if (has_cuts()) {
+		cut_band_ = make_band(cut_mesh_, Real(style_.cut_width), style_.cut_texture, true, cut_edges());
+	}
 }
 
 void SoftBodySkin::make() {
@@ -255,6 +285,7 @@ void SoftBodySkin::make() {
 	rim_.resize(fill_.rim_count());
 	fill_.place_rim(rest_, rim_);
 	make_outline();
+	make_cuts();
 }
 
 void SoftBodySkin::draw(const RID &item) {
@@ -268,6 +299,9 @@ void SoftBodySkin::draw(const RID &item) {
 	if (has_outline()) {
 		server->canvas_item_add_mesh(item, outline_mesh_.rid, Transform2D(), style_.outline_color,
 				rid_of(style_.outline_texture));
+	}
+	if (has_cuts()) {
+		server->canvas_item_add_mesh(item, cut_mesh_.rid, Transform2D(), style_.cut_color, rid_of(style_.cut_texture));
 	}
 }
 
@@ -287,6 +321,10 @@ void SoftBodySkin::update(std::span<const Vec2> points) {
 	if (has_outline()) {
 		outline_.place(rim_, fill_.side(), outline_mesh_.vertices());
 		outline_mesh_.send();
+	}
+	if (has_cuts()) {
+		cut_band_.place(rim_, fill_.side(), cut_mesh_.vertices());
+		cut_mesh_.send();
 	}
 }
 

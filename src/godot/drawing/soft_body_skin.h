@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The looks of a body: two meshes whose vertices follow its points.
+// The looks of a body: meshes whose vertices follow its points.
 #pragma once
 
 #include "core/base/vec2.h"
@@ -71,9 +71,15 @@ private:
 
 	bool has_fill() const { return style_.color.a > 0; }
 	bool has_outline() const { return style_.outline_width > 0 && style_.outline_color.a > 0; }
+	bool has_cuts() const { return style_.cut_width > 0 && !style_.cut_edges.is_empty(); }
 	void make();
 	void make_fill();
 	void make_outline();
+	void make_cuts();
+	/// For each edge of the rim whether a cut made it.
+	std::vector<std::uint8_t> cut_edges() const;
+	/// A band inside the rim, with a texture along it: a whole number of tiles all around, or one that is stretched.
+	OutlineBand make_band(Mesh &r_mesh, Real width, const godot::Ref<godot::Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const;
 	/// Before offset, scale and rotation [px of the texture].
 	std::vector<Vec2> corner_pixels(godot::Vector2 part_size) const;
 	bool has_own_uv() const { return std::size_t(style_.uv.size()) == hull_count_; }
@@ -89,8 +95,10 @@ private:
 
 	FillMesh fill_;
 	OutlineBand outline_;
+	OutlineBand cut_band_;
 	Mesh fill_mesh_;
 	Mesh outline_mesh_;
+	Mesh cut_mesh_;
 	std::vector<Vec2> rim_;
 	Aabb bounds_;
 };

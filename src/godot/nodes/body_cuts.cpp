@@ -113,6 +113,7 @@ void BodyCuts::describe_pieces(const BodyCut &p_cut) {
 				piece.vertex_colors.push_back(point_colors[point]);
 			}
 		}
+		piece.cut_edges = cut_edges(p_cut, each);
 		for (const uint32_t point : each.inner_points) {
 			piece.structure.inner_points.push_back(whole.inner_points[int64_t(point)]);
 		}
@@ -128,6 +129,22 @@ void BodyCuts::describe_pieces(const BodyCut &p_cut) {
 		piece.mass = node_.values_.mass * each.share;
 		pieces_.push_back(std::move(piece));
 	}
+}
+
+// Those of this cut, and what is left of those of earlier ones.
+PackedInt32Array BodyCuts::cut_edges(const BodyCut &p_cut, const BodyPiece &p_piece) const {
+	const PackedInt32Array &earlier = node_.skin_.style().cut_edges;
+	const PointOrder order = node_.order();
+	const std::size_t count = std::size_t(node_.structure_.polygon_count());
+	PackedInt32Array edges;
+	int edge = 0;
+	for (const auto &source : source_edges(p_cut.polygon, count, p_piece.outline)) {
+		if (!source || earlier.has(order.mirror_edge(int(*source)))) {
+			edges.push_back(edge);
+		}
+		edge++;
+	}
+	return edges;
 }
 
 void BodyCuts::copy_to(SoftBody2D &r_node) const {
@@ -274,6 +291,7 @@ void BodyCuts::keep_first() {
 	SkinStyle &style = node_.skin_.change_style();
 	style.uv = piece.uv;
 	style.vertex_colors = piece.vertex_colors;
+	style.cut_edges = piece.cut_edges;
 	node_.update_topology();
 	node_.note_change();
 	node_.follow_body();
@@ -290,6 +308,7 @@ void BodyCuts::add_piece(Piece &r_piece) {
 	SkinStyle &style = node.skin_.change_style();
 	style.uv = r_piece.uv;
 	style.vertex_colors = r_piece.vertex_colors;
+	style.cut_edges = r_piece.cut_edges;
 	node.update_topology();
 	Node *parent = node_.get_parent();
 	const CanvasItem *canvas_parent = node_.is_set_as_top_level() ? nullptr : Object::cast_to<CanvasItem>(parent);

@@ -39,12 +39,14 @@ private:
 		BodyStructure::Values structure;
 		godot::PackedVector2Array uv;
 		godot::PackedColorArray vertex_colors;
+		godot::PackedInt32Array cut_edges;
 		double mass = 0; ///< if it is not that of its area
 		BodyDesign design;
 		std::optional<SoftBodyData> body;
 	};
 
 	void describe_pieces(const BodyCut &p_cut);
+	godot::PackedInt32Array cut_edges(const BodyCut &p_cut, const BodyPiece &p_piece) const;
 	void copy_to(godot::SoftBody2D &r_node) const;
 	static void take_structure(godot::SoftBody2D &r_node, Piece &r_piece);
 	static void find_modes(godot::SoftBody2D &r_node);

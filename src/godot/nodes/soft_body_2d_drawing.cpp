@@ -60,6 +60,15 @@ void SoftBody2D::append_drawing_warnings(PackedStringArray &r_warnings) const {
 	if (!style.uv.is_empty() && style.uv.size() != structure_.polygon_count()) {
 		r_warnings.push_back(size_warning("uv", style.uv.size(), structure_.polygon_count()));
 	}
+	if (style.cut_edges.size() > structure_.polygon_count()) {
+		r_warnings.push_back("'cut_edges' has " + String::num_int64(style.cut_edges.size()) + " entries, more than the polygon has edges. Name each edge once.");
+	}
+	for (const int32_t edge : style.cut_edges) {
+		if (edge < 0 || edge >= structure_.polygon_count()) {
+			r_warnings.push_back("'cut_edges' names edge " + String::num_int64(edge) + " and the polygon has edges 0 to " + String::num_int64(structure_.polygon_count() - 1) + ", so it is not used. Leave it out.");
+			break;
+		}
+	}
 }
 
 // A texture that changes may have another size, or show another part of an atlas.
@@ -70,7 +79,7 @@ void SoftBody2D::follow_texture() {
 
 void SoftBody2D::listen_to_textures(bool p_listens) {
 	const Callable changed = own_callable("_follow_texture");
-	for (const Ref<Texture2D> &texture : { skin_.style().texture, skin_.style().outline_texture }) {
+	for (const Ref<Texture2D> &texture : { skin_.style().texture, skin_.style().outline_texture, skin_.style().cut_texture }) {
 		if (texture.is_valid() && texture->is_connected("changed", changed) != p_listens) {
 			if (p_listens) {
 				texture->connect("changed", changed);

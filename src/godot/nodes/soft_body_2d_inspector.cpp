@@ -81,6 +81,10 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Style::outline_color>({ "outline_color" });
 	bind_value<&Style::outline_texture>({ "outline_texture" }, PROPERTY_HINT_RESOURCE_TYPE, "Texture2D");
 	bind_property("outline_texture_mode", &SoftBody2D::set_outline_texture_mode, &SoftBody2D::get_outline_texture_mode, PROPERTY_HINT_ENUM, "Tile,Stretch");
+	ADD_SUBGROUP("Cut Edges", "cut_");
+	bind_value<&Style::cut_width>({ "cut_width", Range::at_least(0, "px") }, PROPERTY_HINT_RANGE, "0,64,0.1,or_greater,suffix:px");
+	bind_value<&Style::cut_color>({ "cut_color" });
+	bind_value<&Style::cut_texture>({ "cut_texture" }, PROPERTY_HINT_RESOURCE_TYPE, "Texture2D");
 
 	ADD_GROUP("Motion", "");
 	bind_value<&Values::gravity_scale>({ "gravity_scale", {}, &SoftBody2D::apply_settings, true }, PROPERTY_HINT_RANGE, "-8,8,0.001,or_less,or_greater");
@@ -138,6 +142,7 @@ void SoftBody2D::bind_properties() {
 	bind_property("dents", &SoftBody2D::set_dents, &SoftBody2D::get_dents, PROPERTY_HINT_NONE, "", nullptr, nullptr, PROPERTY_USAGE_NO_EDITOR);
 	bind_value<&Style::uv>({ "uv" }, PROPERTY_HINT_NONE, "suffix:px");
 	bind_value<&Style::vertex_colors>({ "vertex_colors" });
+	bind_value<&Style::cut_edges>({ "cut_edges" });
 }
 
 } // namespace godot

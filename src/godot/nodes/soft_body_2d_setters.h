@@ -74,7 +74,7 @@ void SoftBody2D::set_style(softbody::ValueOf<VALUE> p_value) {
 	skin_.change_style().*VALUE = p_value;
 	listen_to_textures(true);
 	remake_skin();
-	if (IS_ARRAY) { // of another size than the polygon
+	if (IS_ARRAY || std::is_same_v<Value, PackedInt32Array>) { // of another size than the polygon
 		update_configuration_warnings();
 	}
 }
