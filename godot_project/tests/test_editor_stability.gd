@@ -236,3 +236,62 @@ func test_what_keeps_points_from_being_a_polygon_is_said_as_the_setter_says_it()
 	var problem := SoftBody2D.get_polygon_problem(crossed)
 	var body := add_body()
 	check_refused(func() -> void: body.polygon = crossed, [problem], "the same points as a polygon")
+
+
+## Whether it dented, or tore, in three seconds after a fall from that height.
+func _is_damaged_by(height: float, properties: Dictionary) -> bool:
+	var floor_body := add_floor(100)
+	var body := add_body(Vector2(0, 49.9 - height), properties)
+	var told := [0]
+	body.torn.connect(func(_pieces: Array) -> void: told[0] += 1)
+	await seconds(sqrt(2 * height / 980) + 1.5)
+	var damaged: bool = body.get_dent() > 0 or told[0] > 0
+	for each in stage.find_children("*", "SoftBody2D", true, false):
+		each.free()
+	floor_body.free()
+	return damaged
+
+
+func test_the_heights_from_which_a_fall_dents_or_tears_are_those_of_falls() -> void:
+	for properties: Dictionary in [{"yield_strain": 0.1, "youngs_modulus": 600.0}, {"yield_strain": 0.2, "youngs_modulus": 300.0},
+			{"tear_stretch": 0.3, "smallest_piece": 0.0}]:
+		var body := add_body(Vector2(0, 0), properties)
+		var report := body.get_stability_report(LONG)
+		var key := "dent_drop" if properties.has("yield_strain") else "tear_drop"
+		body.free()
+		if not check(is_finite(report.get(key, NAN)) and report[key] > 0, "%s of %s is %s" % [key, properties, report.get(key)]):
+			continue
+		check(not await _is_damaged_by(0.7 * report[key], properties), "%s is damaged by a fall of 0.7 of %s" % [properties, report[key]])
+		if key == "dent_drop": # a body that is overstretched holds on where too little would come off
+			check(await _is_damaged_by(1.4 * report[key], properties), "%s is whole after a fall of 1.4 times %s" % [properties, report[key]])
+
+
+func test_heights_are_told_only_of_bodies_that_dent_or_tear() -> void:
+	var body := add_body(Vector2(0, 0), {})
+	var report := body.get_stability_report(LONG)
+	check(not report.has("dent_drop") and not report.has("tear_drop"), "heights of a body that is elastic")
+	body.yield_strain = 0.1
+	check_equal(body.get_stability_report(LONG)["dent_drop"], 0.0, "height from which what is too soft for its weight dents")
+	body.youngs_modulus = 600
+	body.tear_stretch = 40.0
+	report = body.get_stability_report(LONG)
+	check_equal(report["tear_drop"], INF, "height from which what never tears tears")
+	var titles := Advice.rows(report, 1.0 / 60, func(text: String) -> String: return text).map(func(row: Advice.Row) -> String: return row.title + " " + row.text)
+	check(titles.has("Tears not from 100 m"), "row of tears: %s" % [titles])
+	check(titles.any(func(title: String) -> bool: return title.begins_with("Dents from ")), "row of dents: %s" % [titles])
+	body.pinned_points = PackedInt32Array([0])
+	report = body.get_stability_report(LONG)
+	check(is_nan(report["dent_drop"]), "height of a body that hangs")
+
+
+func test_the_preview_dents_and_leaves_the_node_as_it_was() -> void:
+	var body := add_body(Vector2(0, 0), {"yield_strain": 0.03, "flow_rate": 60.0})
+	body.freeze = true
+	var preview := SoftBodyPreview2D.new()
+	var index := preview.add_body(body)
+	preview.add_floor(Vector2(0, 500))
+	for i in 240:
+		preview.step(1.0 / 60)
+	var height := bounds_of(preview.get_polygon(index)).size.y
+	check_below(height, 92, "height of the dented copy, of 100")
+	check_equal(body.get_dent(), 0.0, "dent of the node")

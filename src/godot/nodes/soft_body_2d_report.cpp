@@ -3,6 +3,8 @@
 #include "godot/nodes/soft_body_2d.h"
 
 #include "core/dynamics/fall_trial.h"
+#include "core/creator/body_tear.h"
+#include "core/dynamics/drop_trial.h"
 #include "core/dynamics/load_trial.h"
 #include "core/dynamics/stability_report.h"
 #include "core/model/model_choice.h"
@@ -154,6 +156,18 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 		return result;
 	}
 	result["microseconds_per_tick"] = settle(trial.value(), p_time_limit_msec);
+	const double tick_msec = MAX(double(result["microseconds_per_tick"]), 1.0) / 1000;
+	const int drop_steps = int(MIN(double(MOST_TRIAL_STEPS), 2 * p_time_limit_msec / tick_msec));
+	const auto height_of = [&](const softbody::DropCheck &p_check) {
+		return double(softbody::find_drop_height(copy.value(), project_gravity(), softbody::PIXELS_PER_METER, tick_length(), drop_steps, p_check));
+	};
+	if (copy.value().settings().can_dent()) {
+		result["dent_drop"] = height_of([](const softbody::SoftBodyData &p_body) { return p_body.is_dented(); });
+	}
+	if (material.tear_stretch > 0) {
+		const auto stretch = softbody::Real(most_bearable_strain());
+		result["tear_drop"] = height_of([&](const softbody::SoftBodyData &p_body) { return softbody::is_overstretched(p_body, stretch); });
+	}
 	const softbody::LoadOutcome outcome = trial.value().outcome();
 	result["sag"] = outcome.sag;
 	result["area_loss"] = outcome.area_loss;
