@@ -295,3 +295,41 @@ func test_the_preview_dents_and_leaves_the_node_as_it_was() -> void:
 	var height := bounds_of(preview.get_polygon(index)).size.y
 	check_below(height, 92, "height of the dented copy, of 100")
 	check_equal(body.get_dent(), 0.0, "dent of the node")
+
+
+func _shoelace(polygon: PackedVector2Array) -> float:
+	var sum := 0.0
+	for i in polygon.size():
+		sum += polygon[i].cross(polygon[(i + 1) % polygon.size()])
+	return absf(sum) / 2
+
+
+func test_the_preview_tears_what_is_pulled_too_far_and_leaves_the_node_as_it_was() -> void:
+	for clockwise: bool in [false, true]:
+		var bar := SoftBody2D.make_box_polygon(Vector2(200, 40), 20)
+		if clockwise:
+			bar.reverse()
+		var body := add_body(Vector2(0, 0), {"polygon": bar, "youngs_modulus": 600.0, "tear_stretch": 0.4, "gravity_scale": 0.0, "freeze": true})
+		var left := PackedInt32Array()
+		for i in bar.size():
+			if bar[i].x < -99:
+				left.append(i)
+		body.pinned_points = left
+		var preview := SoftBodyPreview2D.new()
+		preview.add_body(body)
+		check(preview.grab(Vector2(100, 0), 50), "the right end is held")
+		for i in 120:
+			preview.drag(Vector2(100 + 2 * i, 0))
+			preview.step(1.0 / 60)
+		check_above(preview.get_body_count(), 1, "bodies")
+		check(preview.is_grabbing(), "the hand still holds a piece")
+		var area := 0.0
+		for i in preview.get_body_count():
+			check_equal(preview.get_source(i), 0, "source of body %d" % i)
+			var carried := preview.carry(i, bar)
+			check_equal(carried.size(), preview.get_polygon(i).size(), "carried values of body %d" % i)
+			area += _shoelace(carried)
+		check_near(area, 8000.0, 1.0, "area at rest of all pieces")
+		check_equal(body.polygon, bar, "polygon of the node")
+		preview.release()
+		body.free()

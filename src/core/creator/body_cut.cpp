@@ -379,9 +379,13 @@ Result<std::vector<SoftBodyData>> cut_body(const SoftBodyData &body, const Struc
 	if (!cut) {
 		return cut.error();
 	}
+	return make_pieces(body, cut.value());
+}
+
+Result<std::vector<SoftBodyData>> make_pieces(const SoftBodyData &body, const BodyCut &cut) {
 	std::vector<SoftBodyData> made;
-	for (std::size_t i = 0; i < cut.value().pieces.size(); ++i) {
-		const BodyPiece &piece = cut.value().pieces[i];
+	for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+		const BodyPiece &piece = cut.pieces[i];
 		const auto shape = SoftBodyCreator::create_polygon(piece.hull, piece.options);
 		if (!shape) {
 			return shape.error();
@@ -390,7 +394,7 @@ Result<std::vector<SoftBodyData>> cut_body(const SoftBodyData &body, const Struc
 		if (!fresh) {
 			return fresh.error();
 		}
-		place_piece(body, cut.value(), i, fresh.value());
+		place_piece(body, cut, i, fresh.value());
 		fresh.value().set_rotation_memory(body.rotation_memory());
 		for (const auto &[point, source] : piece.pins) {
 			if (Status status = fresh.value().set_pinned(point, true)) {

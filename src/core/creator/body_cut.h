@@ -66,6 +66,9 @@ void place_piece(const SoftBodyData &body, const BodyCut &cut, std::size_t piece
 /// points, and masses divided anew, would change these a little. Pinned points stay; with them it is no promise.
 void keep_momentum(const SoftBodyData &body, std::span<SoftBodyData *const> pieces);
 
+/// The pieces as bodies with the settings of the whole, the largest first. Refuses what `SoftBodyCreator` refuses.
+Result<std::vector<SoftBodyData>> make_pieces(const SoftBodyData &body, const BodyCut &cut);
+
 /// All of it: the pieces as bodies with the settings of the whole, the largest first. Refuses like `plan_cut`, and what
 /// `SoftBodyCreator` refuses. If the blade cuts nothing there is one body.
 Result<std::vector<SoftBodyData>> cut_body(const SoftBodyData &body, const StructureOptions &options, std::span<const Vec2> blade,

@@ -4,6 +4,7 @@
 
 #include "core/dynamics/simulator.h"
 #include "core/model/world_data.h"
+#include "godot/nodes/body_cuts.h"
 
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
@@ -35,6 +36,8 @@ public:
 	Vector2 get_grabbed_position() const;
 	PackedVector2Array get_polygon(int p_index) const;
 	PackedVector2Array get_point_positions(int p_index) const;
+	int get_source(int p_index) const;
+	PackedVector2Array carry(int p_index, const PackedVector2Array &p_values) const;
 
 protected:
 	static void _bind_methods();
@@ -43,7 +46,13 @@ private:
 	struct Copy {
 		softbody::BodyId id;
 		bool is_reversed = false; ///< whether the core holds the hull in reverse order
+		int source = 0; ///< the copy of which it is a piece, or its own index
+		bool is_source_reversed = false;
+		softbody::TearRules rules;
+		/// Of each point of a piece's outline, one for each corner of the source's polygon, in the core's order. Empty: all of it.
+		std::vector<std::vector<double>> weights;
 	};
+	void tear(int p_index);
 	const softbody::SoftBodyData *find(int p_index) const;
 	void pull_grabbed_point(double p_delta);
 

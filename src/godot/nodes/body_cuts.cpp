@@ -2,7 +2,6 @@
 // Cuts of a node: the largest piece keeps the node, the others become nodes beside it.
 #include "godot/nodes/body_cuts.h"
 
-#include "core/creator/body_tear.h"
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
 #include "godot/convert.h"
@@ -39,7 +38,7 @@ Result<BodyCut> BodyCuts::plan(const SoftBody2D &p_node, const PackedVector2Arra
 	if (body == nullptr) {
 		return Error{ "body", "none", "must be in the scene tree of a running game", "add the node to the tree first" };
 	}
-	return plan_cut(*body, options_of(p_node, *body), to_core(p_points), limits_of(p_node));
+	return plan_cut(*body, options_of(p_node, *body, p_node.built_scale_), to_core(p_points), limits_of(p_node));
 }
 
 Result<BodyCut> BodyCuts::plan_tear(const SoftBody2D &p_node, double p_stretch) {
@@ -47,7 +46,7 @@ Result<BodyCut> BodyCuts::plan_tear(const SoftBody2D &p_node, double p_stretch) 
 	if (body == nullptr) {
 		return Error{ "body", "none", "must be in the scene tree of a running game", "add the node to the tree first" };
 	}
-	return softbody::plan_tear(*body, options_of(p_node, *body), { Real(p_stretch), limits_of(p_node) });
+	return softbody::plan_tear(*body, options_of(p_node, *body, p_node.built_scale_), { Real(p_stretch), limits_of(p_node) });
 }
 
 const SoftBodyData *BodyCuts::whole_of(const SoftBody2D &p_node) {
@@ -55,8 +54,14 @@ const SoftBodyData *BodyCuts::whole_of(const SoftBody2D &p_node) {
 	return body != nullptr && p_node.design() != nullptr && p_node.space_ != nullptr ? body : nullptr;
 }
 
-StructureOptions BodyCuts::options_of(const SoftBody2D &p_node, const SoftBodyData &p_body) {
-	StructureOptions options = p_node.structure_.options(p_node.structure_.simulated_scale(p_node.built_scale_));
+TearRules BodyCuts::tear_rules(const SoftBody2D &p_node, const SoftBodyData &p_copy) {
+	const Transform2D transform = p_node.is_inside_tree() ? p_node.get_global_transform() : p_node.get_transform();
+	return { options_of(p_node, p_copy, scale_and_skew(transform)), { Real(p_node.most_bearable_strain()), limits_of(p_node) },
+		p_node.material_.values().tear_stretch > 0 };
+}
+
+StructureOptions BodyCuts::options_of(const SoftBody2D &p_node, const SoftBodyData &p_body, const Transform2D &p_scale) {
+	StructureOptions options = p_node.structure_.options(p_node.structure_.simulated_scale(p_scale));
 	options.mass = p_body.shape().total_mass();
 	options.elastic = p_body.shape().modes() != nullptr;
 	options.elastic_triangles = p_body.shape().triangles() != nullptr;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/creator/body_cut.h"
+#include "core/creator/body_tear.h"
 #include "core/model/soft_body_data.h"
 #include "godot/nodes/body_design.h"
 #include "godot/nodes/body_structure.h"
@@ -15,6 +16,13 @@
 
 namespace softbody {
 
+/// What decides where a copy of a node's body tears.
+struct TearRules {
+	StructureOptions options; ///< that its shape was made of
+	TearLimits limits;
+	bool tears = false; ///< whether it tears at all
+};
+
 /// One cut of one node. Everything that can be refused is asked first; then nothing is.
 class BodyCuts {
 public:
@@ -23,6 +31,8 @@ public:
 	static Result<BodyCut> plan(const godot::SoftBody2D &p_node, const godot::PackedVector2Array &p_points);
 	/// Along the weakest way through what bears no more than `p_stretch`, one piece alone if it bears that.
 	static Result<BodyCut> plan_tear(const godot::SoftBody2D &p_node, double p_stretch);
+	/// Of a copy that was made of the node (`SoftBody2D::make_copy`).
+	static TearRules tear_rules(const godot::SoftBody2D &p_node, const SoftBodyData &p_copy);
 	/// The polygons of the pieces as they are deformed, in the world.
 	static godot::TypedArray<godot::PackedVector2Array> outlines(const BodyCut &p_cut);
 	/// The nodes of the pieces, this one first. Nothing has changed if it is refused.
@@ -31,7 +41,7 @@ public:
 private:
 	/// Null outside of the tree of a running game.
 	static const SoftBodyData *whole_of(const godot::SoftBody2D &p_node);
-	static StructureOptions options_of(const godot::SoftBody2D &p_node, const SoftBodyData &p_body);
+	static StructureOptions options_of(const godot::SoftBody2D &p_node, const SoftBodyData &p_body, const godot::Transform2D &p_scale);
 	static BodyCutLimits limits_of(const godot::SoftBody2D &p_node);
 	/// What a piece's node has of its own.
 	struct Piece {
