@@ -64,7 +64,8 @@ func _look() -> void:
 				body.global_transform.y, body.elastic_model, body.least_area, body.least_stretch, body.most_stretch,
 				body.firm_for_weight])
 		for property: StringName in [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"stiffness", &"damping",
-				&"shape_matching", &"shape_damping_ratio", &"pressure", &"inflation"]:
+				&"shape_matching", &"shape_damping_ratio", &"pressure", &"inflation", &"yield_strain", &"flow_rate", &"max_dent",
+				&"tear_stretch", &"dent_by"]:
 			values.append(body.get(property))
 	values.append(Engine.physics_ticks_per_second)
 	var known := hash(values)

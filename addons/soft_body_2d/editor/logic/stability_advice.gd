@@ -79,6 +79,11 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 		found.append(Row.new(say.call("Cost"), say.call("%s µs a tick") % number(microseconds),
 				Level.BAD if share > BAD_SHARE else (Level.FAIR if share > FAIR_SHARE else Level.GOOD),
 				say.call("What a tick of this body takes on this machine while it lies awake on flat ground: %s %% of a tick. Asleep it costs next to nothing.") % number(100 * share)))
+	for of: Array in [["dent_drop", "Dents", "dents"], ["tear_drop", "Tears", "is overstretched and may tear"]]:
+		var height: float = report.get(of[0], NAN)
+		if not is_nan(height):
+			found.append(Row.new(say.call(of[1]), drop_text(height, say), Level.BAD if height == 0 else Level.GOOD,
+					say.call("The fall onto flat ground from which on the body %s, as it is turned now, found by letting copies of it land.") % say.call(of[2])))
 	var unfit: bool = report["elastic_reason"] == "unfit"
 	found.append(Row.new(say.call("Elasticity"), say.call(MODEL_NAMES[report["elastic_model"]]),
 			Level.BAD if unfit else Level.GOOD, elastic_text(report, say)))
@@ -126,6 +131,12 @@ static func advice(report: Dictionary, own: Dictionary, say: Callable) -> Array[
 				number(least)],
 				{&"damping": least}))
 	return found
+
+
+static func drop_text(height: float, say: Callable) -> String:
+	if height == 0:
+		return say.call("under its own weight")
+	return say.call("not from 100 m") if is_inf(height) else say.call("from %s px") % number(height)
 
 
 static func reason_text(reason: String) -> String:

@@ -16,6 +16,7 @@ var played := 0
 var _played_bodies: Array[SoftBody2D] = []
 var _triangles: Array[PackedInt32Array] = []
 var _uvs: Array[PackedVector2Array] = []
+var _point_counts := {} # of what was drawn last, by index: a body that tears gets others
 var _owed := 0.0
 
 
@@ -57,6 +58,7 @@ func stop() -> void:
 	_played_bodies.clear()
 	_triangles.clear()
 	_uvs.clear()
+	_point_counts.clear()
 	canvas.redraw()
 	canvas.changed.emit()
 
@@ -144,17 +146,22 @@ func draw(overlay: Control) -> void:
 	for x in range(0, int(overlay.size.x), int(24 * canvas.scale())):
 		overlay.draw_line(Vector2(x, floor_place.y + 10 * canvas.scale()), Vector2(x + 10 * canvas.scale(), floor_place.y),
 				Color(BodyCanvas.SELECTED, 0.35), canvas.scale())
-	for i in _played_bodies.size():
-		var body := _played_bodies[i]
+	for i in world.get_body_count(): # pieces are the last ones
+		var source := world.get_source(i)
+		var body := _played_bodies[source]
 		var polygon := view * world.get_polygon(i)
+		if i >= _triangles.size():
+			_triangles.append(PackedInt32Array())
 		# One that has folded over itself keeps the triangles of its last good frame.
 		var triangles := Geometry2D.triangulate_polygon(polygon)
-		if not triangles.is_empty():
+		if not triangles.is_empty() or polygon.size() != _point_counts.get(i, polygon.size()):
 			_triangles[i] = triangles
+		_point_counts[i] = polygon.size()
 		if not _triangles[i].is_empty():
 			var texture := body.texture.get_rid() if body.texture != null else RID()
 			RenderingServer.canvas_item_add_triangle_array(overlay.get_canvas_item(), _triangles[i], polygon,
-					PackedColorArray([body.color * body.modulate]), _uvs[i], PackedInt32Array(), PackedFloat32Array(), texture)
+					PackedColorArray([body.color * body.modulate]),
+					world.carry(i, _uvs[source]) if not _uvs[source].is_empty() else PackedVector2Array(), PackedInt32Array(), PackedFloat32Array(), texture)
 		canvas.draw_outline(overlay, polygon, BodyCanvas.LINE)
 	if world.is_grabbing():
 		canvas.draw_point(overlay, view * world.get_grabbed_position(), BodyCanvas.SELECTED, true)
