@@ -98,12 +98,11 @@ func _physics_process(delta: float) -> void:
 	while not _blade_times.is_empty() and _clock - _blade_times[0] > BLADE_TIME:
 		_blade_times.remove_at(0)
 		_blade.remove_at(0)
-	if state == State.PLAYING:
-		_pause -= delta
-		if _pause <= 0:
-			_pause = lerpf(FIRST_PAUSE, LAST_PAUSE, float(score) / GOAL)
-			throw_fruit(_random.randf() < STONE_SHARE)
-		_cut()
+	_pause -= delta
+	if _pause <= 0:
+		_pause = lerpf(FIRST_PAUSE, LAST_PAUSE, minf(1, float(score) / GOAL))
+		throw_fruit(_random.randf() < STONE_SHARE)
+	_cut()
 	_count_missed()
 	for drop in _drops:
 		drop["age"] += delta
@@ -154,6 +153,8 @@ func _cut() -> void:
 			piece.apply_central_impulse((aside * PUSH + way.limit_length(200) * 0.25) * piece.mass)
 			piece.remove_from_group(Fruit.WHOLE)
 		_splash(middle, fruit.color, way)
+		if state != State.PLAYING:
+			continue # for fun
 		if not fruit.is_in_group(Fruit.STONES):
 			score += pieces.size() - 1 # the fruit itself is one of them
 		elif was_whole:

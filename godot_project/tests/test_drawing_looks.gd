@@ -170,6 +170,22 @@ func test_along_a_cut_there_is_a_band_instead_of_the_outline() -> void:
 					piece.free()
 
 
+func test_what_was_cut_all_around_has_no_outline() -> void:
+	if not open_viewport():
+		return
+	var body := add_to_view({ "polygon": SoftBody2D.make_box_polygon(Vector2(160, 100), 20), "color": Color.RED, "outline_width": 10.0,
+			"outline_color": Color.BLUE, "cut_width": 6.0, "cut_color": Color.GREEN })
+	body.cut_edges = PackedInt32Array(range(body.polygon.size()))
+	await ticks(2)
+	var image := await picture()
+	check_pixel(image, middle() + Vector2(-77, 0), Color.GREEN, "the left side")
+	check_pixel(image, middle() + Vector2(-71, 0), Color.RED, "inside of the band")
+	body.cut_edges = PackedInt32Array()
+	await ticks(2)
+	image = await picture()
+	check_pixel(image, middle() + Vector2(-77, 0), Color.BLUE, "the left side of one that was not cut")
+
+
 func test_vertex_colors_blend_between_the_polygon_points() -> void:
 	if not open_viewport():
 		return

@@ -251,7 +251,9 @@ OutlineBand SoftBodySkin::make_band(Mesh &r_mesh, Real width, const Ref<Texture2
 			colors[vertex].a = 0;
 		}
 	});
-	r_mesh.make(band.triangles(), uvs, colors);
+	if (!band.triangles().empty()) { // of a piece that was cut all around there is no outline
+		r_mesh.make(band.triangles(), uvs, colors);
+	}
 	return band;
 }
 
@@ -296,11 +298,11 @@ void SoftBodySkin::draw(const RID &item) {
 	if (has_fill()) {
 		server->canvas_item_add_mesh(item, fill_mesh_.rid, Transform2D(), style_.color, rid_of(style_.texture));
 	}
-	if (has_outline()) {
+	if (outline_mesh_.rid.is_valid()) {
 		server->canvas_item_add_mesh(item, outline_mesh_.rid, Transform2D(), style_.outline_color,
 				rid_of(style_.outline_texture));
 	}
-	if (has_cuts()) {
+	if (cut_mesh_.rid.is_valid()) {
 		server->canvas_item_add_mesh(item, cut_mesh_.rid, Transform2D(), style_.cut_color, rid_of(style_.cut_texture));
 	}
 }
@@ -318,11 +320,11 @@ void SoftBodySkin::update(std::span<const Vec2> points) {
 		fill_.place(points, rim_, fill_mesh_.vertices());
 		fill_mesh_.send();
 	}
-	if (has_outline()) {
+	if (outline_mesh_.rid.is_valid()) {
 		outline_.place(rim_, fill_.side(), outline_mesh_.vertices());
 		outline_mesh_.send();
 	}
-	if (has_cuts()) {
+	if (cut_mesh_.rid.is_valid()) {
 		cut_band_.place(rim_, fill_.side(), cut_mesh_.vertices());
 		cut_mesh_.send();
 	}
