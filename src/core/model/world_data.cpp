@@ -72,13 +72,31 @@ bool WorldData::remove_soft_body(BodyId id) {
 	}
 	body->disturb(); // and with it the bodies that rested on it
 	std::erase_if(collision_exceptions_, [id](const CollisionException &each) { return each.a == id || each.b == id; });
+	remove_joints_of(id);
+	++changes_->arrangement;
+	return bodies_.remove(id);
+}
+
+bool WorldData::replace_soft_body(BodyId id, SoftBodyData body) {
+	SoftBodyData *place = find(id);
+	if (!place) {
+		return false;
+	}
+	place->disturb();
+	remove_joints_of(id);
+	body.wake();
+	body.set_change_counts(changes_);
+	++changes_->arrangement;
+	*place = std::move(body);
+	return true;
+}
+
+void WorldData::remove_joints_of(BodyId id) {
 	for (std::size_t i = joints().size(); i-- > 0;) {
 		if (joints()[i].first.body == id || joints()[i].second.body == id) {
 			remove_joint(joint_id_at(i));
 		}
 	}
-	++changes_->arrangement;
-	return bodies_.remove(id);
 }
 
 Status WorldData::add_collision_exception(BodyId a, BodyId b) {

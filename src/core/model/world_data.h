@@ -47,6 +47,9 @@ public:
 	BodyId add_soft_body(SoftBodyData body);
 	/// False when the id refers to nothing.
 	bool remove_soft_body(BodyId id);
+	/// Puts another body, awake, at the id and in the place of one, which may have other points. What rested on that one
+	/// wakes; its joints are removed, its collision exceptions stay. False when the id refers to nothing.
+	bool replace_soft_body(BodyId id, SoftBodyData body);
 	/// Null when the id refers to nothing. Valid until a body is added or removed.
 	SoftBodyData *find(BodyId id) { return bodies_.find(id); }
 	const SoftBodyData *find(BodyId id) const { return bodies_.find(id); }
@@ -120,6 +123,7 @@ public:
 private:
 	Status check_joint_here(const Joint &joint) const;
 	void note_joint(const Joint &joint);
+	void remove_joints_of(BodyId id);
 
 	std::shared_ptr<ChangeCounts> changes_ = std::make_shared<ChangeCounts>();
 	Vec2 gravity_{ 0, 0 };

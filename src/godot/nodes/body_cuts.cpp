@@ -189,12 +189,17 @@ void BodyCuts::take_structure(SoftBody2D &r_node, Piece &r_piece) {
 	if (r_node.values_.mass_mode == SoftBody2D::MASS_MODE_CUSTOM) {
 		r_node.values_.mass = r_piece.mass;
 	}
+	await_modes(r_node);
+	r_node.design_.reset();
+}
+
+// A number that no earlier task had.
+void BodyCuts::await_modes(SoftBody2D &r_node) {
 	static uint64_t tasks = 0;
 	r_node.awaited_modes_ = 0;
 	if (r_node.choose_model().model == SoftBody2D::ELASTIC_MODEL_MODES) {
 		r_node.awaited_modes_ = ++tasks;
 	}
-	r_node.design_.reset();
 }
 
 // Elastic modes take a hundred times as long as all the rest of a cut. Springs stand in for them for some ticks.
@@ -231,6 +236,17 @@ void BodyCuts::take_modes(SoftBody2D &r_node, uint64_t p_task) {
 	}
 }
 
+// At rest, with the damping of areas that the whole had.
+Result<SoftBodyData> BodyCuts::create_body(const BodyDesign &p_design, const SoftBody2D &p_node) const {
+	auto settings = p_node.make_settings(p_design);
+	if (!settings) {
+		return settings.error();
+	}
+	settings.value().linear_damp = whole_.settings().linear_damp;
+	settings.value().angular_damp = whole_.settings().angular_damp;
+	return SoftBodyData::create(p_design.shape, settings.value());
+}
+
 // The body as it will be, of a node that has the structure of the piece.
 Status BodyCuts::make_body(const BodyCut &p_cut, std::size_t p_index, SoftBody2D &r_node) {
 	Piece &piece = pieces_[p_index];
@@ -239,13 +255,7 @@ Status BodyCuts::make_body(const BodyCut &p_cut, std::size_t p_index, SoftBody2D
 		return design.error();
 	}
 	piece.design = std::move(design.value());
-	auto settings = r_node.make_settings(piece.design);
-	if (!settings) {
-		return settings.error();
-	}
-	settings.value().linear_damp = whole_.settings().linear_damp; // of areas, too
-	settings.value().angular_damp = whole_.settings().angular_damp;
-	auto body = SoftBodyData::create(piece.design.shape, settings.value());
+	auto body = create_body(piece.design, r_node);
 	if (!body) {
 		return body.error();
 	}
@@ -285,10 +295,9 @@ void BodyCuts::draw_as_before(SoftBody2D &r_node) const {
 // The first piece's body takes the place of the whole in the world.
 void BodyCuts::keep_first() {
 	Piece &piece = pieces_[0];
-	node_.space_->world().remove_soft_body(node_.body_id_);
 	node_.design_ = piece.design;
 	node_.polygon_reversed_ = piece.design.is_reversed;
-	node_.body_id_ = node_.space_->add_body(node_, std::move(*piece.body));
+	node_.space_->world().replace_soft_body(node_.body_id_, std::move(*piece.body));
 	node_.proxy_.forget_shape();
 	node_.apply_exceptions();
 	node_.apply_freeze();
@@ -381,7 +390,8 @@ void BodyCuts::carry_pin_targets(SoftBody2D &r_node) const {
 }
 
 // Attachments go to the piece on whose undeformed polygon they stand, or to the nearest one.
-void BodyCuts::carry_attachments() {
+std::vector<uint64_t> BodyCuts::carry_attachments() {
+	std::vector<uint64_t> gone;
 	const TypedArray<Node> children = node_.get_children();
 	for (int64_t i = 0; i < children.size(); i++) {
 		SoftBodyAttachment2D *attachment = Object::cast_to<SoftBodyAttachment2D>(children[i]);
@@ -402,9 +412,11 @@ void BodyCuts::carry_attachments() {
 		attachment->attach_at(attachment->get_rest_position(), attachment->get_rest_rotation());
 		if (holder != 0) {
 			attachment->reparent(pieces_[holder].node, false);
+			gone.push_back(attachment->get_instance_id());
 		}
 		attachment->follow_now();
 	}
+	return gone;
 }
 
 Result<TypedArray<SoftBody2D>> BodyCuts::make(const BodyCut &p_cut) {
@@ -415,6 +427,7 @@ Result<TypedArray<SoftBody2D>> BodyCuts::make(const BodyCut &p_cut) {
 	const SoftBody2D::Values old_values = node_.values_;
 	const std::optional<BodyDesign> old_design = node_.design_;
 	const uint64_t old_task = node_.awaited_modes_;
+	CutHistory::Entry before{ CutHistory::next_cut(), structure_of(node_), old_design, node_.pins_, {} };
 	Status refused;
 	for (std::size_t i = 1; i < pieces_.size() && !refused; i++) {
 		pieces_[i].node = memnew(SoftBody2D);
@@ -448,6 +461,8 @@ Result<TypedArray<SoftBody2D>> BodyCuts::make(const BodyCut &p_cut) {
 
 	const BodyPins pins = node_.pins_;
 	const PointOrder order = node_.order();
+	const uint64_t cut = before.cut;
+	node_.cuts_.add(std::move(before));
 	TypedArray<SoftBody2D> nodes;
 	std::vector<uint64_t> ids;
 	for (std::size_t i = 0; i < pieces_.size(); i++) {
@@ -457,6 +472,7 @@ Result<TypedArray<SoftBody2D>> BodyCuts::make(const BodyCut &p_cut) {
 		if (i == 0) {
 			keep_first();
 		} else {
+			node.cuts_.begin_as(node_.cuts_.first());
 			add_piece(pieces_[i]);
 			carry_pin_targets(node);
 			carry_exceptions(node);
@@ -465,9 +481,9 @@ Result<TypedArray<SoftBody2D>> BodyCuts::make(const BodyCut &p_cut) {
 		nodes.push_back(&node);
 		ids.push_back(node.get_instance_id());
 	}
-	carry_attachments();
+	node_.cuts_.last().attachments = carry_attachments();
 	for (SteppedJoint *joint : node_.space_->joints()) {
-		joint->follow_cut(node_.get_instance_id(), whole_, ids);
+		joint->follow_cut(cut, node_.get_instance_id(), whole_, ids);
 	}
 	return nodes;
 }

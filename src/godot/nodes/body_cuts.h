@@ -7,6 +7,7 @@
 #include "core/model/soft_body_data.h"
 #include "godot/nodes/body_design.h"
 #include "godot/nodes/body_structure.h"
+#include "godot/nodes/cut_history.h"
 #include "godot/nodes/soft_body_2d.h"
 
 #include <cstddef>
@@ -38,6 +39,11 @@ public:
 	/// The nodes of the pieces, this one first. Nothing has changed if it is refused.
 	Result<godot::TypedArray<godot::SoftBody2D>> make(const BodyCut &p_cut);
 
+	static CutStructure structure_of(const godot::SoftBody2D &p_node);
+	/// The node becomes what it was when that state was saved, before or after cuts. What went to other pieces since comes
+	/// back; the pieces stay. Nothing has changed if it is refused.
+	Status become(const NodeState &p_state);
+
 private:
 	/// Null outside of the tree of a running game.
 	static const SoftBodyData *whole_of(const godot::SoftBody2D &p_node);
@@ -58,16 +64,21 @@ private:
 	void describe_pieces(const BodyCut &p_cut);
 	godot::PackedInt32Array cut_edges(const BodyCut &p_cut, const BodyPiece &p_piece) const;
 	void copy_to(godot::SoftBody2D &r_node) const;
+	static void await_modes(godot::SoftBody2D &r_node);
 	static void take_structure(godot::SoftBody2D &r_node, Piece &r_piece);
 	static void find_modes(godot::SoftBody2D &r_node);
 	static void take_modes(godot::SoftBody2D &r_node, uint64_t p_task);
+	Result<SoftBodyData> create_body(const BodyDesign &p_design, const godot::SoftBody2D &p_node) const;
+	Status restore_body(Piece &r_piece, const CutHistory::Entry *p_former, const NodeState &p_state);
 	Status make_body(const BodyCut &p_cut, std::size_t p_index, godot::SoftBody2D &r_node);
 	static void take_pins(godot::SoftBody2D &r_node, const BodyPiece &p_piece, const BodyPins &p_pins, PointOrder p_whole_order);
 	void keep_first();
 	void add_piece(Piece &r_piece);
 	void carry_exceptions(godot::SoftBody2D &r_node) const;
 	void carry_pin_targets(godot::SoftBody2D &r_node) const;
-	void carry_attachments();
+	/// Returns those that went to other pieces.
+	std::vector<uint64_t> carry_attachments();
+	void take_back(const std::vector<CutHistory::Entry> &p_gone);
 	void draw_as_before(godot::SoftBody2D &r_node) const;
 
 	godot::SoftBody2D &node_;

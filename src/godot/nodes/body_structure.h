@@ -48,6 +48,7 @@ public:
 	static constexpr real_t LEAST_WIDTH = 4;
 
 	const Values &values() const { return values_; }
+	void exchange_all(const Values &p_values) { values_ = p_values; }
 	/// Sets one of the values, of any kind, and returns its old one.
 	template <auto VALUE, class Value>
 	Value exchange(const Value &p_value) {

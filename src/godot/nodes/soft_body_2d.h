@@ -22,6 +22,7 @@
 #include "godot/nodes/body_structure.h"
 #include "godot/nodes/collision_exceptions.h"
 #include "godot/nodes/contact_reports.h"
+#include "godot/nodes/cut_history.h"
 #include "godot/nodes/fall_memory.h"
 #include "godot/resources/property_binding.h"
 #include "godot/resources/soft_body_material_2d.h"
@@ -176,7 +177,7 @@ public:
 	PackedByteArray get_state() const;
 	Error set_state(const PackedByteArray &p_state);
 
-	// Cuts: body_cuts.cpp.
+	// Cuts: soft_body_2d_cuts.cpp.
 	TypedArray<SoftBody2D> cut(const Vector2 &p_from, const Vector2 &p_to);
 	TypedArray<SoftBody2D> cut_polyline(const PackedVector2Array &p_points);
 	TypedArray<PackedVector2Array> preview_cut(const PackedVector2Array &p_points) const;
@@ -321,7 +322,6 @@ private:
 	static PackedVector2Array make_default_polygon();
 
 	softbody::SizedHull sized_hull(const Transform2D &p_transform) const;
-
 	using Design = softbody::BodyDesign;
 
 	/// A callable of a bound method of this node that may be kept beyond the call. It is by name: the node outlives its code
@@ -422,7 +422,6 @@ private:
 	Transform2D simulated_frame(const Transform2D &p_transform) const;
 	Transform2D transform_at(const softbody::BodyFrame &p_frame) const;
 	void update_topology();
-
 	void apply_pins();
 	void follow_pin_targets();
 
@@ -469,6 +468,7 @@ private:
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
 	bool polygon_reversed_ = false;
+	softbody::CutHistory cuts_; ///< forgotten when the user gives it other points
 	uint64_t awaited_modes_ = 0; ///< number of the task that finds its elastic modes after a cut, or 0
 	softbody::BodyGrowth growth_;
 	bool is_mirrored_x_ = false; ///< whether the node's scale of x is negative

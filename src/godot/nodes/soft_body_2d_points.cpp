@@ -5,13 +5,14 @@
 #include "core/geometry/polygon.h"
 #include "core/model/body_state.h"
 #include "godot/convert.h"
+#include "godot/nodes/body_cuts.h"
+#include "godot/nodes/cut_history.h"
 #include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 
 #include <cmath>
-#include <cstring>
 #include <string>
 
 using softbody::to_core;
@@ -221,23 +222,27 @@ void SoftBody2D::follow_pin_targets() {
 // The state of the body as bytes, for rollback, replays and saved games.
 
 PackedByteArray SoftBody2D::get_state() const {
-	PackedByteArray bytes;
 	const softbody::SoftBodyData *found = followed_body();
-	ERR_FAIL_NULL_V_MSG(found, bytes, describe() + ": has no body yet; add the node to the scene tree first.");
-	const std::vector<uint8_t> state = softbody::to_bytes(found->save_state());
-	bytes.resize(int64_t(state.size()));
-	std::memcpy(bytes.ptrw(), state.data(), state.size());
-	return bytes;
+	ERR_FAIL_NULL_V_MSG(found, {}, describe() + ": has no body yet; add the node to the scene tree first.");
+	if (cuts_.is_empty()) {
+		return softbody::to_bytes(found->save_state(), nullptr);
+	}
+	const softbody::CutStructure structure = softbody::BodyCuts::structure_of(*this);
+	return softbody::to_bytes(found->save_state(), &structure);
 }
 
 Error SoftBody2D::set_state(const PackedByteArray &p_state) {
 	softbody::SoftBodyData *found = followed_body();
 	ERR_FAIL_NULL_V_MSG(found, ERR_UNCONFIGURED, describe() + ": has no body yet; add the node to the scene tree first.");
-	const auto state = softbody::body_state_from_bytes({ p_state.ptr(), std::size_t(p_state.size()) });
-	softbody::Status status = state ? found->restore_state(state.value()) : softbody::Status(state.error());
+	const auto state = softbody::node_state_from_bytes(p_state);
+	softbody::Status status = state ? softbody::BodyCuts(*this).become(state.value()) : softbody::Status(state.error());
+	if (!status) {
+		found = body();
+		status = found->restore_state(state.value().body);
+	}
 	ERR_FAIL_COND_V_MSG(status, ERR_INVALID_DATA, describe() + ": state refused: " + softbody::to_godot(*status) + ". The body goes on as it was.");
 	follow_body();
-	found->set_rotation_memory(state.value().rotation_memory); // which the node's following measured anew
+	found->set_rotation_memory(state.value().body.rotation_memory); // which the node's following measured anew
 	if (!is_held_static()) {
 		freeze_ = found->is_frozen();
 	}

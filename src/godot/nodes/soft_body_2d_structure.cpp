@@ -65,6 +65,7 @@ bool SoftBody2D::take_over_structure(const StringName &p_property, bool p_has_ot
 		return false;
 	}
 	if (p_has_other_points) {
+		cuts_.clear();
 		rebuild_body(true);
 	} else {
 		apply_shape();

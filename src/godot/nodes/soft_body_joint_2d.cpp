@@ -117,6 +117,7 @@ void SoftBodyJoint2D::forget_ends() {
 	update_exception(false);
 	ends_[0].reset();
 	ends_[1].reset();
+	former_ends_.clear();
 	missed_ticks_ = 0;
 	complained_ = false;
 	if (space_ != nullptr) {
@@ -328,7 +329,7 @@ void SoftBodyJoint2D::note_break(softbody::StepSignals &r_signals) {
 }
 
 // An end that has not been found yet stands where the joint does.
-void SoftBodyJoint2D::follow_cut(uint64_t p_node, const softbody::SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) {
+void SoftBodyJoint2D::follow_cut(uint64_t p_cut, uint64_t p_node, const softbody::SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) {
 	for (int i = 0; i < 2; i++) {
 		std::optional<End> &end = ends_[i];
 		const Node *named = end || paths_[i].is_empty() ? nullptr : get_node_or_null(paths_[i]);
@@ -354,12 +355,28 @@ void SoftBodyJoint2D::follow_cut(uint64_t p_node, const softbody::SoftBodyData &
 		if (nearest == nullptr) {
 			continue;
 		}
+		former_ends_.push_back({ p_cut, p_node, i, end });
 		if (end) {
 			end->node = nearest->get_instance_id();
 			end->anchor = anchor;
 		}
 		if (is_inside_tree() && nearest->is_inside_tree()) {
 			paths_[i] = get_path_to(nearest);
+		}
+	}
+}
+
+void SoftBodyJoint2D::undo_cuts(uint64_t p_first_cut, uint64_t p_node) {
+	for (std::size_t k = former_ends_.size(); k-- > 0;) {
+		const FormerEnd former = former_ends_[k];
+		if (former.cut < p_first_cut || former.node != p_node) {
+			continue;
+		}
+		former_ends_.erase(former_ends_.begin() + std::ptrdiff_t(k));
+		ends_[former.index] = former.end;
+		Node2D *node = Object::cast_to<Node2D>(ObjectDB::get_instance(p_node));
+		if (node != nullptr && is_inside_tree() && node->is_inside_tree()) {
+			paths_[former.index] = get_path_to(node);
 		}
 	}
 }

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace softbody {
 class SoftBodySpace2D;
@@ -61,7 +62,8 @@ public:
 	RID get_rigid_body() const override;
 	void prepare_step() override;
 	void note_break(softbody::StepSignals &r_signals) override;
-	void follow_cut(uint64_t p_node, const softbody::SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) override;
+	void follow_cut(uint64_t p_cut, uint64_t p_node, const softbody::SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) override;
+	void undo_cuts(uint64_t p_first_cut, uint64_t p_node) override;
 
 protected:
 	static void _bind_methods();
@@ -78,6 +80,14 @@ private:
 		uint64_t node = 0; ///< instance id; 0 is the world
 		softbody::JointAnchor anchor; ///< without the soft body's id, which is another one each time it enters the tree
 		Vector2 position; ///< in the frame of a node that is no soft body; in the world without a node
+	};
+
+	/// An end as it was before a cut of its body.
+	struct FormerEnd {
+		uint64_t cut = 0; ///< number of the cut
+		uint64_t node = 0; ///< instance id
+		int index = 0;
+		std::optional<End> end; ///< nothing if it had not been found yet
 	};
 
 	/// The end at that path, or nothing while it is not there.
@@ -108,6 +118,7 @@ private:
 	softbody::SoftBodySpace2D *space_ = nullptr;
 	softbody::JointId id_;
 	std::optional<End> ends_[2];
+	std::vector<FormerEnd> former_ends_; ///< the latest last
 	double bound_length_ = 0; ///< distance of the ends when they were found
 	softbody::Joint known_; ///< as the core has it
 	std::pair<uint64_t, uint64_t> excepted_{ 0, 0 }; ///< instance ids of the soft body and of what it passes through

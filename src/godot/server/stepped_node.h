@@ -87,8 +87,10 @@ public:
 	/// The step has removed the core's joint, which bore too much.
 	virtual void note_break(StepSignals &r_signals) = 0;
 	/// The body `p_whole` of the node `p_node` has been cut: ends on it go to the nearest of the pieces, which are nodes by
-	/// instance id.
-	virtual void follow_cut(uint64_t p_node, const SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) = 0;
+	/// instance id. `p_cut` is the number of the cut, above those of all earlier ones.
+	virtual void follow_cut(uint64_t p_cut, uint64_t p_node, const SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) = 0;
+	/// The node's body is again what it was before the cut of that number: ends that stood on it then stand there again.
+	virtual void undo_cuts(uint64_t p_first_cut, uint64_t p_node) = 0;
 
 protected:
 	~SteppedJoint() = default;
