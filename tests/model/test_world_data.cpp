@@ -57,6 +57,32 @@ TEST_CASE("ids find their body through any order of adding and removing, and not
 	CHECK(gone.size() > 1000);
 }
 
+TEST_CASE("a body is replaced at its id and place, where joints end and exceptions stay") {
+	WorldData world;
+	const auto shape = thesis_shape();
+	const BodyId first = world.add_soft_body(thesis_body(shape, {}));
+	const BodyId second = world.add_soft_body(thesis_body(shape, {}));
+	REQUIRE_FALSE(world.add_collision_exception(first, second));
+	Joint joint;
+	joint.first.body = first;
+	joint.second.body = second;
+	REQUIRE(world.add_joint(joint));
+	world.find(first)->put_to_sleep();
+	SoftBodyData other = thesis_body(shape, {});
+	REQUIRE_FALSE(other.set_point(0, other.positions()[0] + Vec2{ Real(0.01), 0 }, {}));
+	other.put_to_sleep();
+	const Vec2 place = other.positions()[0];
+	CHECK(world.replace_soft_body(first, other));
+	CHECK(world.id_at(0) == first);
+	CHECK(world.find(first)->positions()[0] == place);
+	CHECK_FALSE(world.find(first)->is_asleep());
+	CHECK(world.joints().empty());
+	CHECK(world.has_collision_exception(first, second));
+	CHECK(world.remove_soft_body(first));
+	CHECK_FALSE(world.replace_soft_body(first, other));
+	CHECK(world.soft_bodies().size() == 1);
+}
+
 TEST_CASE("an id that never was finds nothing") {
 	WorldData world;
 	CHECK(world.find({}) == nullptr);
