@@ -84,6 +84,7 @@ func test_a_state_undoes_a_cut_of_a_network() -> void:
 
 func test_a_piece_whose_modes_were_not_found_yet_waits_for_them_anew() -> void:
 	var body := add_weightless_body(Vector2.ZERO)
+	var other := add_weightless_body(Vector2(500, 0))
 	await ticks(2)
 	cut_through(body)
 	await ticks(1)
@@ -98,6 +99,26 @@ func test_a_piece_whose_modes_were_not_found_yet_waits_for_them_anew() -> void:
 	check_equal(body.set_state(early), OK, "the early state")
 	await ticks(10)
 	check_equal(body.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_MODES, "model ten ticks after the early state")
+	check_equal(body.set_state(early), OK, "the early state")
+	var size := early.decode_u32(16)
+	var list: Array = bytes_to_var(early.slice(20, 20 + size))
+	list[0] = SoftBody2D.make_circle_polygon(30, 5)
+	var forged := sealed(list, other.get_state())
+	check_refused(func() -> void: body.set_state(forged), ["state refused", "points"], "a state of other points")
+	await ticks(10)
+	check_equal(body.get_elastic_model_in_use(), SoftBody2D.ELASTIC_MODEL_MODES, "model ten ticks after a refused state")
+
+
+func test_own_springs_and_the_model_that_they_choose_come_back() -> void:
+	var body := add_weightless_body(Vector2.ZERO, {"center_point": false, "springs": PackedInt32Array([0, 8, 4, 12, 0, 4, 4, 8, 8, 12, 12, 0])})
+	await ticks(2)
+	var state := body.get_state()
+	var springs := body.get_all_springs()
+	check_equal(cut_through(body).size(), 2, "number of pieces")
+	await ticks(2)
+	check_equal(body.set_state(state), OK, "putting the state back")
+	check_equal(body.elastic_model, SoftBody2D.ELASTIC_MODEL_AUTOMATIC, "chosen model")
+	check_equal(body.get_all_springs(), springs, "springs")
 
 
 func test_cuts_of_cuts_are_undone_one_by_one() -> void:
@@ -155,10 +176,10 @@ func test_the_state_of_the_whole_makes_a_piece_whole() -> void:
 
 func test_what_hung_on_the_whole_comes_back() -> void:
 	var body := add_weightless_body(Vector2.ZERO)
-	var holder := Node2D.new()
-	stage.add_child(holder)
-	body.set_point_pinned(4, true, body.get_path_to(holder))
-	body.set_point_pinned(12, true)
+	var holders: Array[Node2D] = [Node2D.new(), Node2D.new()]
+	for i in 2:
+		stage.add_child(holders[i])
+		body.set_point_pinned(3 + 8 * i, true, body.get_path_to(holders[i]))
 	var joints: Array[SoftBodyJoint2D] = []
 	var hats: Array[SoftBodyAttachment2D] = []
 	for y: float in [-50, 50]:
@@ -181,7 +202,8 @@ func test_what_hung_on_the_whole_comes_back() -> void:
 	await ticks(10)
 	check_equal(body.set_state(state), OK, "putting the state back")
 	check_equal(body.pinned_points, pins, "pins")
-	check(body.get_node_or_null(body.get_pin_target(4)) == holder, "the target of a pin is as before")
+	for i in 2:
+		check(body.get_node_or_null(body.get_pin_target(3 + 8 * i)) == holders[i], "target %d is as before" % i)
 	free_others(pieces)
 	for i in 2:
 		check(is_instance_valid(hats[i]) and hats[i].get_parent() == body, "attachment %d is back" % i)
