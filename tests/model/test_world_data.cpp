@@ -64,8 +64,8 @@ TEST_CASE("a body is replaced at its id and place, where joints end and exceptio
 	const BodyId second = world.add_soft_body(thesis_body(shape, {}));
 	REQUIRE_FALSE(world.add_collision_exception(first, second));
 	Joint joint;
-	joint.first.body = first;
-	joint.second.body = second;
+	joint.first = JointAnchor::on_point(first, 0);
+	joint.second = JointAnchor::on_point(second, 1);
 	REQUIRE(world.add_joint(joint));
 	world.find(first)->put_to_sleep();
 	SoftBodyData other = thesis_body(shape, {});
