@@ -207,6 +207,23 @@ func test_a_fast_body_does_not_pass_a_thin_floor() -> void:
 	check_below(body.get_center_of_mass_position().y, 100, "y of the body above the floor")
 
 
+## A line has two sides: a body that is put across it belongs on that of its middle.
+func test_a_body_put_across_a_segment_comes_out_above_it() -> void:
+	var shape := SegmentShape2D.new()
+	shape.a = Vector2(-3000, 100)
+	shape.b = Vector2(3000, 100)
+	add_solid(shape)
+	for sunk: float in [0.5, 3.0, 20.0, 40.0]:
+		var added := add_body(Vector2(-200, 50 + sunk))
+		var sent := add_body(Vector2(200, -400))
+		await ticks(5)
+		sent.teleport(Transform2D(0, Vector2(200, 50 + sunk)))
+		await seconds(3)
+		for body: SoftBody2D in [added, sent]:
+			_check_lies_at_100(body)
+			body.free()
+
+
 func test_squashes_on_impact_and_recovers_its_area() -> void:
 	add_floor(100)
 	var body := add_weightless_body()

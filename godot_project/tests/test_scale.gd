@@ -78,6 +78,21 @@ func _check_hops(rate: int, durations: Array[float]) -> void:
 	Engine.physics_ticks_per_second = 60
 
 
+func test_a_body_that_grows_on_a_line_comes_out_above_it() -> void:
+	var line := SegmentShape2D.new()
+	line.a = Vector2(-500, 0)
+	line.b = Vector2(500, 0)
+	add_solid(line)
+	for duration: float in [0.0, 0.2]:
+		var body := add_body(Vector2(0, -52))
+		await seconds(2)
+		var y := body.position.y
+		await _hop(body, y, duration)
+		await seconds(1)
+		check_near(body.position.y, y, 3, "its place after growing in %.1f s" % duration)
+		body.free()
+
+
 func test_a_body_that_grows_where_it_lies_does_not_hop() -> void:
 	await _check_hops(60, [0.0, 0.05, 0.2, 0.5])
 

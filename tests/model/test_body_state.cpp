@@ -28,6 +28,7 @@ BodyState full_state() {
 	state.one_ways = { { 77, true }, { 78, false } };
 	state.rest = { Real(0.25), { 1, 2 }, { 3, 4 }, true, 12, 0x123456789abcdefu, 0 };
 	state.last_valid_hull.assign(body.hull().begin(), body.hull().end());
+	state.placed = !state.placed;
 	state.active = false;
 	state.frozen = true;
 	state.pin_targets = { { 5, { 3, 1 } } };
@@ -58,7 +59,7 @@ TEST_CASE("a state survives bytes, and a body holds the state that it was given"
 
 TEST_CASE("the bytes are little-endian and begin with a name and a version") {
 	const std::vector<std::uint8_t> bytes = to_bytes(BodyState{});
-	const std::vector<std::uint8_t> head = { 'S', 'B', '2', 'S', 4, 0, 0, 0, std::uint8_t(sizeof(Real)), 0, 0, 0 };
+	const std::vector<std::uint8_t> head = { 'S', 'B', '2', 'S', 5, 0, 0, 0, std::uint8_t(sizeof(Real)), 0, 0, 0 };
 	CHECK(std::equal(head.begin(), head.end(), bytes.begin()));
 }
 

@@ -3,11 +3,13 @@
 #include "core/collision/environment_contact_solver.h"
 
 #include "core/collision/convex_query.h"
+#include "core/geometry/segment.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace softbody {
 
@@ -24,6 +26,27 @@ namespace {
 // Whether a collider is one segment of a chain.
 bool is_link(const Collider &collider) {
 	return collider.vertices.size() == 2 && (collider.ghost_at_first || collider.ghost_at_second);
+}
+
+// Start positions of the hull points of a body that was placed across colliders: the path of each point starts at the middle of
+// the body if it runs inside the hull. A point that it does not reach, as behind the dent of a concave body, stays where it is.
+void start_from_middle(std::span<const Vec2> hull, std::span<const Vec2> before, std::vector<Vec2> &starts) {
+	starts.assign(before.begin(), before.begin() + std::ptrdiff_t(hull.size()));
+	const Vec2 middle = mean_of(hull);
+	if (!point_in_polygon(middle, hull)) {
+		return;
+	}
+	const std::size_t count = hull.size();
+	for (std::size_t i = 0; i < count; ++i) {
+		bool is_clear = true;
+		for (std::size_t edge = 0; is_clear && edge < count; ++edge) {
+			const std::size_t next = (edge + 1) % count;
+			is_clear = edge == i || next == i || !segment_intersection(middle, hull[i], hull[edge], hull[next]);
+		}
+		if (is_clear) {
+			starts[i] = middle;
+		}
+	}
 }
 
 constexpr Aabb NOWHERE{ { std::numeric_limits<Real>::quiet_NaN(), 0 }, { std::numeric_limits<Real>::quiet_NaN(), 0 } };
@@ -58,6 +81,8 @@ bool EnvironmentContactSolver::begin_body(const ColliderIndex &surroundings, Sof
 		near().margin = fastest(body.velocities()) * dt + body.shape().radius() / 4;
 		gather(body, near().margin);
 	}
+	near().is_placed = body.is_placed();
+	body.set_placed(false);
 	if (!body.one_ways().empty()) {
 		forget_one_ways(body);
 	}
@@ -110,6 +135,10 @@ void EnvironmentContactSolver::handle_colliders(SoftBodyData &body, std::span<co
 	if (near().has_one_way) {
 		begin_one_ways(body, before, swept);
 	}
+	starts_from_middle_.clear();
+	if (std::exchange(near().is_placed, false)) {
+		start_from_middle(body.hull(), before, starts_from_middle_);
+	}
 	// Points of all colliders first. An edge between a point that has been moved out and one that has not dips into the
 	// seam of two colliders, and a corner there would push it back.
 	for (const Part part : { Part::POINTS, Part::ROUND_EDGES, Part::CORNERS }) {
@@ -141,7 +170,7 @@ void EnvironmentContactSolver::handle_collider(SoftBodyData &body, std::span<con
 	if (!swept.overlaps(bounds)) {
 		return;
 	}
-	const HullMotion hull{ before, body.hull() };
+	const HullMotion hull{ starts_from_middle_.empty() || collider.is_one_way() ? before : starts_from_middle_, body.hull() };
 	if (collider.rigid_body == NO_RIGID_BODY) {
 		solve_collider(body, hull, collider, collider.surface, {}, corners ? bounding_box(hull.to) : bounds, part);
 		return;

@@ -67,6 +67,7 @@ private:
 		Real margin = 0;
 		Real elapsed = 0; ///< time since the step began, at the start of the coming substep [s]
 		bool has_one_way = false; ///< whether `colliders` holds a one-way collider
+		bool is_placed = false; ///< whether the coming substep is the first since the body was placed (SoftBodyData::is_placed)
 	};
 	Near &near() { return near_[lane_]; }
 	const Near &near() const { return near_[lane_]; }
@@ -82,6 +83,7 @@ private:
 	std::uint32_t collider_ = 0; ///< collider being solved
 	ContactLog log_;
 	std::vector<Vec2> own_hull_; ///< hull in the frame of a one-way collider
+	std::vector<Vec2> starts_from_middle_; ///< of the hull points of a placed body; else empty
 	std::vector<Vec2> starts_; ///< start positions of the hull points, as adjusted for a one-way collider
 	std::vector<BasicPointSolution<Real>> solutions_; ///< of a border, at the hull points
 };

@@ -337,6 +337,7 @@ void place_piece(const SoftBodyData &body, const BodyCut &cut, std::size_t piece
 		place_dents(body, placed, fill);
 	}
 	placed.pause_damage();
+	placed.set_placed(false); // its points are where those of the whole were
 	fill(body.positions(), placed.mutable_positions());
 	for (std::size_t i = 0; i < hull_count; ++i) {
 		placed.mutable_positions()[i] = cut.polygon.points[piece.outline[i]].position; // pieces that were found simple are

@@ -18,7 +18,7 @@ namespace softbody {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> MAGIC = { 'S', 'B', '2', 'S' };
-constexpr std::uint32_t VERSION = 4;
+constexpr std::uint32_t VERSION = 5;
 constexpr const char *DAMAGED = "keep the bytes as they were saved";
 
 constexpr const char *UNSOUND = "restore a sound state";
@@ -176,7 +176,7 @@ void visit_state(State &state, auto &archive) {
 	each(state.rotation_memory.c, state.rotation_memory.s);
 	each(state.touch.touching, state.touch.approach, state.touch.restitution, state.touch.normal, state.touch.surface_velocity, state.touch.account);
 	each(state.rest.rest_time, state.rest.drowsy_center, state.rest.drowsy_velocity, state.rest.asleep, state.rest.island, state.rest.surroundings);
-	each(state.damage_pause, state.active, state.frozen, state.load.force, state.load.torque, state.acceleration);
+	each(state.damage_pause, state.placed, state.active, state.frozen, state.load.force, state.load.torque, state.acceleration);
 }
 
 } // namespace

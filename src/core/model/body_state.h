@@ -97,6 +97,7 @@ struct BodyMemory {
 	RestState rest;
 	Real damage_pause = 0; ///< time for which strain does not dent or tear the body [s]
 	std::vector<Vec2> last_valid_hull; ///< see SoftBodyData::last_valid_hull; empty, or one a hull point
+	bool placed = true; ///< put where it is since colliders were last looked at, see SoftBodyData::is_placed
 	bool active = true;
 	bool frozen = false;
 

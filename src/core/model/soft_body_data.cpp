@@ -18,6 +18,9 @@ namespace {
 // Time for which a body takes no damage after its shape was set or it was torn [s]: about as long as it takes to settle.
 constexpr Real DAMAGE_PAUSE = Real(0.25);
 
+// Cosine of the turn on the spot from which on a body counts as placed anew [1]. Corrections of its rotation are smaller.
+constexpr double PLACED_TURN = 0.99;
+
 Status check_pose(const Pose &pose) {
 	const Vec2 rotation{ pose.rotation.c, pose.rotation.s };
 	if (Status status = first_error({ check_finite("pose", pose.position), check_finite("pose", rotation) })) {
@@ -409,6 +412,7 @@ Status SoftBodyData::teleport(const Pose &reference, const Pose &pose) {
 	}
 	disturb();
 	memory_.last_valid_hull.clear();
+	memory_.placed |= pose.position != reference.position || turn.c < PLACED_TURN;
 	memory_.touch = {};
 	memory_.one_ways.clear();
 	const Rotation memory = rotation_memory();

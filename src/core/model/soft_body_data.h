@@ -212,6 +212,10 @@ public:
 	/// The hull at its last contacts with colliders, if other bodies, or the body itself, may have pushed it since.
 	/// Otherwise empty.
 	std::vector<Vec2> &last_valid_hull() { return memory_.last_valid_hull; }
+	/// Whether the body was made, sent or resized since its contacts with colliders were last solved. Then no path tells on which side
+	/// of a thin collider its points belong: they belong on that of its center.
+	bool is_placed() const { return memory_.placed; }
+	void set_placed(bool placed) { memory_.placed = placed; }
 
 private:
 	SoftBodyData() = default;
