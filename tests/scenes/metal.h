@@ -8,7 +8,6 @@
 #include "scenes/jelly.h"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <span>
 #include <stdexcept>
@@ -23,7 +22,8 @@ inline std::vector<Vec2> circle_of(Real radius, int count) {
 	std::vector<Vec2> hull;
 	for (int i = 0; i < count; ++i) {
 		const Real angle = 2 * std::numbers::pi_v<Real> * Real(i) / Real(count);
-		hull.push_back(Vec2{ std::cos(angle), std::sin(angle) } * radius);
+		const Rotation turn = Rotation::from_angle(angle);
+		hull.push_back(Vec2{ turn.c, turn.s } * radius);
 	}
 	return hull;
 }

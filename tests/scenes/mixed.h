@@ -15,7 +15,7 @@
 
 namespace softbody::testing {
 
-/// An octagon whose corners are written down, not computed: the sines of one library are not those of another.
+/// An octagon whose corners are written down, not computed.
 inline std::shared_ptr<const SoftBodyShape> octagon(Real radius, Real stiffness, Real damping) {
 	constexpr Real HALF = Real(0.70710678);
 	constexpr std::array<Vec2, 8> CORNERS = { Vec2{ 1, 0 }, { HALF, HALF }, { 0, 1 }, { -HALF, HALF }, { -1, 0 },
@@ -38,8 +38,8 @@ enum MixedTag : std::uint64_t {
 };
 
 /// In meters, y up: two piles of like bodies, one of every integrator, balloons, a body on a pin, bouncing ones, borders, a
-/// box, a chain, a piston, a crate that is pushed. `spin` [rad/s] turns a paddle; with 0 nothing in the scene calls
-/// a sine. With `monitors` every second body monitors its contacts.
+/// box, a chain, a piston, a crate that is pushed. `spin` [rad/s] turns a paddle, and lets the crate
+/// turn. With `monitors` every second body monitors its contacts.
 inline WorldData mixed_world(Real spin = 0, bool monitors = true) {
 	WorldData world;
 	world.set_gravity({ 0, Real(-9.81) });

@@ -2,6 +2,7 @@
 // A plain two-dimensional vector and the few products the simulation needs.
 #pragma once
 
+#include "core/base/elementary.h"
 #include "core/base/pack.h"
 #include "core/base/real.h"
 
@@ -75,15 +76,18 @@ inline bool is_finite(Vec2 a) {
 	return std::isfinite(a.x) && std::isfinite(a.y);
 }
 
-/// A rotation kept as cosine and sine: no trigonometry in the step, and no wrap-around.
+/// A rotation kept as cosine and sine, without wrap-around. Its angles have the same bits everywhere.
 template <class T>
 struct BasicRotation {
 	T c = T(1);
 	T s = T(0);
 
-	static BasicRotation from_angle(Real radians) { return { std::cos(radians), std::sin(radians) }; }
+	static BasicRotation from_angle(Real radians) {
+		const auto [sine, cosine] = sine_cosine(double(radians));
+		return { Real(cosine), Real(sine) };
+	}
 	/// Angle in (-pi, pi], positive from x towards y.
-	Real angle() const { return std::atan2(s, c); }
+	Real angle() const { return Real(angle_of(double(s), double(c))); }
 	constexpr BasicVec2<T> apply(BasicVec2<T> a) const { return { c * a.x - s * a.y, s * a.x + c * a.y }; }
 	constexpr BasicVec2<T> apply_inverse(BasicVec2<T> a) const { return { c * a.x + s * a.y, c * a.y - s * a.x }; }
 

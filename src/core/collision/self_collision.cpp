@@ -3,6 +3,7 @@
 #include "core/collision/self_collision.h"
 
 #include "core/base/constants.h"
+#include "core/base/elementary.h"
 #include "core/collision/point_edge_constraint.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
@@ -482,7 +483,7 @@ void SelfCollision::move_zone(SoftBodyData &body, std::uint32_t zone) {
 		angular += own * cross(r, difference(velocities[i], {}) - velocity);
 		inertia += own * dot(q, q);
 	});
-	const double norm = std::hypot(along, across);
+	const double norm = hypotenuse(along, across);
 	const double c = norm > 0 ? along / norm : 1.0;
 	const double s = norm > 0 ? across / norm : 0.0;
 	const double spin = inertia > 0 ? angular / inertia : 0.0;

@@ -3,6 +3,7 @@
 #include "core/creator/hulls.h"
 
 #include "core/base/constants.h"
+#include "core/base/elementary.h"
 #include "core/geometry/polygon.h"
 
 #include <cmath>
@@ -26,8 +27,7 @@ void append_line(std::vector<Vec2> &hull, Vec2 a, Vec2 b, int pieces) {
 
 // Point on the unit circle. A coordinate of 1e-16 (pi is rounded) becomes 0, as people read hulls in an inspector.
 Vec2 on_circle(double angle) {
-	const double x = std::cos(angle);
-	const double y = std::sin(angle);
+	const auto [y, x] = sine_cosine(angle);
 	return { std::abs(x) < 1e-12 ? Real(0) : Real(x), std::abs(y) < 1e-12 ? Real(0) : Real(y) };
 }
 

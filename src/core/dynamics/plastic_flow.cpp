@@ -2,6 +2,7 @@
 // Dents: the shape at rest follows what strains the body too far.
 #include "core/dynamics/plastic_flow.h"
 
+#include "core/base/elementary.h"
 #include "core/dynamics/energy.h"
 #include "core/geometry/polygon.h"
 #include "core/model/body_frame.h"
@@ -39,7 +40,7 @@ bool PlasticFlow::flow(SoftBodyData &body, Real h) {
 	if (!(signed_area(hull) > LEAST_FLOWING_AREA * body.shape().rest_area()) || is_folded(hull)) {
 		return false;
 	}
-	const Real rate = 1 - std::exp(-settings.flow_rate * h);
+	const Real rate = 1 - Real(exponential(double(-settings.flow_rate * h)));
 	const std::vector<Vec2> before(body.shape().rest_positions().begin(), body.shape().rest_positions().end());
 	const double energy_before = elastic_energy(body);
 	for (const bool is_uniform : { false, true }) {

@@ -2,10 +2,9 @@
 // Damping of the motion of a body as a whole, for any scalar type.
 #pragma once
 
+#include "core/base/elementary.h"
 #include "core/model/body_frame.h"
 #include "core/model/body_lanes.h"
-
-#include <cmath>
 
 namespace softbody {
 
@@ -16,8 +15,8 @@ template <class T>
 void damp_rigid_motion(const BodyLanes<T> &body, Real h) {
 	const BodySettings &settings = body.model.settings;
 	const auto frame = measure_frame<T>(body.model.shape, body.model.rotation_memory, body.positions, body.velocities);
-	const Real lost = Real(-std::expm1(-double(settings.linear_damp) * double(h)));
-	const Real lost_spin = Real(-std::expm1(-double(settings.angular_damp) * double(h)));
+	const Real lost = Real(-exponential_minus_one(-double(settings.linear_damp) * double(h)));
+	const Real lost_spin = Real(-exponential_minus_one(-double(settings.angular_damp) * double(h)));
 	const BasicVec2<T> brake = frame.velocity * T(-lost);
 	const T turn_back = frame.angular_velocity * T(-lost_spin);
 	for (std::size_t i = 0; i < body.velocities.size(); ++i) {

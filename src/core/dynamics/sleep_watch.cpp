@@ -3,6 +3,7 @@
 #include "core/dynamics/sleep_watch.h"
 
 #include "core/base/constants.h"
+#include "core/base/elementary.h"
 #include "core/model/body_frame.h"
 
 #include <algorithm>
@@ -141,7 +142,7 @@ Vec2 SleepWatch::pull_on(std::uint32_t active_index) const {
 	SoftBodyData &body = bodies_.data(active_index);
 	const RestState &rest = body.rest_state();
 	const Real time = rest.rest_time - DROWSY_TIME;
-	const Real share = 1 - std::exp(-time / DROWSY_DECAY);
+	const Real share = 1 - Real(exponential(double(-time / DROWSY_DECAY)));
 	const Real coasted = DROWSY_DECAY * share;
 	const Real gained = DROWSY_DECAY * (time - coasted);
 	const BodyFrame frame = measure_frame(body);

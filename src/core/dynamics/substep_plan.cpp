@@ -3,6 +3,7 @@
 #include "core/dynamics/substep_plan.h"
 
 #include "core/base/constants.h"
+#include "core/base/elementary.h"
 #include "core/dynamics/elastic_lanes.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/model/body_lanes.h"
@@ -206,7 +207,7 @@ double largest_stable_step(Integrator integrator, const FrequencyBounds &bounds,
 			// q = r or q = 1, it holds for r <= 2. At the lower, q = β r²/(2h): if h >= β, then 2 - 2q + r² >= 2, and
 			// h³ k <= 4β suffices, where r < 2 too; if h < β, the least q is r²/2, where it says r <= 2, as q <= 1 does.
 			const double slow = ratio(budget / 2 * 4 * time, bounds.frequency_squared);
-			return std::min(std::max(std::cbrt(slow), budget / 2 * time), ratio(budget, rate));
+			return std::min(std::max(cube_root(slow), budget / 2 * time), ratio(budget, rate));
 		}
 		case Integrator::RUNGE_KUTTA_4:
 			return ratio(budget / 2 * 2.6, std::max(std::sqrt(bounds.frequency_squared), rate));

@@ -2,9 +2,10 @@
 // Chooses an elastic model whose error a player does not see.
 #include "core/model/model_choice.h"
 
+#include "core/base/elementary.h"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace softbody {
 
@@ -30,7 +31,7 @@ double expected_error(ElasticModel model, std::size_t hull_points) {
 	while (POINTS[above] < count) {
 		++above;
 	}
-	const double share = std::log(count / POINTS[above - 1]) / std::log(POINTS[above] / POINTS[above - 1]);
+	const double share = logarithm(count / POINTS[above - 1]) / logarithm(POINTS[above] / POINTS[above - 1]);
 	return row[above - 1] + share * (row[above] - row[above - 1]);
 }
 

@@ -2,6 +2,7 @@
 // Checks and derived quantities of a soft body's structure.
 #include "core/model/soft_body_shape.h"
 
+#include "core/base/elementary.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/round_outline.h"
 
@@ -312,7 +313,7 @@ struct Block {
 	/// Its largest singular value.
 	double norm() const {
 		const auto [top, bottom] = entries;
-		return (std::hypot(top[0] + bottom[1], bottom[0] - top[1]) + std::hypot(top[0] - bottom[1], bottom[0] + top[1])) / 2;
+		return (hypotenuse(top[0] + bottom[1], bottom[0] - top[1]) + hypotenuse(top[0] - bottom[1], bottom[0] + top[1])) / 2;
 	}
 };
 
@@ -344,7 +345,8 @@ std::vector<Coupling> couplings_of(const ElasticTriangles &mesh) {
 			}
 		}
 	}
-	std::ranges::sort(parts, {}, [](const Coupling &c) { return std::pair(c.a, c.b); });
+	// Stable, as the parts of one pair are added up in this order and libraries sort equal ones differently.
+	std::ranges::stable_sort(parts, {}, [](const Coupling &c) { return std::pair(c.a, c.b); });
 	std::vector<Coupling> couplings;
 	for (const Coupling &part : parts) {
 		if (couplings.empty() || couplings.back().a != part.a || couplings.back().b != part.b) {

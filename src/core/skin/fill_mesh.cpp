@@ -2,6 +2,7 @@
 // The triangles that fill a body, and the colors and texture coordinates between its hull points.
 #include "core/skin/fill_mesh.h"
 
+#include "core/base/elementary.h"
 #include "core/geometry/polygon.h"
 #include "core/skin/outline_band.h"
 
@@ -31,8 +32,8 @@ std::vector<Real> mean_value_weights(Vec2 place, std::span<const Vec2> polygon) 
 		const std::size_t next = (i + 1) % count;
 		const Vec2 a = polygon[i] - place;
 		const Vec2 b = polygon[next] - place;
-		const double ra = std::hypot(double(a.x), double(a.y));
-		const double rb = std::hypot(double(b.x), double(b.y));
+		const double ra = hypotenuse(double(a.x), double(a.y));
+		const double rb = hypotenuse(double(b.x), double(b.y));
 		const double cosine = double(a.x) * b.x + double(a.y) * b.y;
 		const double sine = double(a.x) * b.y - double(a.y) * b.x;
 		const double divisor = ra * rb + cosine;
