@@ -2,6 +2,7 @@
 // Scenes whose end is compared to the last bit.
 #include "determinism/hashed_scenes.h"
 
+#include "core/creator/body_cut.h"
 #include "core/creator/hulls.h"
 #include "scenes/metal.h"
 #include "scenes/mixed.h"
@@ -108,6 +109,65 @@ WorldData dented_metal() {
 	return world;
 }
 
+// Planks that are rigid bodies, each on two wheels that it is joined to, roll down a slope into a paddle that turns. Wheels are of
+// every elastic model, some under XPBD, all damped; on the planks lie the pieces of a disc that was cut.
+WorldData carts() {
+	WorldData world;
+	world.set_gravity({ 0, Real(-9.81) });
+	world.add_border({ { { 0, 0 }, Rotation::from_angle(Real(0.15)).apply({ 0, 1 }) }, {} });
+	world.add_border({ { { -14, 0 }, { 1, 0 } }, {} });
+	const auto add_box = [&](const RigidBody &body, Vec2 half) {
+		Collider box{ { { -half.x, -half.y }, { half.x, -half.y }, half, { -half.x, half.y } }, 0, {} };
+		box.rigid_body = world.add_rigid_body(body).value();
+		world.add_collider(box);
+	};
+	RigidBody paddle;
+	paddle.pose = { { -11, Real(0.5) }, Rotation::from_angle(Real(0.3)) };
+	paddle.angular_velocity = 2;
+	add_box(paddle, { Real(1.5), Real(0.2) });
+
+	const std::vector<Vec2> disc = circle_hull(Real(0.4), 14).value();
+	for (int i = 0; i < 6; ++i) {
+		const Vec2 place{ Real(-7) + Real(2.4) * Real(i), Real(1.2) + Real(0.5) * Real(i) };
+		RigidBody plank;
+		plank.pose.position = place;
+		plank.acceleration = world.gravity();
+		plank.inverse_mass = Real(0.5) + Real(0.25) * Real(i);
+		plank.inverse_inertia = 2 * plank.inverse_mass;
+		plank.tag = std::uint64_t(i) + 1;
+		add_box(plank, { Real(0.9), Real(0.1) });
+		for (const Real side : { Real(-0.7), Real(0.7) }) {
+			Metal metal{ MODELS[std::size_t(i) % MODELS.size()] };
+			metal.yield = 0;
+			SoftBodyData wheel = metal_body(disc, metal, place + Vec2{ side, Real(-0.7) });
+			BodySettings settings = wheel.settings();
+			settings.integrator = i >= 4 && side > 0 ? Integrator::XPBD : Integrator::AUTOMATIC;
+			settings.linear_damp = Real(0.1) * Real(i);
+			settings.angular_damp = Real(0.3);
+			(void)wheel.set_settings(settings);
+			const auto last = std::uint32_t(wheel.point_count() - 1); // the center, if there is one
+			const BodyId id = world.add_soft_body(std::move(wheel));
+			Joint axle;
+			axle.first = JointAnchor::on_rigid_body(plank.tag, { side, Real(-0.1) });
+			axle.second = JointAnchor::on_point(id, last);
+			axle.rest_length = Real(0.6);
+			axle.stiffness = i % 2 == 0 ? Real(800) : axle.stiffness;
+			axle.damping = 2;
+			(void)world.add_joint(axle);
+		}
+		const StructureOptions options{ 1, 300, 3, true };
+		const auto whole = SoftBodyCreator::create_polygon(disc, options).value();
+		const SoftBodyData load = SoftBodyData::create(whole, {}, { place + Vec2{ 0, Real(0.7) }, Rotation::from_angle(Real(i)) }).value();
+		const Vec2 along = Rotation::from_angle(Real(0.4) * Real(i)).apply({ 1, 0 });
+		const Vec2 middle = place + Vec2{ Real(0.03), Real(0.68) };
+		std::vector<SoftBodyData> pieces = cut_body(load, options, std::array{ middle - along, middle + along }, {}).value();
+		for (SoftBodyData &piece : pieces) {
+			world.add_soft_body(std::move(piece));
+		}
+	}
+	return world;
+}
+
 class Run {
 public:
 	Run(const HashedScene &scene, const ParallelFor &parallel_for) :
@@ -159,9 +219,10 @@ private:
 } // namespace
 
 std::span<const HashedScene> hashed_scenes() {
-	static const std::array<HashedScene, 5> scenes = { HashedScene{ "mixed", [] { return mixed_world(); }, {} },
+	static const std::array<HashedScene, 7> scenes = { HashedScene{ "mixed", [] { return mixed_world(); }, {} },
 		HashedScene{ "chain", chain_of_bodies, carry_pin }, HashedScene{ "ribbons", folding_ribbons, {} },
-		HashedScene{ "pile", large_pile, {} }, HashedScene{ "metal", dented_metal, {} } };
+		HashedScene{ "pile", large_pile, {} }, HashedScene{ "metal", dented_metal, {} },
+		HashedScene{ "turning", [] { return mixed_world(2); }, {} }, HashedScene{ "carts", carts, {} } };
 	return scenes;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes whose end is compared to the last bit: between threads, compilers and levels of optimization, and with a run that was
-// put back in between.
+// Scenes whose end is compared to the last bit: between threads, compilers, levels of optimization, processors and systems, and
+// with a run that was put back in between.
 #pragma once
 
 #include "core/base/parallel_for.h"
@@ -18,8 +18,8 @@ struct HashedScene {
 	std::function<void(WorldData &world, int tick)> drive; ///< before each tick; may be empty
 };
 
-/// Built without a call of a sine or another function of a library of mathematics, so that their bits are the same on every
-/// machine whose compiler rounds as IEEE 754 says.
+/// Built by functions whose bits are the same on every machine (core/base/elementary.h), and by no random numbers. Between
+/// them they have joints, pins, self contacts, dents, cut pieces, every integrator and elastic model, and dynamic rigid bodies.
 std::span<const HashedScene> hashed_scenes();
 
 /// Of all states and contacts after `ticks` steps of 1/60 s.
