@@ -67,6 +67,13 @@ check_extension() {
 	fi
 }
 
+# called_functions FOLDER: the functions of mathematics that its objects call and that libraries do not round alike; fails if there
+# is none. IEEE 754 says how square roots and remainders are rounded, and floor, ldexp and the like are exact.
+called_functions() {
+	find "$1" -name '*.o' -exec nm -Au {} + |
+		grep -E ' U (a?(sin|cos|tan)h?|atan2|sincos|hypot|exp(2|10|m1)?|log(2|10|1p)?|pow|cbrt|erfc?|[lt]gamma)[fl]?$'
+}
+
 # shared_names OBJECT: the functions and data of an object that other objects may hold, too, and of which the linker keeps one.
 shared_names() {
 	nm -C "$1" | grep -E '^[0-9a-f]* +[VWu] ' || true

@@ -24,6 +24,12 @@ problem() {
 has_package() {
 	case $1 in
 		g++) command -v "${CXX:-g++}" >/dev/null ;;
+		g++-*-linux-gnu) command -v "${1#g++-}-g++" >/dev/null ;;
+		g++-mingw-w64-x86-64-posix) command -v x86_64-w64-mingw32-g++-posix >/dev/null ;;
+		qemu-user) command -v qemu-aarch64 >/dev/null ;;
+		emscripten) command -v em++ >/dev/null ;;
+		nodejs) command -v node >/dev/null ;;
+		binutils) command -v objdump >/dev/null ;;
 		doctest-dev) echo '#include <doctest/doctest.h>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;
 		nlohmann-json3-dev) echo '#include <nlohmann/json.hpp>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;
 		libbox2d-dev) echo '#include <box2d/box2d.h>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;

@@ -1,0 +1,340 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: MIT
+# Other processors and systems than this one: builds for them, and runs what was built by emulators.
+#
+# Needs common.sh, godot.sh and build.sh, and `count` and `count_doctest` of scripts/test.sh. docs/platforms.md says what was run.
+
+PLATFORMS=(linux-arm64 windows web macos linux-old)
+ARM64_CXX=aarch64-linux-gnu-g++
+WINDOWS_CXX=x86_64-w64-mingw32-g++-posix
+LARGEST_GLIBC=2.28 # that of Godot's own builds
+FOREIGN_INCLUDE=$REPO_DIR/build/foreign_include
+
+# need_platform NAME: installs the compiler and the emulator of that platform.
+need_platform() {
+	case $1 in
+		linux-arm64) need_packages scons g++ g++-aarch64-linux-gnu qemu-user doctest-dev ;;
+		windows) need_packages scons g++ g++-mingw-w64-x86-64-posix wine doctest-dev ;;
+		web) need_packages scons g++ emscripten nodejs doctest-dev ;;
+		*) need_packages scons g++ ;;
+	esac || return 1
+	# The headers of this machine's system are of no use for another one, except doctest's.
+	mkdir -p "$FOREIGN_INCLUDE"
+	[[ -e $FOREIGN_INCLUDE/doctest || ! -d /usr/include/doctest ]] || ln -sfn /usr/include/doctest "$FOREIGN_INCLUDE/doctest"
+}
+
+# compiler_of NAME: the compiler of that platform.
+compiler_of() {
+	case $1 in
+		linux-arm64) echo "$ARM64_CXX" ;;
+		windows) echo "$WINDOWS_CXX" ;;
+		web) echo em++ ;;
+	esac
+}
+
+# with_foreign NAME COMMAND…: runs it with the settings of that platform's compiler.
+with_foreign() {
+	local name=$1 variables=()
+	shift
+	if [[ $name == web && -e /usr/share/emscripten/.emscripten ]]; then
+		# Debian's emscripten keeps its own libraries in a folder that nobody may write to, and says so in its settings.
+		sed 's/^FROZEN_CACHE.*/FROZEN_CACHE = False/' /usr/share/emscripten/.emscripten >"$CACHE_DIR/emscripten.config"
+		variables=("EM_CONFIG=$CACHE_DIR/emscripten.config" "EM_CACHE=$CACHE_DIR/emscripten")
+	fi
+	(
+		export "CXX=$(compiler_of "$name")" "CPATH=$FOREIGN_INCLUDE" ${variables[@]+"${variables[@]}"}
+		"$@"
+	)
+}
+
+# foreign_scons NAME TARGET…: builds programs of the core for that platform.
+foreign_scons() {
+	with_foreign "$1" run_scons "${@:2}"
+}
+
+# foreign_compiler NAME ARGS…: its compiler.
+foreign_compiler() {
+	with_foreign "$1" "$(compiler_of "$1")" "${@:2}"
+}
+
+# foreign_program NAME PROGRAM: the path of what foreign_scons made, relative to the repository.
+foreign_program() {
+	local target ending=
+	target=$("$(compiler_of "$1")" -dumpmachine)
+	case $1 in
+		windows) ending=.exe ;;
+		web) ending=.js ;;
+	esac
+	echo "build/$target/$2$ending"
+}
+
+# run_foreign NAME SECONDS PROGRAM ARGS…: runs a program of that platform, for that long at most. Without carriage returns.
+run_foreign() {
+	local name=$1 limit=$2 emulator=()
+	shift 2
+	case $name in
+		linux-arm64) emulator=(qemu-aarch64) ;;
+		windows) emulator=(env "WINEPREFIX=$CACHE_DIR/wine" WINEDEBUG=-all wine) ;;
+		web) emulator=(node) ;;
+	esac
+	(cd "$REPO_DIR" && set -o pipefail && limited "$limit" "${emulator[@]}" "$@" | tr -d '\r')
+}
+
+# own_hashes LEVEL TICKS: what this machine makes of the hashed scenes by g++, in OWN_HASHES.
+own_hashes() {
+	local log=$LOG_DIR/platform_own.log
+	run_scons "hashes_g++_$1" >"$log.build" 2>&1 || { problem "the core does not compile (see $log.build)"; return 1; }
+	limited "$TIME_LIMIT" "$REPO_DIR/build/determinism/hashes_g++_$1" 1 "$2" >"$log" ||
+		{ problem "the scenes do not end on this machine (see $log)"; return 1; }
+	OWN_HASHES=$log
+}
+
+# test_hashes NAME LEVEL TICKS: whether the scenes end there in the bits of own_hashes. Says so, with the hash of all hashes.
+test_hashes() {
+	local name=$1 program log=$LOG_DIR/platform_$1.log start=$SECONDS built
+	program=hashes_$(compiler_of "$name")_$2
+	if ! foreign_scons "$name" "$program" >"$log.build" 2>&1; then
+		tail -n 5 "$log.build" >&2
+		problem "the core does not compile for $name (see $log.build)"
+		count 0 0 1
+		return
+	fi
+	built=$((SECONDS - start))
+	if run_foreign "$name" $((3 * TIME_LIMIT)) "$(foreign_program "$name" "determinism/$program")" 1 "$3" >"$log" &&
+		cmp -s "$OWN_HASHES" "$log"; then
+		count 0 1 0
+	else
+		diff "$OWN_HASHES" "$log" || true
+		echo "FAILED: $name computes other bits"
+		count 0 0 1
+	fi
+	PLATFORM_LINE="$name: hash $(sed -n 's/^all //p' "$log"), built in $built s, run in $((SECONDS - start - built)) s"
+	echo "$PLATFORM_LINE"
+}
+
+# test_foreign_core NAME [OPTION…]: the tests of the core there, with options of doctest.
+test_foreign_core() {
+	local name=$1 log=$LOG_DIR/platform_core_$1.log start=$SECONDS status=0
+	shift
+	if ! foreign_scons "$name" tests_float >"$log.build" 2>&1; then
+		tail -n 5 "$log.build" >&2
+		problem "the tests do not compile for $name (see $log.build)"
+		count 0 0 1
+		return
+	fi
+	run_foreign "$name" $((6 * TIME_LIMIT)) "$(foreign_program "$name" tests/softbody_tests_float)" --no-colors=true "$@" \
+		>"$log" 2>&1 || status=$?
+	count_doctest "$status" "$log"
+	PLATFORM_LINE+=", suite $(sed -nE 's/^\[doctest\] test cases: .*\| *([0-9]+) passed \| *([0-9]+) failed.*/\1 passed \2 failed/p' "$log" |
+		tail -n 1), $((SECONDS - start)) s"
+	echo "$PLATFORM_LINE"
+}
+
+# need_stub_host [NAME]: the program that loads the extension as Godot 4.3 would, for this machine or for Windows, and the list of
+# the functions that Godot 4.3 has. Sets STUB_HOST and STUB_FUNCTIONS.
+need_stub_host() {
+	local compiler=gcc ending=
+	[[ ${1:-} != windows ]] || { compiler=${WINDOWS_CXX/g++/gcc}; ending=.exe; }
+	need_packages python3 g++ || return 1
+	need_godot_cpp || return 1
+	STUB_HOST=$REPO_DIR/build/stub_host$ending
+	STUB_FUNCTIONS=$REPO_DIR/build/functions_of_4.3.txt
+	python3 - "$REPO_DIR/godot-cpp/gdextension/gdextension_interface.json" >"$STUB_FUNCTIONS" <<-'END'
+		import json, sys
+		for function in json.load(open(sys.argv[1]))["interface"]:
+		    if tuple(int(part) for part in function["since"].split(".")) <= (4, 3):
+		        print(function["name"])
+	END
+	[[ -s $STUB_FUNCTIONS ]] || { problem "godot-cpp does not list the functions of Godot 4.3"; return 1; }
+	if [[ -n $ending ]]; then
+		"$compiler" -std=c99 -Wall -Wextra -O1 "$REPO_DIR/scripts/lib/stub_host.c" -o "$STUB_HOST"
+	else
+		"$compiler" -std=c99 -Wall -Wextra -O1 "$REPO_DIR/scripts/lib/stub_host.c" -o "$STUB_HOST" -ldl
+	fi || problem "the stub host does not compile"
+}
+
+# newest_glibc LIBRARY: the newest version of glibc that it asks for.
+newest_glibc() {
+	objdump -T "$1" | grep -oE 'GLIBC_[0-9.]+' | sed 's/GLIBC_//' | sort -uV | tail -n 1
+}
+
+# test_old_glibc LIBRARY: whether it loads with the glibc that Godot's own builds ask for, by the versions of its symbols. Other
+# libraries than these are not on every system.
+test_old_glibc() {
+	local newest others
+	newest=$(newest_glibc "$1")
+	others=$(objdump -p "$1" | sed -nE 's/^ *NEEDED +//p' | grep -vxE '(libc|libm|libpthread|libdl)\.so\.6|libgcc_s\.so\.1|ld-linux.*' || true)
+	echo "$(basename "$1") asks for glibc $newest"
+	if [[ -n $newest && -z $others && $(printf '%s\n' "$newest" $LARGEST_GLIBC | sort -V | tail -n 1) == "$LARGEST_GLIBC" ]]; then
+		count 0 1 0
+	else
+		objdump -T "$1" | grep -E "GLIBC_$newest\)" || true
+		echo "FAILED: it needs glibc $newest, and above $LARGEST_GLIBC it would not load where Godot does${others:+; and $others}"
+		count 0 0 1
+	fi
+}
+
+# test_stub_host LIBRARY: whether the extension loads in a Godot 4.3.
+test_stub_host() {
+	if limited 60 "$STUB_HOST" "$1" "$STUB_FUNCTIONS"; then count 0 1 0; else count 0 0 1; fi
+}
+
+# What continuous integration can afford of other platforms: the bits of arm64 and Windows, and whether the library that was built
+# for this machine would load in an old Godot and on an old system.
+test_portable() {
+	local name library
+	if [[ $(uname -sm) != "Linux x86_64" ]]; then
+		echo "note: only a Linux with an x86-64 processor can look at other platforms"
+		count 0 0 0 1
+		return
+	fi
+	step "Hashing scenes: this machine"
+	need_packages scons g++ || return 1
+	own_hashes O0 120 || return 1
+	for name in linux-arm64 windows; do
+		step "Hashing scenes: $name"
+		need_platform "$name" || return 1
+		test_hashes "$name" O1 120
+	done
+	build_extension target=template_debug || return 1
+	step "Loading the extension as Godot 4.3"
+	need_stub_host || return 1
+	need_packages binutils || return 1
+	for library in "$REPO_DIR"/addons/soft_body_2d/bin/libsoft_body_2d.linux.*.x86_64.so; do
+		test_stub_host "$library"
+		test_old_glibc "$library"
+	done
+}
+
+# test_platforms [NAME…]: these platforms, or all: what takes long, too.
+test_platforms() {
+	local name lines=()
+	[[ $# -gt 0 ]] || set -- "${PLATFORMS[@]}"
+	for name in "$@"; do
+		[[ " ${PLATFORMS[*]} " == *" $name "* ]] || { problem "no platform $name: ${PLATFORMS[*]}"; return 1; }
+	done
+	need_packages scons g++ doctest-dev || return 1
+	own_hashes O2 240 || return 1
+	for name in "$@"; do
+		step "Platform $name"
+		PLATFORM_LINE="$name:"
+		if need_platform "$name"; then
+			"test_on_${name//-/_}" || count 0 0 1
+		else
+			count 0 0 1
+			PLATFORM_LINE+=" could not be prepared"
+		fi
+		lines+=("$PLATFORM_LINE")
+	done
+	step "Platforms"
+	echo "this machine: hash $(sed -n 's/^all //p' "$OWN_HASHES")"
+	printf '%s\n' "${lines[@]}"
+}
+
+# User emulation loses memory with every thread that ends, so nothing of the suites with threads.
+test_on_linux_arm64() {
+	test_hashes linux-arm64 O2 240
+	test_foreign_core linux-arm64 '--test-suite-exclude=*threads*'
+}
+
+# The core, and the library: its entry is called by the stub host.
+test_on_windows() {
+	local start library status=passed
+	test_hashes windows O2 240
+	test_foreign_core windows
+	start=$SECONDS
+	build_extension platform=windows use_mingw=yes target=template_release "CXX=$WINDOWS_CXX" >"$LOG_DIR/platform_dll.log" 2>&1 ||
+		{ problem "the library does not link for Windows (see $LOG_DIR/platform_dll.log)"; return 1; }
+	need_stub_host windows || return 1
+	library=addons/soft_body_2d/bin/libsoft_body_2d.windows.template_release.x86_64.dll
+	if run_foreign windows 120 "$STUB_HOST" "$library" "${STUB_FUNCTIONS#"$REPO_DIR/"}"; then
+		count 0 1 0
+	else
+		status=FAILED
+		count 0 0 1
+	fi
+	PLATFORM_LINE+=", library in a stub host: $status, $((SECONDS - start)) s"
+}
+
+# The core, under Node, by the system's emscripten. That of Debian 12 (3.1.6) has no library for C++20; that of Debian 13 (3.1.69) has.
+test_on_web() {
+	local version
+	version=$(em++ --version | sed -nE '1s/.* ([0-9]+\.[0-9]+\.[0-9]+).*/\1/p')
+	PLATFORM_LINE+=" emscripten ${version:-of no version}"
+	if ! echo '#include <ranges>
+		#ifndef __cpp_lib_ranges
+		#error
+		#endif' | foreign_compiler web -std=c++20 -x c++ -fsyntax-only - 2>/dev/null; then
+		PLATFORM_LINE+=" is too old for C++20"
+		echo "note: $PLATFORM_LINE"
+		count 0 0 0 1
+		return
+	fi
+	test_hashes web O2 240
+	test_foreign_core web
+}
+
+# write_zig_tool VENV COMMAND PATH: a program that calls Zig's compiler for macOS, without the flag that names a processor once more.
+write_zig_tool() {
+	local target='-target aarch64-macos'
+	[[ $2 == c* ]] || target=
+	cat >"$3" <<-END
+		#!/usr/bin/env bash
+		arguments=()
+		while [[ \$# -gt 0 ]]; do
+			if [[ \$1 == -arch ]]; then shift; else arguments+=("\$1"); fi
+			shift
+		done
+		exec "$1/bin/python-zig" $2 $target "\${arguments[@]}"
+	END
+	chmod +x "$3"
+}
+
+# Linked only: there is nothing here that runs it. Python's package of Zig brings the compiler.
+test_on_macos() {
+	local start=$SECONDS venv=$CACHE_DIR/ziglang wrappers=$REPO_DIR/build/zig tool
+	need_packages python3-venv || return 1
+	[[ -x $venv/bin/python-zig ]] || { python3 -m venv "$venv" && "$venv/bin/pip" install -q ziglang==0.13.0.post1; } ||
+		{ problem "could not install ziglang"; return 1; }
+	# godot-cpp looks for the tools of OSXCross by these names.
+	mkdir -p "$wrappers/target/bin"
+	for tool in clang:cc clang++:c++ ar:ar ranlib:ranlib as:cc; do
+		write_zig_tool "$venv" "${tool#*:}" "$wrappers/target/bin/arm64-apple-darwin16-${tool%:*}"
+	done
+	if OSXCROSS_ROOT=$wrappers build_extension platform=macos arch=arm64 target=template_release >"$LOG_DIR/platform_macos.log" 2>&1; then
+		count 0 1 0
+		PLATFORM_LINE+=" linked only, $((SECONDS - start)) s"
+	else
+		count 0 0 1
+		PLATFORM_LINE+=" does not link (see $LOG_DIR/platform_macos.log), $((SECONDS - start)) s"
+	fi
+}
+
+# The release library in the oldest Debian that can still be had: its loader and its libraries.
+test_on_linux_old() {
+	local start=$SECONDS root=$CACHE_DIR/old-linux library lib usr
+	lib=$root/lib/x86_64-linux-gnu usr=$root/usr/lib/x86_64-linux-gnu
+	need_packages mmdebstrap debian-archive-keyring binutils || return 1
+	build_extension target=template_release || return 1
+	need_stub_host || return 1
+	library=$REPO_DIR/addons/soft_body_2d/bin/libsoft_body_2d.linux.template_release.x86_64.so
+	test_old_glibc "$library"
+	if [[ ! -e $lib/ld-2.31.so ]]; then
+		rm -rf "$root"
+		mkdir -p "$root"
+		mmdebstrap --variant=extract --mode=chrootless --format=tar --include=libc6,libc6-dev,libgcc-s1 bullseye - \
+			2>"$LOG_DIR/platform_old.log" </dev/null | tar -x --no-same-owner --exclude=./dev -C "$root" ||
+			{ problem "could not install an old Debian (see $LOG_DIR/platform_old.log)"; return 1; }
+	fi
+	# Linked with the old libraries, and with the threads that every Godot has. A compiler given a sysroot would still find the new ones.
+	gcc -O1 -fno-pie -no-pie -nostdlib "$REPO_DIR/scripts/lib/stub_host.c" "$usr"/crt[1i].o -Wl,--no-as-needed "$lib"/lib{dl.so.2,pthread.so.0,c.so.6} \
+		"$usr/libc_nonshared.a" "$usr/crtn.o" -o "$STUB_HOST.old" || { problem "the stub host does not link with an old glibc"; return 1; }
+	if limited 60 "$lib/ld-2.31.so" --library-path "$lib:$usr" "$STUB_HOST.old" "$library" "$STUB_FUNCTIONS"; then
+		count 0 1 0
+		PLATFORM_LINE+=" loads with glibc 2.31"
+	else
+		count 0 0 1
+		PLATFORM_LINE+=" does not load with glibc 2.31"
+	fi
+	PLATFORM_LINE+=", asks for $(newest_glibc "$library"), $((SECONDS - start)) s"
+}
