@@ -243,7 +243,7 @@ test_on_windows() {
 	test_hashes windows O2 240
 	test_foreign_core windows
 	start=$SECONDS
-	build_extension platform=windows use_mingw=yes target=template_release "CXX=$WINDOWS_CXX" >"$LOG_DIR/platform_dll.log" 2>&1 ||
+	CXX=$WINDOWS_CXX build_extension platform=windows use_mingw=yes target=template_release >"$LOG_DIR/platform_dll.log" 2>&1 ||
 		{ problem "the library does not link for Windows (see $LOG_DIR/platform_dll.log)"; return 1; }
 	need_stub_host windows || return 1
 	library=addons/soft_body_2d/bin/libsoft_body_2d.windows.template_release.x86_64.dll
