@@ -34,6 +34,7 @@ nlohmann::json soak(const Options &options);
 nlohmann::json model(const Options &options);
 nlohmann::json heap(const Options &options);
 nlohmann::json dents(const Options &options);
+nlohmann::json rollback(const Options &options);
 /// A part of `dents`.
 nlohmann::json cuts(const Options &options);
 

@@ -21,6 +21,7 @@ import tables_engine
 import tables_heap
 import tables_model
 import tables_peers
+import tables_rollback
 import tables_stress
 import work_precision
 
@@ -65,6 +66,7 @@ BENCHES = {
     "model": Bench(("float",), per_precision(tables_model.summarize), tables_model.print_table, timed=True),
     "heap": Bench(("float",), per_precision(tables_heap.summarize), tables_heap.print_table, timed=True),
     "dents": Bench(("float",), per_precision(tables_dents.summarize), tables_dents.print_table, timed=True),
+    "rollback": Bench(("float",), per_precision(tables_rollback.summarize), tables_rollback.print_table, timed=True),
     "peers": Bench(
         ("float",), tables_peers.summarize, tables_peers.print_table, timed=True, program="softbody_peers"
     ),

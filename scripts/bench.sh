@@ -18,6 +18,7 @@
 #   model           outlines under every elastic model against finite elements, and what they cost; independence of the mesh
 #   heap            heaps of nodes at their default values: folded bodies, sleep, time
 #   dents           dents over tick rates and elastic models; random cuts against brute force, and what a cut costs
+#   rollback        states of whole worlds: what they cost; two peers over a bad network who roll back and agree
 #   peers           a pile in other engines, Box2D and Chipmunk, against ours
 #   engine          nodes in an exported game: how many hold 60 ticks per second, and where their time goes
 #   editor          the editor addon's handlers: dragging, painting, drawing, tracing a picture
@@ -28,7 +29,7 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/build.sh"
 . "$REPO_DIR/scripts/lib/bench.sh"
 
-names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy contact-books stress soak model heap dents peers engine editor)
+names=(work-precision stability energy recovery auto table-4-1 pile scaling contact-accuracy contact-books stress soak model heap dents rollback peers engine editor)
 name=
 for argument in "$@"; do
 	case $argument in

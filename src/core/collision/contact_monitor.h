@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace softbody {
@@ -38,6 +39,11 @@ public:
 	std::span<const ContactEvent> events() const { return events_; }
 	/// Present touches, sorted by body and other side.
 	std::span<const Touch> touches() const { return touches_; }
+	/// Puts earlier touches back, sorted as they were. The contacts and events of the last step are forgotten.
+	void put_back(std::vector<Touch> touches) {
+		begin_step();
+		touches_ = std::move(touches);
+	}
 
 private:
 	/// Sort key: ids, for the environment tags, then the features that distinguish contacts of one touch.

@@ -115,6 +115,8 @@ void Simulator::begin_step(Real dt) {
 				[](const SoftBodyData &body) { return body.acceleration() != Vec2{}; });
 	}
 	pin_motion_.begin_step(world_, dt, is_rearranged);
+	// A body that was put back may bring a hull from a step in which there were colliders.
+	had_colliders_ |= std::exchange(seen_restores_, world_.change_counts().restores) != seen_restores_;
 	if (std::exchange(had_colliders_, surroundings_.has_colliders()) && !had_colliders_) {
 		for (SoftBodyData &body : world_.soft_bodies()) {
 			body.last_valid_hull().clear(); // it would say nothing of colliders that come later

@@ -22,6 +22,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace softbody {
@@ -59,6 +60,9 @@ public:
 	Simulator(const Simulator &) = delete;
 	Simulator &operator=(const Simulator &) = delete;
 
+	WorldData &world() { return world_; }
+	const WorldData &world() const { return world_; }
+
 	/// Advances every body by `dt` [s], > 0 and finite. External forces act during the whole step and are then cleared.
 	StepReport simulate(Real dt);
 
@@ -71,6 +75,10 @@ public:
 	std::span<const ContactEvent> contact_events() const { return contact_monitor_.events(); }
 	/// Touches that have begun and not ended. Valid until the next step.
 	std::span<const Touch> touches() const { return contact_monitor_.touches(); }
+
+	/// Puts earlier touches back, sorted as they were: part of the state of a world. The contacts and events of the last step are
+	/// forgotten.
+	void put_back_touches(std::vector<Touch> touches) { contact_monitor_.put_back(std::move(touches)); }
 
 	/// Lists the bodies that the last step left awake: neither asleep, nor frozen, nor inactive. O(awake bodies).
 	void list_awake(std::vector<BodyId> &ids);
@@ -130,6 +138,7 @@ private:
 	std::vector<BodyPair> joined_; ///< pairs that sleep and wake together without touching
 
 	std::uint64_t seen_forces_ = 0;
+	std::uint64_t seen_restores_ = 0;
 	bool had_colliders_ = true; ///< in the last step
 	bool has_accelerated_bodies_ = false;
 };

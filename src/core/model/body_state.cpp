@@ -3,15 +3,14 @@
 #include "core/model/body_state.h"
 
 #include "core/geometry/polygon.h"
+#include "core/model/body_archive.h"
 #include "core/model/soft_body_data.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <string>
-#include <type_traits>
 
 namespace softbody {
 
@@ -35,9 +34,17 @@ Status check_count(const char *name, std::size_t count, std::size_t wanted) {
 	return refused(name, std::to_string(count) + " points", "must have the body's " + std::to_string(wanted), OTHER_SHAPE);
 }
 
-// Checks that need no body.
+bool are_all_finite(std::span<const Vec2> values) {
+	return std::ranges::all_of(values, [](Vec2 value) { return is_finite(value); });
+}
+
+// Checks that need no body. Names are made up where something is wrong only: whole worlds are checked in every tick.
 Status check_values(const BodyState &state) {
-	if (Status status = first_error({ check_all_finite("state.positions", state.positions), check_all_finite("state.velocities", state.velocities),
+	bool are_sound = true;
+	for (const std::vector<Vec2> *list : { &state.positions, &state.velocities, &state.previous_positions, &state.last_valid_hull, &state.rest_positions }) {
+		are_sound = are_sound && are_all_finite(*list);
+	}
+	if (Status status = are_sound ? Status() : first_error({ check_all_finite("state.positions", state.positions), check_all_finite("state.velocities", state.velocities),
 				check_all_finite("state.previous_positions", state.previous_positions),
 				check_all_finite("state.last_valid_hull", state.last_valid_hull), check_all_finite("state.rest_positions", state.rest_positions) })) {
 		return status;
@@ -60,93 +67,11 @@ Status check_values(const BodyState &state) {
 	if (!(size > Real(0.5) && size < 2)) {
 		return refused("rotation_memory", "length " + number_text(size), "must have unit length", UNSOUND);
 	}
+	if (state.rest.rest_time >= 0 && std::isfinite(state.rest.rest_time) && state.damage_pause >= 0 && std::isfinite(state.damage_pause)) {
+		return {};
+	}
 	return first_error({ check_at_least("state.rest.rest_time", state.rest.rest_time, 0, "s"), check_at_least("state.damage_pause", state.damage_pause, 0, "s") });
 }
-
-// The unsigned integer of a number's bits.
-template <class Number>
-using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint8_t>>;
-
-class Writer {
-public:
-	template <class Number>
-	void visit(Number number) {
-		const auto bits = std::bit_cast<Bits<Number>>(number);
-		for (std::size_t i = 0; i < sizeof(bits); ++i) {
-			bytes.push_back(std::uint8_t(bits >> (8 * i)));
-		}
-	}
-	void visit(Vec2 value) {
-		visit(value.x);
-		visit(value.y);
-	}
-	template <class Item>
-	void visit_list(const std::vector<Item> &items, std::size_t, const auto &visit_item) {
-		visit(std::uint32_t(items.size()));
-		std::ranges::for_each(items, visit_item);
-	}
-
-	std::vector<std::uint8_t> bytes;
-};
-
-/// Past the end, or after invalid data, everything reads as 0 and `is_valid` stays false.
-class Reader {
-public:
-	explicit Reader(std::span<const std::uint8_t> bytes) :
-			rest_(bytes) {}
-
-	template <class Number>
-	void visit(Number &number) {
-		Bits<Number> bits = 0;
-		if (rest_.size() < sizeof(bits)) {
-			fail();
-		} else {
-			for (std::size_t i = 0; i < sizeof(bits); ++i) {
-				bits = Bits<Number>(bits | Bits<Number>(rest_[i]) << (8 * i));
-			}
-			rest_ = rest_.subspan(sizeof(bits));
-		}
-		if constexpr (std::is_same_v<Number, bool>) {
-			is_valid_ &= bits <= 1;
-			number = bits == 1;
-		} else {
-			number = std::bit_cast<Number>(bits);
-		}
-	}
-	void visit(Vec2 &value) {
-		visit(value.x);
-		visit(value.y);
-	}
-	/// Every item has at least `item_size` bytes: a count beyond the remaining bytes is refused before any allocation.
-	template <class Item>
-	void visit_list(std::vector<Item> &items, std::size_t item_size, const auto &visit_item) {
-		const auto count = read<std::uint32_t>();
-		if (count > rest_.size() / item_size) {
-			fail();
-			return;
-		}
-		items.resize(count);
-		std::ranges::for_each(items, visit_item);
-	}
-	template <class Number>
-	Number read() {
-		Number number;
-		visit(number);
-		return number;
-	}
-	bool is_valid() const { return is_valid_; }
-	bool is_at_end() const { return rest_.empty(); }
-	std::span<const std::uint8_t> rest() const { return rest_; }
-
-private:
-	void fail() {
-		is_valid_ = false;
-		rest_ = {};
-	}
-
-	std::span<const std::uint8_t> rest_;
-	bool is_valid_ = true;
-};
 
 // FNV-1a.
 std::uint64_t checksum_of(std::span<const std::uint8_t> bytes) {
@@ -155,28 +80,6 @@ std::uint64_t checksum_of(std::span<const std::uint8_t> bytes) {
 		sum = (sum ^ byte) * 0x100000001b3u;
 	}
 	return sum;
-}
-
-/// Shows every value to a `Writer` or `Reader`, in the order of the bytes.
-template <class State>
-void visit_state(State &state, auto &archive) {
-	constexpr std::size_t INDEX = sizeof(std::uint32_t);
-	constexpr std::size_t VECTOR = 2 * sizeof(Real);
-	const auto each = [&](auto &...values) { (archive.visit(values), ...); };
-	for (auto *points : { &state.positions, &state.velocities, &state.previous_positions, &state.last_valid_hull, &state.rest_positions }) {
-		archive.visit_list(*points, VECTOR, each);
-	}
-	archive.visit_list(state.pinned_points, INDEX, each);
-	archive.visit_list(state.external_forces, INDEX + VECTOR, [&](auto &external) { each(external.point, external.force); });
-	archive.visit_list(state.pin_targets, INDEX + VECTOR, [&](auto &target) { each(target.point, target.position); });
-	archive.visit_list(state.pair_touches, 2 * INDEX + 1 + 2 * sizeof(Real), [&](auto &memory) {
-		each(memory.other.index, memory.other.generation, memory.touch.touching, memory.touch.approach, memory.touch.missing);
-	});
-	archive.visit_list(state.one_ways, sizeof(std::uint64_t) + 1, [&](auto &memory) { each(memory.collider, memory.held); });
-	each(state.rotation_memory.c, state.rotation_memory.s);
-	each(state.touch.touching, state.touch.approach, state.touch.restitution, state.touch.normal, state.touch.surface_velocity, state.touch.account);
-	each(state.rest.rest_time, state.rest.drowsy_center, state.rest.drowsy_velocity, state.rest.asleep, state.rest.island, state.rest.surroundings);
-	each(state.damage_pause, state.placed, state.active, state.frozen, state.load.force, state.load.torque, state.acceleration);
 }
 
 } // namespace
@@ -215,22 +118,22 @@ Status check_body_state(const BodyState &state, std::size_t point_count, std::si
 }
 
 std::vector<std::uint8_t> to_bytes(const BodyState &state) {
-	Writer body;
+	StateWriter body;
 	visit_state(state, body);
-	Writer all;
-	all.bytes.assign(MAGIC.begin(), MAGIC.end());
+	StateWriter all;
+	all.write(MAGIC);
 	all.visit(VERSION);
 	all.visit(std::uint32_t(sizeof(Real)));
-	all.visit(checksum_of(body.bytes));
-	all.bytes.insert(all.bytes.end(), body.bytes.begin(), body.bytes.end());
-	return all.bytes;
+	all.visit(checksum_of(body.written()));
+	all.write(body.written());
+	return all.take();
 }
 
 Result<BodyState> body_state_from_bytes(std::span<const std::uint8_t> bytes) {
 	if (bytes.size() < MAGIC.size() || !std::ranges::equal(MAGIC, bytes.first(MAGIC.size()))) {
 		return refused("magic", std::to_string(bytes.size()) + " bytes", "must begin with SB2S", "give what to_bytes made");
 	}
-	Reader reader(bytes.subspan(MAGIC.size()));
+	StateReader reader(bytes.subspan(MAGIC.size()));
 	if (const auto version = reader.read<std::uint32_t>(); version != VERSION) {
 		return refused("version", std::to_string(version), "must be " + std::to_string(VERSION), "save it again with this version");
 	}
@@ -265,9 +168,7 @@ BodyState SoftBodyData::save_state() const {
 		}
 	}
 	state.rotation_memory = rotation_memory();
-	if (is_dented()) {
-		state.rest_positions.assign(own_shape_->rest_positions().begin(), own_shape_->rest_positions().end());
-	}
+	state.rest_positions.assign(dents().begin(), dents().end());
 	return state;
 }
 
@@ -282,12 +183,26 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 	if (is_other) {
 		disturb();
 	}
+	BodyState copy = state;
+	put_back(copy);
+	memory_.rest.restored = restored;
+	if (is_other && is_frozen()) {
+		disturb();
+	}
+	for (const auto changes : { &ChangeCounts::arrangement, &ChangeCounts::forces, &ChangeCounts::pin_targets, &ChangeCounts::restores }) {
+		count(changes);
+	}
+	return {};
+}
+
+void SoftBodyData::put_back(BodyState &state) {
 	std::ranges::copy(state.positions, mutable_positions().begin());
 	std::ranges::copy(state.velocities, mutable_velocities().begin());
 	set_rotation_memory(state.rotation_memory);
-	restore_dents(state.rest_positions);
-	memory_ = state;
-	memory_.rest.restored = restored;
+	if (!std::ranges::equal(state.rest_positions, dents())) {
+		restore_dents(state.rest_positions);
+	}
+	std::swap(memory_, state.memory());
 	pinned_inverse_masses_.clear();
 	if (!state.pinned_points.empty()) {
 		pinned_inverse_masses_.assign(shape_->inverse_masses().begin(), shape_->inverse_masses().end());
@@ -296,13 +211,6 @@ Status SoftBodyData::restore_state(const BodyState &state) {
 		pinned_inverse_masses_[point] = 0;
 	}
 	frozen_inverse_masses_.assign(is_frozen() ? point_count() : 0, Real(0));
-	if (is_other && is_frozen()) {
-		disturb();
-	}
-	for (const auto changes : { &ChangeCounts::arrangement, &ChangeCounts::forces, &ChangeCounts::pin_targets, &ChangeCounts::restores }) {
-		count(changes);
-	}
-	return {};
 }
 
 } // namespace softbody

@@ -115,6 +115,9 @@ struct BodyState : BodyMemory {
 	Rotation rotation_memory;
 	std::vector<Vec2> rest_positions; ///< of a dented body, of all points about its center of mass [length]; else empty
 
+	BodyMemory &memory() { return *this; }
+	const BodyMemory &memory() const { return *this; }
+
 	friend bool operator==(const BodyState &, const BodyState &) = default;
 };
 

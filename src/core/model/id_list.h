@@ -66,6 +66,51 @@ public:
 	/// Id of the item stored at `index` of `items()`.
 	Id<Item> id_at(std::size_t index) const { return ids_[index]; }
 
+	/// Everything of a list but its items: which ids they have, and which ids coming ones will have.
+	struct Order {
+		std::vector<Id<Item>> ids; ///< of the items, in their order
+		std::vector<std::uint32_t> generations; ///< of each index that an id has had
+		std::vector<std::uint32_t> free; ///< indices without an item; the last one is taken next
+		friend bool operator==(const Order &, const Order &) = default;
+	};
+	Order order() const {
+		Order order{ ids_, {}, free_slots_ };
+		for (const Slot &slot : slots_) {
+			order.generations.push_back(slot.generation);
+		}
+		return order;
+	}
+	/// Whether each index is that of one item, or free.
+	static bool is_sound(const Order &order) {
+		std::vector<char> used(order.generations.size(), 0);
+		const auto take = [&](std::uint32_t index) { return index < used.size() && !std::exchange(used[index], char(1)); };
+		bool is_sound = order.ids.size() + order.free.size() == used.size();
+		for (const Id<Item> id : order.ids) {
+			is_sound = is_sound && take(id.index) && order.generations[id.index] == id.generation;
+		}
+		for (const std::uint32_t index : order.free) {
+			is_sound = is_sound && take(index);
+		}
+		return is_sound;
+	}
+	/// Gives the items other ids. Precondition: the order is sound, and is one of as many items.
+	void set_order(const Order &order) {
+		ids_ = order.ids;
+		free_slots_ = order.free;
+		slots_.assign(order.generations.size(), {});
+		for (std::size_t i = 0; i < slots_.size(); ++i) {
+			slots_[i].generation = order.generations[i];
+		}
+		for (std::size_t i = 0; i < ids_.size(); ++i) {
+			slots_[ids_[i].index].dense = std::uint32_t(i);
+		}
+	}
+	/// Replaces all items and their ids, with the same precondition.
+	void assign(std::vector<Item> items, const Order &order) {
+		items_ = std::move(items);
+		set_order(order);
+	}
+
 private:
 	struct Slot {
 		std::uint32_t dense = UINT32_MAX; ///< place in `items_`, UINT32_MAX when free

@@ -136,6 +136,13 @@ public:
 	/// are restored as well before the next step. Refuses a state of another number of points or hull points, or with
 	/// non-finite values (see `check_body_state`). O(points), and the next step checks all bodies.
 	Status restore_state(const BodyState &state);
+	/// What the body remembers besides the places and speeds of its points.
+	const BodyMemory &memory() const { return memory_; }
+	/// For the restoring of whole worlds: takes a state over and tells no one; the world does (`WorldData::put_back`). `state` gets
+	/// memory of the body that may be used again. Precondition: `check_body_state` accepts it.
+	void put_back(BodyState &state);
+	/// The rest positions of a dented body, else none.
+	std::span<const Vec2> dents() const { return is_dented() ? own_shape_->rest_positions() : std::span<const Vec2>(); }
 
 	/// An inactive body is left out of the step: it keeps its state and queued forces, and nothing collides with it.
 	/// Default true.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -129,6 +130,65 @@ bool WorldData::remove_collision_exception(BodyId a, BodyId b) {
 
 bool WorldData::has_collision_exception(BodyId a, BodyId b) const {
 	return std::ranges::binary_search(collision_exceptions_, CollisionException{ std::min(a, b), std::max(a, b) });
+}
+
+WorldData::Memory WorldData::memory() const {
+	return { bodies_.order(), collision_exceptions_, joints_.order(), { joints().begin(), joints().end() }, changes_->put_to_sleep,
+		changes_->woken_islands, changes_->disturbed_boxes };
+}
+
+Status WorldData::check_memory(const Memory &memory) const {
+	constexpr const char *UNSOUND = "keep the bytes as they were saved";
+	const std::size_t count = memory.bodies.ids.size();
+	if (count != soft_bodies().size()) {
+		return Error{ "state.bodies", std::to_string(count), "must be as many as the world has, " + std::to_string(soft_bodies().size()),
+			count < soft_bodies().size() ? "remove first the bodies that came since" : "disable bodies instead of removing them" };
+	}
+	for (std::size_t i = 0; i < count; ++i) {
+		if (memory.bodies.ids[i] != id_at(i)) {
+			return Error{ "state.bodies[" + std::to_string(i) + "]", "another body", "must be the one that the world has there",
+				"disable bodies instead of removing them, or build the world in the same order" };
+		}
+	}
+	if (!IdList<SoftBodyData>::is_sound(memory.bodies)) {
+		return Error{ "state.bodies", "ids that do not fit", "must each be used or free", UNSOUND };
+	}
+	if (!IdList<Joint>::is_sound(memory.joint_order) || memory.joint_order.ids.size() != memory.joints.size()) {
+		return Error{ "state.joints", "ids that do not fit", "must each be used or free", UNSOUND };
+	}
+	for (const Joint &joint : memory.joints) {
+		if (Status status = check_joint_here(joint)) {
+			status->name = "state." + status->name;
+			return status;
+		}
+	}
+	for (const CollisionException &exception : memory.exceptions) {
+		if (!find(exception.a) || !find(exception.b) || !(exception.a < exception.b)) {
+			return Error{ "state.exceptions", "a pair that the world has not", "must be two bodies, the lesser id first", UNSOUND };
+		}
+	}
+	if (std::ranges::adjacent_find(memory.exceptions, std::greater_equal()) != memory.exceptions.end()) {
+		return Error{ "state.exceptions", "out of order", "must ascend", UNSOUND };
+	}
+	for (const Aabb &box : memory.disturbed_boxes) {
+		if (!is_finite(box.min) || !is_finite(box.max)) {
+			return Error{ "state.disturbed_boxes", "non-finite", "must be finite", UNSOUND };
+		}
+	}
+	return {};
+}
+
+void WorldData::put_back(Memory memory) {
+	bodies_.set_order(memory.bodies);
+	collision_exceptions_ = std::move(memory.exceptions);
+	joints_.assign(std::move(memory.joints), memory.joint_order);
+	changes_->put_to_sleep = memory.put_to_sleep;
+	changes_->woken_islands = std::move(memory.woken_islands);
+	changes_->disturbed_boxes = std::move(memory.disturbed_boxes);
+	for (const auto count : { &ChangeCounts::arrangement, &ChangeCounts::forces, &ChangeCounts::pin_targets, &ChangeCounts::joints,
+				 &ChangeCounts::restores }) {
+		++(*changes_.*count);
+	}
 }
 
 Status WorldData::check_joint_here(const Joint &joint) const {

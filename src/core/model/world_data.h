@@ -72,6 +72,25 @@ public:
 	};
 	std::span<const CollisionException> collision_exceptions() const { return collision_exceptions_; }
 
+	/// Everything that the world remembers besides its bodies, and its environment, gravity and settings, which are the caller's.
+	struct Memory {
+		IdList<SoftBodyData>::Order bodies;
+		std::vector<CollisionException> exceptions; ///< in order
+		IdList<Joint>::Order joint_order;
+		std::vector<Joint> joints;
+		std::uint64_t put_to_sleep = 0; ///< ChangeCounts::put_to_sleep
+		std::vector<WokenIsland> woken_islands; ///< that the next step takes note of
+		std::vector<Aabb> disturbed_boxes; ///< that the next step takes note of
+	};
+	Memory memory() const;
+	/// Refuses, by name, ids that the world has not, other bodies or another order of them, and what `add_joint` and
+	/// `add_collision_exception` refuse.
+	Status check_memory(const Memory &memory) const;
+	/// Takes a memory over, after all bodies have got back their states (`SoftBodyData::put_back`): what has changed since then
+	/// wakes no one. Bodies that are gone must stay gone, and coming ones get the ids that they got then. Precondition:
+	/// `check_memory` accepts it.
+	void put_back(Memory memory);
+
 	/// Counts of bodies that came, went, or were changed.
 	const ChangeCounts &change_counts() const { return *changes_; }
 	/// For the step: islands with a body that was woken since the last call.

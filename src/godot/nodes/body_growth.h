@@ -17,6 +17,9 @@ public:
 	void begin_step(const SoftBodyData &body, Vec2 gravity, Real dt);
 	/// Called after the step.
 	void end_step(SoftBodyData &body) const;
+	/// Time for which the body is yet held back [s], >= 0: all that matters between two steps.
+	Real calm_time() const { return calm_time_; }
+	void set_calm_time(Real time) { calm_time_ = time; }
 
 private:
 	Real calm_time_ = 0; ///< that is left [s]

@@ -37,8 +37,8 @@ ContactReports::Impact impact_of(std::span<const Contact> p_contacts, std::span<
 } // namespace
 
 // Records stay in the order of the core, which does not depend on threads.
-ContactReports::Changes ContactReports::take(std::span<const Contact> p_contacts, std::span<const uint64_t> p_colliders,
-		std::vector<uint64_t> p_touched, int p_limit) {
+std::vector<uint64_t> ContactReports::take_over(std::span<const Contact> p_contacts, std::span<const uint64_t> p_colliders,
+		std::vector<uint64_t> &r_touched, int p_limit) {
 	std::vector<uint32_t> kept(p_contacts.size());
 	std::iota(kept.begin(), kept.end(), 0u);
 	if (kept.size() > std::size_t(p_limit)) {
@@ -52,22 +52,39 @@ ContactReports::Changes ContactReports::take(std::span<const Contact> p_contacts
 		records_.push_back({ to_godot(contact.point), to_godot(contact.normal), double(contact.normal_impulse), double(contact.depth), contact.hull_point, p_colliders[i] });
 	}
 
-	std::ranges::sort(p_touched);
-	p_touched.erase(std::ranges::unique(p_touched).begin(), p_touched.end());
-	std::erase(p_touched, 0u); // what belongs to no object
+	std::ranges::sort(r_touched);
+	r_touched.erase(std::ranges::unique(r_touched).begin(), r_touched.end());
+	std::erase(r_touched, 0u); // what belongs to no object
+	return std::exchange(touched_, r_touched);
+}
+
+ContactReports::Changes ContactReports::take(std::span<const Contact> p_contacts, std::span<const uint64_t> p_colliders,
+		std::vector<uint64_t> p_touched, int p_limit) {
+	const std::vector<uint64_t> told = told_.take(take_over(p_contacts, p_colliders, p_touched, p_limit));
 	Changes changes;
-	std::ranges::set_difference(touched_, p_touched, std::back_inserter(changes.ended));
+	std::ranges::set_difference(told, p_touched, std::back_inserter(changes.ended));
 	std::vector<uint64_t> begun;
-	std::ranges::set_difference(p_touched, touched_, std::back_inserter(begun));
+	std::ranges::set_difference(p_touched, told, std::back_inserter(begun));
 	for (const uint64_t collider : begun) {
 		changes.begun.push_back({ collider, impact_of(p_contacts, p_colliders, collider) });
 	}
-	touched_ = std::move(p_touched);
 	return changes;
+}
+
+void ContactReports::take_quietly(std::span<const Contact> p_contacts, std::span<const uint64_t> p_colliders,
+		std::vector<uint64_t> p_touched, int p_limit) {
+	told_.note_silence(take_over(p_contacts, p_colliders, p_touched, p_limit));
+}
+
+void ContactReports::restore(std::vector<uint64_t> p_touched) {
+	told_.note_restore(touched_);
+	touched_ = std::move(p_touched);
+	records_.clear();
 }
 
 std::vector<uint64_t> ContactReports::forget_all() {
 	records_.clear();
+	told_ = {};
 	return std::exchange(touched_, {});
 }
 

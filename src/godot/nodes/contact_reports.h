@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/model/contact.h"
+#include "godot/nodes/told_value.h"
 
 #include <godot_cpp/variant/vector2.hpp>
 
@@ -53,6 +54,10 @@ public:
 	/// After a step. `p_colliders` has the instance id of the other side of each contact, `p_touched` those of all objects that
 	/// are touched. Returns what has begun or ended since the last call.
 	Changes take(std::span<const Contact> p_contacts, std::span<const uint64_t> p_colliders, std::vector<uint64_t> p_touched, int p_limit);
+	/// As `take`, in a step that tells nothing.
+	void take_quietly(std::span<const Contact> p_contacts, std::span<const uint64_t> p_colliders, std::vector<uint64_t> p_touched, int p_limit);
+	/// With a state: the objects touched then. The contacts are forgotten.
+	void restore(std::vector<uint64_t> p_touched);
 	/// Forgets the contacts. The touched objects are kept, as the body may come back.
 	void clear() { records_.clear(); }
 	/// Forgets contacts and touched objects, and returns the objects.
@@ -61,8 +66,12 @@ public:
 	bool forget(uint64_t p_collider) { return std::erase(touched_, p_collider) > 0; }
 
 private:
+	/// Returns the objects before the step; `p_touched` becomes sorted.
+	std::vector<uint64_t> take_over(std::span<const Contact> p_contacts, std::span<const uint64_t> p_colliders, std::vector<uint64_t> &r_touched, int p_limit);
+
 	std::vector<Record> records_;
 	std::vector<uint64_t> touched_;
+	ToldValue<std::vector<uint64_t>> told_;
 };
 
 } // namespace softbody

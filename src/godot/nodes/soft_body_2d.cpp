@@ -281,7 +281,7 @@ void SoftBody2D::note_change() {
 	}
 }
 
-void SoftBody2D::prepare_step() {
+void SoftBody2D::prepare_step(double p_delta) {
 	take_over_transform();
 	follow_pin_targets();
 	if (softbody::SoftBodyData *found = body()) {
@@ -290,8 +290,8 @@ void SoftBody2D::prepare_step() {
 		found->set_active(is_wanted || sleeps_through_pause); // to take it out and back would wake it
 		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
 			apply_constant_forces();
-			hold_rotation(*found);
-			growth_.begin_step(*found, space_->world().gravity(), softbody::Real(get_physics_process_delta_time()));
+			hold_rotation(*found, p_delta);
+			growth_.begin_step(*found, space_->world().gravity(), softbody::Real(p_delta));
 		}
 	}
 	tell_structure_problems();

@@ -6,7 +6,6 @@
 #include "core/base/value_range.h"
 #include "core/model/body_frame.h"
 #include "core/model/firmness.h"
-#include "core/model/contact.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/world_data.h"
 #include "godot/drawing/body_interpolation.h"
@@ -33,7 +32,6 @@
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/templates/hash_map.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
-#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/vector2i.hpp>
@@ -239,8 +237,7 @@ public:
 	uint64_t get_rest_version() const { return rest_version_; }
 	/// All points at rest in the node's frame, in the core's order.
 	std::span<const softbody::Vec2> get_rest_positions() const { return skin_.rest(); }
-	/// The body's points in the node's frame at that fraction, in the core's order; a rest shape without a body. Valid
-	/// until the next call for any node.
+	/// The body's points in the node's frame at that fraction, in the core's order; at rest without a body. Valid until the next call.
 	std::span<const softbody::Vec2> local_points(double p_fraction) const;
 	/// Whether it is drawn where the last tick left it, not between two.
 	bool is_drawn_at_tick() const;
@@ -254,10 +251,10 @@ public:
 	uint64_t instance_id() const override { return get_instance_id(); }
 	softbody::BodyId get_body_id() const override { return body_id_; }
 	/// "SoftBody2D 'Jelly' (/root/Main/Jelly)": how messages name this node.
-	String describe() const;
+	String describe() const override;
 	void note_project_settings() override { apply_settings(); }
-	void prepare_step() override;
-	void feel_areas(const softbody::AreaEffects &p_space) override;
+	void prepare_step(double p_delta) override;
+	void feel_areas(const softbody::AreaEffects &p_space, bool p_engine_has_stepped) override;
 	void stir_proxy() override;
 	softbody::HullProxy &proxy() override { return proxy_; }
 	void note_failure(softbody::StepSignals &r_signals) override;
@@ -270,9 +267,12 @@ public:
 	void take_contacts(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders,
 			std::vector<uint64_t> p_touched, softbody::StepSignals &r_signals) override;
 	bool is_idle() const override;
+	void take_over_transform() override;
+	void write_state(softbody::StateWriter &r_to) const override;
+	softbody::Status check_state(std::span<const uint8_t> p_state) const override;
+	void take_state(std::span<const uint8_t> p_state, bool p_is_foreign) override;
 	bool draw_frame(const softbody::DrawingFrame &p_frame) override;
-	/// For joints: the body passes through the object of this instance id, which is no soft body, until the id has been
-	/// removed as often as it was added.
+	/// For joints: it passes through the object of that instance id, no soft body, until that is removed as often as added.
 	void add_joined(uint64_t p_id);
 	void remove_joined(uint64_t p_id);
 
@@ -392,7 +392,7 @@ private:
 	void lock_rotation();
 	/// From the locked rotation; 0 of a body that may turn.
 	double turned_by(const softbody::BodyFrame &p_frame) const;
-	void hold_rotation(softbody::SoftBodyData &r_body) const;
+	void hold_rotation(softbody::SoftBodyData &r_body, double p_delta) const;
 	void undo_turn(softbody::SoftBodyData &r_body) const;
 	/// Adds an impulse or a force at an offset from the node's origin, or at the center of mass where that is null.
 	template <auto PUSH>
@@ -406,7 +406,6 @@ private:
 	void note_mirror();
 	void apply_shape();
 	void apply_settings();
-	void take_over_transform();
 	void update_proxy_presence();
 	void update_picker();
 	/// The next tick does not leave the node out, though its body may rest.
@@ -475,7 +474,8 @@ private:
 	mutable std::optional<Design> design_; ///< forgotten when the structure changes
 	mutable softbody::FallMemory falls_;
 	PackedStringArray told_problems_;
-	bool sleeping_ = false; ///< as last told, or as wanted of a body that is still to be made
+	bool sleeping_ = false; ///< as of the last step, or as wanted of a body that is still to be made
+	softbody::ToldValue<bool> told_sleep_;
 	mutable softbody::HullProxy proxy_; ///< makes its RID when that is asked for
 	SoftBodyPicker *picker_ = nullptr; ///< an internal child while the body is pickable
 	int engine_steps_ = 0; ///< that the engine can have made since the proxy entered its space

@@ -196,6 +196,10 @@ void SoftBody2D::set_contact_monitor(bool p_enabled) {
 
 void SoftBody2D::take_contacts(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders,
 		std::vector<uint64_t> p_touched, softbody::StepSignals &r_signals) {
+	if (r_signals.is_quiet()) {
+		contacts_.take_quietly(p_contacts, p_colliders, std::move(p_touched), values_.max_contacts_reported);
+		return;
+	}
 	const softbody::ContactReports::Changes changes = contacts_.take(p_contacts, p_colliders, std::move(p_touched), values_.max_contacts_reported);
 	for (const uint64_t collider : changes.ended) {
 		r_signals.add(get_instance_id(), [this, collider] { emit_exited(collider); });

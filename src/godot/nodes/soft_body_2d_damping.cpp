@@ -17,14 +17,14 @@ void SoftBody2D::stir_proxy() {
 
 // What the engine has worked out holds from the second step on that it has seen the proxy in: its first one asks for gravity
 // before it looks at areas. While the tree is paused the engine makes no steps, and what it last said goes on holding.
-void SoftBody2D::feel_areas(const softbody::AreaEffects &p_space) {
+void SoftBody2D::feel_areas(const softbody::AreaEffects &p_space, bool p_engine_has_stepped) {
 	softbody::SoftBodyData *found = body();
 	if (found == nullptr || !found->is_active()) {
 		return;
 	}
 	softbody::AreaEffects effects = p_space;
 	if (proxy_.is_in_space()) {
-		if (!get_tree()->is_paused()) {
+		if (p_engine_has_stepped && !get_tree()->is_paused()) {
 			engine_steps_++;
 		}
 		if (engine_steps_ > 1) {

@@ -185,12 +185,8 @@ double SoftBody2D::turned_by(const softbody::BodyFrame &p_frame) const {
 }
 
 // A torque for the coming step, which takes the spin away and turns the body back softly: friction in the step meets a held body.
-void SoftBody2D::hold_rotation(softbody::SoftBodyData &r_body) const {
+void SoftBody2D::hold_rotation(softbody::SoftBodyData &r_body, double p_delta) const {
 	if (!values_.lock_rotation || !pins_.points().is_empty()) {
-		return;
-	}
-	const double delta = get_physics_process_delta_time();
-	if (!(delta > 0)) {
 		return;
 	}
 	const softbody::BodyFrame frame = softbody::measure_frame(r_body);
@@ -198,8 +194,8 @@ void SoftBody2D::hold_rotation(softbody::SoftBodyData &r_body) const {
 	if (std::abs(turned) < LOCK_CALM && std::abs(double(frame.angular_velocity)) < LOCK_CALM) {
 		return;
 	}
-	const double wanted_spin = -LOCK_RETURN * turned / delta;
-	r_body.queue_load({ {}, softbody::Real(double(frame.inertia) * (wanted_spin - double(frame.angular_velocity)) / delta) });
+	const double wanted_spin = -LOCK_RETURN * turned / p_delta;
+	r_body.queue_load({ {}, softbody::Real(double(frame.inertia) * (wanted_spin - double(frame.angular_velocity)) / p_delta) });
 }
 
 // What has turned the body far in one step is undone at once.

@@ -7,6 +7,8 @@
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 
+#include <utility>
+
 namespace godot {
 
 namespace {
@@ -87,8 +89,13 @@ void SoftBody2D::note_failure(softbody::StepSignals &r_signals) {
 
 void SoftBody2D::take_sleep(softbody::StepSignals &r_signals) {
 	const softbody::SoftBodyData *found = body();
-	if (found != nullptr && found->is_asleep() != sleeping_) {
-		sleeping_ = found->is_asleep();
+	if (found == nullptr) {
+		return;
+	}
+	const bool before = std::exchange(sleeping_, found->is_asleep());
+	if (r_signals.is_quiet()) {
+		told_sleep_.note_silence(before);
+	} else if (told_sleep_.take(before) != sleeping_) {
 		r_signals.add(get_instance_id(), [this] { emit_signal("sleeping_state_changed"); });
 	}
 }

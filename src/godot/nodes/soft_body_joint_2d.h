@@ -64,6 +64,9 @@ public:
 	void note_break(softbody::StepSignals &r_signals) override;
 	void follow_cut(uint64_t p_cut, uint64_t p_node, const softbody::SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) override;
 	void undo_cuts(uint64_t p_first_cut, uint64_t p_node) override;
+	void write_state(softbody::StateWriter &r_to) const override;
+	softbody::Status read_state(softbody::StateReader &r_from, bool p_is_foreign, bool p_takes) override;
+	void note_restored() override;
 
 protected:
 	static void _bind_methods();
@@ -82,6 +85,16 @@ private:
 		Vector2 position; ///< in the frame of a node that is no soft body; in the world without a node
 	};
 
+	/// What it remembers besides the core's joint.
+	struct State {
+		uint64_t node = 0; ///< its instance id
+		softbody::JointId id;
+		double bound_length = 0;
+		bool broken = false;
+		bool is_bound = false; ///< whether the ends have been found
+		End ends[2];
+	};
+
 	/// An end as it was before a cut of its body.
 	struct FormerEnd {
 		uint64_t cut = 0; ///< number of the cut
@@ -90,6 +103,8 @@ private:
 		std::optional<End> end; ///< nothing if it had not been found yet
 	};
 
+	template <class Archive>
+	static void visit_state(State &r_state, Archive &r_archive);
 	/// The end at that path, or nothing while it is not there.
 	std::optional<End> find_end(const NodePath &p_path) const;
 	/// The end's anchor as it is now, or nothing while its node is not in this space.

@@ -68,13 +68,17 @@ softbody::SoftBodySpace2D &SoftBodySimulation2D::space_of(const CanvasItem *p_no
 		ProjectSettings::get_singleton()->connect("settings_changed", callable_mp(this, &SoftBodySimulation2D::read_settings));
 	}
 	const RID rid = p_node->get_world_2d()->get_space();
-	auto found = std::find_if(spaces_.begin(), spaces_.end(), [&](const Space &p_space) { return p_space.rid == rid; });
-	if (found == spaces_.end()) {
-		spaces_.push_back({ rid, std::make_unique<softbody::SoftBodySpace2D>(rid, threads_.parallel_for()) });
-		found = spaces_.end() - 1;
-		found->content->apply_settings(settings_);
+	if (softbody::SoftBodySpace2D *found = find_space(rid)) {
+		return *found;
 	}
-	return *found->content;
+	spaces_.push_back({ rid, std::make_unique<softbody::SoftBodySpace2D>(rid, threads_.parallel_for()) });
+	spaces_.back().content->apply_settings(settings_);
+	return *spaces_.back().content;
+}
+
+softbody::SoftBodySpace2D *SoftBodySimulation2D::find_space(const RID &p_space) const {
+	const auto found = std::find_if(spaces_.begin(), spaces_.end(), [&](const Space &p_each) { return p_each.rid == p_space; });
+	return found != spaces_.end() ? found->content.get() : nullptr;
 }
 
 void SoftBodySimulation2D::drop_empty_spaces() {
@@ -106,7 +110,7 @@ void SoftBodySimulation2D::watch(SceneTree *p_tree) {
 		return;
 	}
 	watched_tree_ = p_tree->get_instance_id();
-	p_tree->connect("physics_frame", callable_mp(this, &SoftBodySimulation2D::step));
+	p_tree->connect("physics_frame", callable_mp(this, &SoftBodySimulation2D::step_all));
 	add_monitors();
 	p_tree->connect("process_frame", callable_mp(this, &SoftBodySimulation2D::draw_idle_frame));
 	// After every _process, so that bodies are drawn at their places in this frame.
@@ -117,7 +121,7 @@ void SoftBodySimulation2D::watch(SceneTree *p_tree) {
 	}
 }
 
-void SoftBodySimulation2D::step() {
+void SoftBodySimulation2D::step_all() {
 	const SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(watched_tree_));
 	if (tree == nullptr || spaces_.empty() || stepping_) {
 		return;
@@ -144,7 +148,9 @@ void SoftBodySimulation2D::step_spaces(double p_delta) {
 	stepping_ = true;
 	const size_t count = spaces_.size(); // spaces added meanwhile wait for the next tick
 	for (size_t i = 0; i < count; i++) {
-		spaces_[i].content->step(p_delta, threads_, signals_, profile_);
+		if (is_automatic_stepping(spaces_[i].rid)) {
+			spaces_[i].content->step(p_delta, threads_, signals_, profile_);
+		}
 	}
 	stepping_ = false;
 	drop_empty_spaces();
@@ -241,16 +247,16 @@ TypedArray<Node2D> SoftBodySimulation2D::intersect_shape(const Ref<PhysicsShapeQ
 		return found; // there has been no soft body yet
 	}
 	const RID rid = (p_world.is_valid() ? p_world : tree->get_root()->get_world_2d())->get_space();
-	const auto space = std::find_if(spaces_.begin(), spaces_.end(), [&](const Space &p_space) { return p_space.rid == rid; });
-	if (space == spaces_.end()) {
+	softbody::SoftBodySpace2D *space = find_space(rid);
+	if (space == nullptr) {
 		return found;
 	}
 	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
 	const softbody::HullQuery query(softbody::translate_shape(server->shape_get_type(shape), server->shape_get_data(shape), p_parameters->get_transform()),
 			softbody::Real(std::max(0.0, double(p_parameters->get_margin()))));
 	const TypedArray<RID> excluded = p_parameters->get_exclude();
-	const softbody::WorldData &world = space->content->world();
-	space->content->nodes().for_each([&](softbody::SteppedNode &r_node) {
+	const softbody::WorldData &world = space->world();
+	space->nodes().for_each([&](softbody::SteppedNode &r_node) {
 		const softbody::SoftBodyData *body = world.find(r_node.get_body_id());
 		if (body == nullptr || (body->settings().collision_layer & p_parameters->get_collision_mask()) == 0 ||
 				!query.overlaps(body->hull()) || (!excluded.is_empty() && excluded.has(r_node.proxy().rid()))) {
@@ -263,6 +269,7 @@ TypedArray<Node2D> SoftBodySimulation2D::intersect_shape(const Ref<PhysicsShapeQ
 
 void SoftBodySimulation2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("intersect_shape", "parameters", "world"), &SoftBodySimulation2D::intersect_shape, DEFVAL(Variant()));
+	bind_state_methods();
 	ClassDB::bind_method(D_METHOD("get_body_count"), &SoftBodySimulation2D::get_body_count);
 	ClassDB::bind_method(D_METHOD("get_awake_body_count"), &SoftBodySimulation2D::get_awake_body_count);
 	ClassDB::bind_method(D_METHOD("get_contact_count"), &SoftBodySimulation2D::get_contact_count);

@@ -16,6 +16,7 @@
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world2d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -67,6 +68,15 @@ public:
 	/// Every soft body of the world that overlaps the shape, each once; of the first tree's own world for null.
 	TypedArray<Node2D> intersect_shape(const Ref<PhysicsShapeQueryParameters2D> &p_parameters, const Ref<World2D> &p_world) const;
 	void reset_statistics();
+
+	// Spaces by hand: soft_body_simulation_2d_state.cpp. A space is that of a World2D.
+	void set_automatic_stepping(const RID &p_space, bool p_enabled);
+	bool is_automatic_stepping(const RID &p_space) const;
+	/// Steps one space now. A replay tells listeners nothing and pushes no body of the engine.
+	Error step(const RID &p_space, double p_delta, bool p_is_replay);
+	PackedByteArray save_state(const RID &p_space, const PackedByteArray &p_base);
+	Error restore_state(const RID &p_space, const PackedByteArray &p_state, const PackedByteArray &p_base);
+	int64_t hash_state(const RID &p_space) const;
 	Dictionary get_step_profile() const;
 	double measure_max_penetration() const;
 
@@ -81,7 +91,12 @@ private:
 
 	template <class Count>
 	int64_t count_in_spaces(const Count &p_count) const;
-	void step();
+	/// Null for a space without soft bodies.
+	softbody::SoftBodySpace2D *find_space(const RID &p_space) const;
+	/// What keeps a space from being stepped, saved or restored now; empty if nothing does.
+	String find_problem(const RID &p_space) const;
+	static void bind_state_methods();
+	void step_all();
 	void step_spaces(double p_delta);
 	void draw_frame();
 	void draw_idle_frame();
@@ -93,6 +108,7 @@ private:
 	bool settings_known_ = false;
 	softbody::StepThreads threads_; ///< before the spaces, whose simulators use them
 	std::vector<Space> spaces_;
+	std::vector<RID> by_hand_; ///< spaces that ticks do not step
 	softbody::StepSignals signals_;
 	softbody::LateWork late_work_;
 	bool stepping_ = false; ///< while nodes may come and go, but no space may

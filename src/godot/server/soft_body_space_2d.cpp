@@ -6,6 +6,7 @@
 #include "godot/server/step_signals.h"
 #include "godot/surroundings/hull_proxy.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -121,13 +122,15 @@ void SoftBodySpace2D::read_gravity() {
 // Nodes at rest look in turn. A look takes two ticks: the engine works out effects of areas for what has moved, so the
 // proxy is stirred in one tick and asked in the next.
 void SoftBodySpace2D::feel_areas() {
-	busy_.for_each([&](SteppedNode &r_node) { r_node.feel_areas(space_effects_); });
+	const uint64_t frame = Engine::get_singleton()->get_physics_frames();
+	const bool has_stepped = std::exchange(last_frame_, frame) != frame;
+	busy_.for_each([&](SteppedNode &r_node) { r_node.feel_areas(space_effects_, has_stepped); });
 	for (const BodyId body : stirred_) {
 		SteppedNode *node = node_of(body);
 		if (node == nullptr || busy_.contains(*node)) {
 			continue;
 		}
-		node->feel_areas(space_effects_);
+		node->feel_areas(space_effects_, has_stepped);
 		if (!world_.find(body)->is_asleep()) { // something has changed, perhaps not only here
 			busy_.add(*node);
 			urgent_looks_ = nodes_.count();
@@ -165,24 +168,28 @@ void SoftBodySpace2D::read_environment(double p_delta) {
 	});
 	reader_.read(state, busy_rows_, joined_, p_delta, world_);
 	tell_proxies();
-	reader_.begin_rides(character_mass_, p_delta, world_);
 }
 
 void SoftBodySpace2D::step(double p_delta, StepThreads &p_threads, StepSignals &r_signals, TickProfile &r_profile) {
 	Stopwatch watch;
 	read_gravity();
-	busy_.for_each([](SteppedNode &r_node) { r_node.prepare_step(); });
+	busy_.for_each([p_delta](SteppedNode &r_node) { r_node.prepare_step(p_delta); });
 	prepare_joints();
 	feel_areas();
 	r_profile.prepare += watch.lap();
 	r_profile.nodes += double(busy_.count());
 	read_environment(p_delta);
+	if (!r_signals.is_quiet()) {
+		reader_.begin_rides(character_mass_, p_delta, world_);
+	}
 	r_profile.surroundings += watch.lap();
 	const StepReport report = simulator_.simulate(Real(p_delta));
 	// A physics server with a thread of its own may be running a helper on it, and would answer only after that.
 	p_threads.end_step();
-	reader_.give_back_impulses(world_, p_delta);
-	reader_.end_rides(world_, p_delta);
+	if (!r_signals.is_quiet()) {
+		reader_.give_back_impulses(world_, p_delta);
+		reader_.end_rides(world_, p_delta);
+	}
 	r_profile.simulate += watch.lap();
 	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
 	simulator_.list_awake(awake_);

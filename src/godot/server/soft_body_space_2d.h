@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/simulator.h"
+#include "core/dynamics/world_state.h"
 #include "core/model/world_data.h"
 #include "godot/server/node_list.h"
 #include "godot/server/step_settings.h"
@@ -11,6 +12,7 @@
 #include "godot/surroundings/area_effects.h"
 #include "godot/surroundings/environment_reader.h"
 
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
 #include <vector>
@@ -66,8 +68,16 @@ public:
 	std::span<SteppedJoint *const> joints() const { return joints_; }
 	/// Reads gravity and environment, steps the core by `p_delta` [s], and hands the result to the nodes and to the
 	/// rigid bodies of the engine. Sends the helpers of `p_threads` away before it asks the physics server anything more.
-	/// Adds the signals of the step to `r_signals`, and its times to `r_profile`.
+	/// Adds the signals of the step to `r_signals`, and its times to `r_profile`. A replay, whose signals are quiet, moves no body of
+	/// the engine.
 	void step(double p_delta, StepThreads &p_threads, StepSignals &r_signals, TickProfile &r_profile);
+
+	// States of everything in the space: soft_body_space_2d_state.cpp.
+	/// What determines the next steps, surroundings and properties of nodes aside. `p_base` as in `WorldState`; empty for none.
+	Result<godot::PackedByteArray> save_state(const godot::PackedByteArray &p_base);
+	/// Puts it back, or refuses it, by name, and changes nothing.
+	Status restore_state(const godot::PackedByteArray &p_state, const godot::PackedByteArray &p_base);
+	uint64_t hash_of_motion();
 
 private:
 	struct Owner {
@@ -88,6 +98,9 @@ private:
 	void let_idle();
 	/// The node of a body; null if the body has left the world.
 	SteppedNode *node_of(BodyId p_body) const;
+	SteppedNode *node_at(std::size_t p_index) const { return node_of(world_.id_at(p_index)); }
+	WorldState::Companion companion();
+	Status read_joints(StateReader &r_from, bool p_is_foreign, bool p_takes);
 
 	godot::RID space_;
 	WorldData world_;
@@ -114,6 +127,10 @@ private:
 	uint64_t turn_to_tear_ = 0; ///< tears looked for so far
 	int most_tears_ = 0; ///< StepSettings::most_tears
 	int64_t contact_count_ = 0;
+	uint64_t last_frame_ = UINT64_MAX; ///< of the engine's physics, at the last step
+	WorldState state_;
+	std::vector<uint8_t> saved_; ///< scratch memory of `save_state`
+	uint64_t token_ = 0; ///< WorldState::Companion::world_token
 };
 
 } // namespace softbody

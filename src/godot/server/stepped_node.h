@@ -8,6 +8,7 @@
 #include "godot/surroundings/area_effects.h"
 
 #include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/string.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,8 @@ namespace softbody {
 
 class DrawingFrame;
 class HullProxy;
+class StateReader;
+class StateWriter;
 class StepSignals;
 
 /// A node with a body in a `SoftBodySpace2D`. The space knows nothing else of nodes.
@@ -30,10 +33,11 @@ public:
 	virtual void note_project_settings() = 0;
 
 	// The parts of a tick, in order.
-	/// Takes over a transform that the user set, and whether the node may process.
-	virtual void prepare_step() = 0;
-	/// Takes over gravity and damping of areas. `p_space` holds where no area is.
-	virtual void feel_areas(const AreaEffects &p_space) = 0;
+	/// Takes over a transform that the user set, and whether the node may process, before a step of `p_delta` [s].
+	virtual void prepare_step(double p_delta) = 0;
+	/// Takes over gravity and damping of areas. `p_space` holds where no area is. `p_engine_has_stepped`: the engine's physics, since
+	/// the last step.
+	virtual void feel_areas(const AreaEffects &p_space, bool p_engine_has_stepped) = 0;
 	/// Has the engine work out the effects of areas anew for a proxy that rests, for `feel_areas` in the next tick.
 	virtual void stir_proxy() = 0;
 	virtual HullProxy &proxy() = 0;
@@ -56,6 +60,18 @@ public:
 			std::vector<uint64_t> p_touched, StepSignals &r_signals) = 0;
 	/// Whether all of these can be left out until the body moves or the node changes (`SoftBodySpace2D::note_change`).
 	virtual bool is_idle() const = 0;
+
+	// The state of a whole space, between two steps.
+	/// Takes over a transform that the user has just set.
+	virtual void take_over_transform() = 0;
+	/// How messages name the node.
+	virtual godot::String describe() const = 0;
+	/// What the node remembers besides its body.
+	virtual void write_state(StateWriter &r_to) const = 0;
+	/// Refuses, by name, what `write_state` cannot have written, and states of another structure.
+	virtual Status check_state(std::span<const uint8_t> p_state) const = 0;
+	/// After the body has got back its state. Precondition: `check_state` accepts it. `p_is_foreign`: instance ids in it mean nothing.
+	virtual void take_state(std::span<const uint8_t> p_state, bool p_is_foreign) = 0;
 
 	/// Before a frame is drawn: brings the skin to where the body is in it. False if there was nothing to do.
 	virtual bool draw_frame(const DrawingFrame &p_frame) = 0;
@@ -91,6 +107,13 @@ public:
 	virtual void follow_cut(uint64_t p_cut, uint64_t p_node, const SoftBodyData &p_whole, std::span<const uint64_t> p_pieces) = 0;
 	/// The node's body is again what it was before the cut of that number: ends that stood on it then stand there again.
 	virtual void undo_cuts(uint64_t p_first_cut, uint64_t p_node) = 0;
+	/// What the node remembers besides the core's joint.
+	virtual void write_state(StateWriter &r_to) const = 0;
+	/// Reads what `write_state` wrote, and takes it over if `p_takes`: before bodies and joints of the core are put back. Refuses the
+	/// state of another node, unless `p_is_foreign`: then instance ids in it mean nothing.
+	virtual Status read_state(StateReader &r_from, bool p_is_foreign, bool p_takes) = 0;
+	/// After the core's joints have been put back.
+	virtual void note_restored() = 0;
 
 protected:
 	~SteppedJoint() = default;
