@@ -69,4 +69,6 @@ def head(command, measuring):
         "cpu": cpu(),
         "date": now.strftime("%Y-%m-%dT%H:%M:%SZ"),
         "command": command,
+        # Over the last minute, how many threads ran or wanted to: above the number of cores other programs were in the way.
+        "load": round(os.getloadavg()[0], 1) if hasattr(os, "getloadavg") else None,
     }

@@ -8,6 +8,7 @@
 #include "thesis/polygon_overlap.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <numbers>
@@ -23,6 +24,7 @@ using softbody::Vec2;
 constexpr std::uint64_t SEED = 20150703;
 constexpr double GAP = 0.05; // between neighbors at the start, over R; a body is out of place by a sixth of it at most, in x and y
 constexpr double OVERLAP_LIMIT = 0.05; // over R
+constexpr int DISK_CORNERS = 32;
 constexpr int TURN = 20; // steps of one engine before the next has its turn
 
 double depth_in_environment(const PileScene &scene, const Hull &hull) {
@@ -54,9 +56,18 @@ void for_each_near_pair(const std::vector<Aabb> &boxes, Visit visit) {
 	}
 }
 
-double median(std::vector<double> values) {
-	std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-	return values[values.size() / 2];
+// The value that the share `rank` of all values lies below.
+double quantile(std::vector<double> values, double rank) {
+	const std::size_t index = std::min(values.size() - 1, std::size_t(rank * double(values.size())));
+	std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(index), values.end());
+	return values[index];
+}
+
+double seconds_of(PileClock clock) {
+	if (clock == PileClock::PROCESSOR) {
+		return double(std::clock()) / CLOCKS_PER_SEC;
+	}
+	return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 double mean(const std::vector<double> &values) {
@@ -88,24 +99,39 @@ PileScene pile_scene(std::size_t bodies, int rows) {
 	return scene;
 }
 
+Hull disk_outline(const PileScene &scene, Vec2 center) {
+	Hull hull;
+	for (int i = 0; i < DISK_CORNERS; ++i) {
+		const double angle = 2 * std::numbers::pi * i / DISK_CORNERS;
+		hull.push_back(center + Vec2{ Real(scene.radius * std::cos(angle)), Real(scene.radius * std::sin(angle)) });
+	}
+	return hull;
+}
+
 PileQuality judge_pile(const PileScene &scene, const std::vector<Hull> &hulls) {
 	PileQuality quality;
 	std::vector<Aabb> boxes;
 	std::vector<double> deepest;
 	const double n = scene.hull_points;
 	const double whole_area = n / 2 * scene.radius * scene.radius * std::sin(2 * std::numbers::pi / n);
-	for (const Hull &hull : hulls) {
+	std::size_t soft_bodies = 0;
+	for (std::size_t i = 0; i < hulls.size(); ++i) {
+		const Hull &hull = hulls[i];
 		const double area = double(softbody::signed_area(hull));
 		const Vec2 center = softbody::area_centroid(hull);
 		const bool between = double(center.x) >= scene.left && double(center.x) <= scene.left + scene.width;
 		const bool inside = center.y >= 0 && (between || (!scene.has_walls && std::isfinite(center.x)));
 		quality.escaped += inside ? 0 : 1; // one that is not finite is not inside either
 		quality.folded += softbody::is_folded(hull) ? 1 : 0;
-		quality.mean_area += area / whole_area / double(hulls.size());
+		if (!scene.bodies[i].is_rigid) {
+			quality.mean_area += area / whole_area;
+			++soft_bodies;
+		}
 		boxes.push_back(softbody::bounding_box(hull));
 		quality.height = std::max(quality.height, double(boxes.back().max.y));
 		deepest.push_back(depth_in_environment(scene, hull));
 	}
+	quality.mean_area /= double(soft_bodies);
 	for_each_near_pair(boxes, [&](std::size_t a, std::size_t b) {
 		const double depth = softbody::penetration_depth(hulls[a], hulls[b]);
 		quality.overlapping += depth > OVERLAP_LIMIT * scene.radius ? 1 : 0;
@@ -117,15 +143,14 @@ PileQuality judge_pile(const PileScene &scene, const std::vector<Hull> &hulls) {
 	return quality;
 }
 
-std::vector<PileRun> run_piles(const PileScene &scene, const std::vector<PileEngine *> &engines, int steps) {
+std::vector<PileRun> run_piles(const PileScene &scene, const std::vector<PileEngine *> &engines, int steps, PileClock clock) {
 	std::vector<std::vector<double>> times(engines.size());
 	for (int done = 0; done < steps; done += TURN) {
 		for (std::size_t e = 0; e < engines.size(); ++e) {
 			for (int i = done; i < std::min(done + TURN, steps); ++i) {
-				const std::clock_t begin = std::clock();
+				const double begin = seconds_of(clock);
 				engines[e]->step();
-				const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
-				times[e].push_back(1e9 * seconds / double(scene.bodies.size()));
+				times[e].push_back(1e9 * (seconds_of(clock) - begin) / double(scene.bodies.size()));
 			}
 		}
 	}
@@ -133,9 +158,11 @@ std::vector<PileRun> run_piles(const PileScene &scene, const std::vector<PileEng
 	for (std::size_t e = 0; e < engines.size(); ++e) {
 		const std::vector<double> settled(times[e].begin() + steps / 2, times[e].end());
 		PileRun run;
-		run.median = median(settled);
+		run.median = quantile(settled, 0.5);
+		run.low = quantile(settled, 0.1);
+		run.high = quantile(settled, 0.9);
 		run.mean = mean(settled);
-		run.median_whole = median(times[e]);
+		run.median_whole = quantile(times[e], 0.5);
 		run.mean_whole = mean(times[e]);
 		run.worst = *std::max_element(times[e].begin(), times[e].end());
 		run.hulls = engines[e]->hulls();

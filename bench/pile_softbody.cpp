@@ -3,6 +3,7 @@
 #include "pile_scene.h"
 
 #include "bodies.h"
+#include "thread_pool.h"
 
 #include "core/base/constants.h"
 #include "core/base/error.h"
@@ -12,6 +13,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace bench {
 
@@ -24,52 +26,101 @@ double stiffness(const PileScene &scene, const SoftBodySettings &settings) {
 	return settings.load_factor * scene.load() / scene.radius;
 }
 
-softbody::Border border(Vec2 position, Vec2 normal) {
-	softbody::Border result;
-	result.plane = { position, normal };
-	return result;
-}
+// Where a body of the scene is in our world.
+struct Handle {
+	bool is_rigid = false;
+	std::uint32_t index = 0; // of the rigid body
+	softbody::BodyId id = {}; // of the soft body
+};
 
 class SoftBodyPile : public PileEngine {
 public:
-	SoftBodyPile(const PileScene &scene, const SoftBodySettings &asked) :
-			simulator_(world_), time_step_(Real(scene.time_step)) {
+	SoftBodyPile(const PileScene &scene, const SoftBodySettings &asked, int threads) :
+			scene_(scene),
+			pool_(std::size_t(threads - 1)),
+			simulator_(world_, threads > 1 ? pool_.parallel_for() : softbody::ParallelFor{}),
+			stiffness_(stiffness(scene, asked)) {
 		world_.set_gravity({ 0, -Real(scene.gravity) });
 		world_.set_sleeping(false); // so that every counted body is simulated
-		world_.add_border(border({ 0, 0 }, { 0, 1 }));
-		world_.add_border(border({ 0, 0 }, { 1, 0 }));
-		world_.add_border(border({ Real(scene.width), 0 }, { -1, 0 }));
-		const double k = stiffness(scene, asked);
-		const Shape shape = circle_shape(scene.hull_points, true, k, softbody::DEFAULT_DAMPING_RATIO);
-		softbody::BodySettings settings;
-		settings.integrator = asked.integrator;
-		settings.substeps = asked.substeps;
-		if (const softbody::Status refused = world_.set_contact_substeps(asked.contact_substeps)) {
-			throw std::runtime_error(refused->message());
+		check(world_.set_contact_substeps(asked.contact_substeps));
+		// Restitutions of two sides add up.
+		const Real own_restitution = Real(scene.restitution / 2);
+		for (const auto &[position, normal] : { std::pair<Vec2, Vec2>{ { 0, 0 }, { 0, 1 } }, { { 0, 0 }, { 1, 0 } },
+					 { { Real(scene.width), 0 }, { -1, 0 } } }) {
+			softbody::Border border;
+			border.plane = { position, normal };
+			border.surface.restitution = own_restitution;
+			check(world_.add_border(border));
 		}
-		settings.friction = Real(scene.friction);
-		set_shape_matching(settings, *shape, softbody::DEFAULT_SHAPE_MATCHING * k);
+		settings_.integrator = asked.integrator;
+		settings_.substeps = asked.substeps;
+		settings_.friction = Real(scene.friction);
+		settings_.restitution = own_restitution;
 		for (const PileScene::Place &place : scene.bodies) {
-			const softbody::Pose pose{ place.center, softbody::Rotation::from_angle(Real(place.angle)) };
-			world_.add_soft_body(take(softbody::SoftBodyData::create(shape, settings, pose)));
+			handles_.push_back(place.is_rigid ? add_rigid(place) : add_soft(place));
 		}
 	}
 
-	void step() override { simulator_.simulate(time_step_); }
+	void step() override { simulator_.simulate(Real(scene_.time_step)); }
 
 	std::vector<Hull> hulls() const override {
 		std::vector<Hull> hulls;
-		for (const softbody::SoftBodyData &body : world_.soft_bodies()) {
-			const auto points = body.positions();
-			hulls.emplace_back(points.begin(), points.begin() + std::ptrdiff_t(body.shape().hull_count()));
+		for (const Handle &handle : handles_) {
+			if (handle.is_rigid) {
+				hulls.push_back(disk_outline(scene_, world_.rigid_bodies()[handle.index].center()));
+			} else {
+				const auto points = world_.find(handle.id)->hull();
+				hulls.emplace_back(points.begin(), points.end());
+			}
 		}
 		return hulls;
 	}
 
 private:
+	static void check(const softbody::Status &refused) {
+		if (refused) {
+			throw std::runtime_error(refused->message());
+		}
+	}
+
+	// Like bodies share their shape.
+	Handle add_soft(const PileScene::Place &place) {
+		const double k = stiffness_ * place.firmness;
+		if (!shape_ || place.firmness != firmness_) {
+			shape_ = circle_shape(scene_.hull_points, true, k, softbody::DEFAULT_DAMPING_RATIO);
+			firmness_ = place.firmness;
+			set_shape_matching(settings_, *shape_, softbody::DEFAULT_SHAPE_MATCHING * k);
+		}
+		const softbody::Pose pose{ place.center, softbody::Rotation::from_angle(Real(place.angle)) };
+		return { false, 0, world_.add_soft_body(take(softbody::SoftBodyData::create(shape_, settings_, pose))) };
+	}
+
+	Handle add_rigid(const PileScene::Place &place) {
+		softbody::RigidBody body;
+		body.pose.position = place.center;
+		body.acceleration = world_.gravity();
+		body.inverse_mass = Real(1 / scene_.mass);
+		body.inverse_inertia = Real(2 / (scene_.mass * scene_.radius * scene_.radius));
+		const std::uint32_t index = take(world_.add_rigid_body(body));
+		softbody::Collider disk;
+		disk.vertices = { {} };
+		disk.radius = Real(scene_.radius);
+		disk.surface.friction = Real(scene_.friction);
+		disk.surface.restitution = settings_.restitution;
+		disk.rigid_body = index;
+		check(world_.add_collider(disk));
+		return { true, index };
+	}
+
+	PileScene scene_;
 	softbody::WorldData world_;
+	ThreadPool pool_;
 	softbody::Simulator simulator_;
-	Real time_step_;
+	softbody::BodySettings settings_;
+	double stiffness_;
+	double firmness_ = 1; // of the last shape
+	Shape shape_;
+	std::vector<Handle> handles_;
 };
 
 } // namespace
@@ -77,11 +128,11 @@ private:
 std::vector<SoftBodySettings> softbody_settings() {
 	// With k >= 8 to 10 load / R the lowest body loses no more than a tenth of its area. Half of that still leaves the
 	// bodies rounder than those of the others are, and carries the pile in two substeps.
-	return { { "automatic" }, { "fast", 4, softbody::Integrator::SEMI_IMPLICIT_EULER, 2, 1 } };
+	return { { "automatic" }, { "tuned", 4, softbody::Integrator::SEMI_IMPLICIT_EULER, 2, 1 } };
 }
 
-std::unique_ptr<PileEngine> make_softbody_pile(const PileScene &scene, const SoftBodySettings &settings) {
-	return std::make_unique<SoftBodyPile>(scene, settings);
+std::unique_ptr<PileEngine> make_softbody_pile(const PileScene &scene, const SoftBodySettings &settings, int threads) {
+	return std::make_unique<SoftBodyPile>(scene, settings, threads);
 }
 
 std::string softbody_pile_settings(const PileScene &scene, const SoftBodySettings &settings) {

@@ -19,7 +19,7 @@
 #   heap            heaps of nodes at their default values: folded bodies, sleep, time
 #   dents           dents over tick rates and elastic models; random cuts against brute force, and what a cut costs
 #   rollback        states of whole worlds: what they cost; two peers over a bad network who roll back and agree
-#   peers           a pile in other engines, Box2D and Chipmunk, against ours
+#   peers           piles in other engines, Box2D 2 and 3 and Chipmunk, against ours; scripts/lib/peers.sh says where from
 #   engine          nodes in an exported game: how many hold 60 ticks per second, and where their time goes
 #   editor          the editor addon's handlers: dragging, painting, drawing, tracing a picture
 #   --json   with the result as one JSON object in the last line
@@ -60,13 +60,13 @@ elif [[ $name == editor ]]; then
 	. "$REPO_DIR/scripts/lib/editor.sh"
 	measure_editor
 else
-	target=bench
-	if [[ $name == peers ]]; then
-		need_packages libbox2d-dev libchipmunk-dev
-		target=peers
-	fi
 	step "Building the benchmarks"
-	run_scons "$target" || problem "the core or its benchmarks do not compile"
+	if [[ $name == peers ]]; then
+		. "$REPO_DIR/scripts/lib/peers.sh"
+		build_peers
+	else
+		run_scons bench || problem "the core or its benchmarks do not compile"
+	fi
 	step "Measuring $name"
 fi
 exec "$BENCH_PYTHON" "$REPO_DIR/bench/bench.py" "$@"

@@ -106,15 +106,21 @@ func _measure(load_name: String, count: int) -> Dictionary:
 		await get_tree().physics_frame
 	SoftBodySimulation2D.reset_statistics()
 	var times := PackedInt64Array()
+	var draw_times := PackedFloat64Array()
+	var draw_count := 0
 	var last := Time.get_ticks_usec()
 	for i in TIMED_TICKS:
 		await get_tree().physics_frame
 		var now := Time.get_ticks_usec()
 		times.append(now - last)
 		last = now
+		draw_times.append(SoftBodySimulation2D.get_last_drawing_usec()) # of the frame before
+		draw_count += SoftBodySimulation2D.get_last_drawn_count()
 	times.sort()
+	draw_times.sort()
 	@warning_ignore("integer_division")
 	var result := { "tick": times[TIMED_TICKS / 2], "step": SoftBodySimulation2D.get_mean_step_usec(),
+		"draw": draw_times[TIMED_TICKS / 2], "draw_count": draw_count / float(TIMED_TICKS),
 		"awake": SoftBodySimulation2D.get_awake_body_count(), "threads": SoftBodySimulation2D.get_thread_count() }
 	result.merge(SoftBodySimulation2D.get_step_profile())
 	pile.remove()

@@ -17,6 +17,16 @@ ParticleRing particle_ring(const PileScene &scene) {
 	return { particle_radius, scene.radius - particle_radius };
 }
 
+std::vector<PeerSettings> with_both_bodies(const PeerSettings &settings) {
+	PeerSettings center = settings;
+	center.body = RingBody::CENTER;
+	center.name = "with center, " + settings.name;
+	PeerSettings cross = settings;
+	cross.body = RingBody::CROSS;
+	cross.name = "4 cross springs, " + settings.name;
+	return { center, cross };
+}
+
 Hull ParticleRing::outline(const std::vector<Vec2> &centers) const {
 	const std::size_t count = centers.size();
 	// A circle that touches two neighbors has its center at the tip of an equilateral triangle of side 2 r, so its rim

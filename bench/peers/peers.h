@@ -26,23 +26,36 @@ struct ParticleRing {
 };
 ParticleRing particle_ring(const PileScene &scene);
 
+/// Of what a peer's soft bodies are made besides the ring.
+enum class RingBody {
+	CENTER, ///< a particle in the middle, with springs to all of the ring
+	CROSS, ///< springs between opposite particles of the ring
+};
+
 /// How an engine is asked to hold the pile. What no engine offers is left alone.
 struct PeerSettings {
 	std::string name; ///< of this choice, for the table
-	int iterations = 0; ///< Chipmunk: of the solver. Box2D: velocity iterations
-	int position_iterations = 0; ///< Box2D
-	double scale = 1; ///< Box2D: units of its world in a meter
-	bool continuous = true; ///< Box2D: continuous collision with what is fixed
+	RingBody body = RingBody::CENTER;
+	int iterations = 0; ///< Chipmunk: of the solver. Box2D 2.4: velocity iterations. Box2D 3: substeps
+	int position_iterations = 0; ///< Box2D 2.4
+	double scale = 1; ///< Box2D 2.4: units of its world in a meter
+	bool continuous = true; ///< Box2D 2.4: continuous collision with what is fixed
 	bool spatial_hash = false; ///< Chipmunk: in place of its tree
 };
 
-std::string box2d_version();
-/// As its manual recommends, and the fastest that were found to hold the pile of 5000 and of 1000 bodies.
-std::vector<PeerSettings> box2d_settings();
-std::unique_ptr<PileEngine> make_box2d_pile(const PileScene &scene, const PeerSettings &settings);
+/// The same settings for both bodies.
+std::vector<PeerSettings> with_both_bodies(const PeerSettings &settings);
 
-std::string chipmunk_version();
-std::vector<PeerSettings> chipmunk_settings();
-std::unique_ptr<PileEngine> make_chipmunk_pile(const PileScene &scene, const PeerSettings &settings);
+/// An engine. Each is a library of its own, as two builds of one engine do not fit into one program.
+struct Peer {
+	std::string engine; ///< with what tells its build from others
+	std::string version;
+	std::vector<PeerSettings> settings;
+	bool has_threads = false; ///< whether a pile may ask for several
+	std::unique_ptr<PileEngine> (*make)(const PileScene &scene, const PeerSettings &settings, int threads) = nullptr;
+};
 
 } // namespace bench
+
+/// What each of the libraries shows.
+extern "C" const bench::Peer &bench_peer();

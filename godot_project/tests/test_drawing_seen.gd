@@ -247,3 +247,49 @@ func test_a_stretched_body_is_not_culled() -> void:
 	body.process_mode = Node.PROCESS_MODE_DISABLED
 	await ticks(3)
 	check_pixel(await picture(), Vector2(120, 200), Color.RED, "the far end of the stretched body")
+
+
+## It is brought up to date once where it rests, so that no later frame has to look at it.
+func test_a_body_that_came_to_rest_out_of_view_is_right_after_a_cameras_jump() -> void:
+	if not open_viewport():
+		return
+	var camera := Camera2D.new()
+	camera.position = middle()
+	viewport.add_child(camera)
+	camera.make_current()
+	var body := add_to_view({ "position": Vector2(3000, 200), "color": Color.RED, "stiffness": 25.0 })
+	await ticks(5)
+	_wobble(body, 700)
+	await ticks(6)
+	body.freeze = true
+	await ticks(4)
+	var box := bounds_of(polygon_of(body))
+	check_above(box.size.x / box.size.y, 1.15, "how much wider than high it rests")
+	check_equal(await _updates_in_a_frame(), 0, "bodies updated while it rests out of view")
+	await tree.process_frame
+	camera.position = Vector2(3000, 200)
+	camera.force_update_scroll()
+	check_equal(await _updates_in_a_frame(), 0, "bodies updated in the frame of the jump")
+	_check_shows(viewport.get_texture().get_image(), body, viewport.canvas_transform,
+			"the resting body in the first frame after the jump")
+
+
+func test_a_body_at_rest_that_leaves_the_view_stands_still_at_once() -> void:
+	if not open_viewport():
+		return
+	var camera := Camera2D.new()
+	camera.position = middle()
+	viewport.add_child(camera)
+	camera.make_current()
+	var body := add_to_view({ "simulate_off_screen": false, "freeze": true })
+	await ticks(5)
+	camera.position = Vector2(3000, 200)
+	await ticks(8)
+	var before := body.global_position
+	body.freeze = false
+	body.apply_central_impulse(Vector2(100, 0))
+	await ticks(8)
+	check_equal(body.global_position, before, "place of the body that nobody sees")
+	camera.position = before
+	await ticks(8)
+	check_above(body.global_position.x, before.x + 1, "where the same body goes in view")

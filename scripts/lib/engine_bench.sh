@@ -40,6 +40,7 @@ measure_engine() {
 	for load in soft soft_unseen soft_asleep soft_off_screen soft_off_screen_still; do
 		drawn+=(cost "$load" 1000)
 	done
+	drawn+=(cost soft_resting 10000)
 	if [[ $quick == yes ]]; then
 		headless=(cost soft 300 cost soft_unseen 300 cost soft_asleep 300)
 		drawn=(cost soft 300)

@@ -153,3 +153,20 @@ TEST_CASE("an inset ends the triangles that far inside the rim") {
 		CHECK(less == doctest::Approx(perimeter(hull)).epsilon(0.1));
 	}
 }
+
+TEST_CASE("a mesh knows the points and options that it was made of, as bodies that share it are told by that") {
+	const std::vector<Vec2> hull = circle_hull(50, 16).value();
+	const FillMesh::Options options{ 4, 1, 0 };
+	const FillMesh mesh(hull, hull.size(), options);
+	CHECK(mesh.is_made_of(hull, hull.size(), options));
+	std::vector<Vec2> moved = hull;
+	moved[7].y += Real(0.01);
+	CHECK_FALSE(mesh.is_made_of(moved, hull.size(), options));
+	std::vector<Vec2> longer = hull;
+	longer.push_back({ 1, 2 });
+	CHECK_FALSE(mesh.is_made_of(longer, hull.size(), options));
+	CHECK_FALSE(mesh.is_made_of(hull, hull.size() - 1, options)); // the last would be an inner point
+	for (const FillMesh::Options &other : { FillMesh::Options{ 1, 1, 0 }, FillMesh::Options{ 4, 2, 0 }, FillMesh::Options{ 4, 1, Real(0.5) } }) {
+		CHECK_FALSE(mesh.is_made_of(hull, hull.size(), other));
+	}
+}

@@ -5,6 +5,7 @@
 #include "core/base/vec2.h"
 #include "core/skin/triangulation.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -26,11 +27,18 @@ public:
 		Real soft_edge = 0;
 		/// Without a soft edge: how far inside the rim the triangles end [length], for an outline that hides their edge.
 		Real inset = 0;
+
+		friend bool operator==(const Options &, const Options &) = default;
 	};
 
 	FillMesh() = default;
 	/// `rest` are all points at rest, the hull first, accepted by `check_hull`, of either winding. Usually O(rim²).
 	FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Options &options);
+
+	/// Whether the constructor would make the same mesh of these.
+	bool is_made_of(std::span<const Vec2> rest, std::size_t hull_count, const Options &options) const {
+		return hull_count == hull_count_ && options == options_ && std::ranges::equal(rest, rest_);
+	}
 
 	std::size_t vertex_count() const { return vertex_count_; }
 	std::size_t rim_count() const { return hull_count_ * options_.pieces; }

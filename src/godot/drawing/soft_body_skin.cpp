@@ -58,6 +58,15 @@ RID rid_of(const Ref<Texture2D> &p_texture) {
 	return p_texture.is_valid() ? p_texture->get_rid() : RID();
 }
 
+// Crowds come of one kind at a time, so the last mesh is the one that is asked for again.
+std::shared_ptr<const FillMesh> fill_mesh_of(std::span<const Vec2> rest, std::size_t hull_count, const FillMesh::Options &options) {
+	static std::shared_ptr<const FillMesh> last;
+	if (last == nullptr || !last->is_made_of(rest, hull_count, options)) {
+		last = std::make_shared<const FillMesh>(rest, hull_count, options);
+	}
+	return last;
+}
+
 } // namespace
 
 SoftBodySkin::~SoftBodySkin() {
@@ -171,7 +180,7 @@ std::vector<Vector2> SoftBodySkin::texture_coordinates() const {
 	const Vector2 middle = has_own_uv() ? Vector2() : part.size / 2;
 	const Transform2D turn(real_t(style_.texture_rotation), Vector2());
 	std::vector<Vector2> uvs;
-	for (const Vec2 pixel : fill_.spread<Vec2>(pixels)) {
+	for (const Vec2 pixel : fill_->spread<Vec2>(pixels)) {
 		const Vector2 moved = (turn.xform(to_godot(pixel) - middle) + style_.texture_offset) * style_.texture_scale + middle;
 		uvs.push_back(part.start + moved / part.size * part.share);
 	}
@@ -180,7 +189,7 @@ std::vector<Vector2> SoftBodySkin::texture_coordinates() const {
 
 std::vector<Color> SoftBodySkin::colors() const {
 	const bool has_own = std::size_t(style_.vertex_colors.size()) == hull_count_;
-	if (!has_own && fill_.faded_start() == fill_.vertex_count()) {
+	if (!has_own && fill_->faded_start() == fill_->vertex_count()) {
 		return {};
 	}
 	std::vector<Color> hull(hull_count_, Color(1, 1, 1));
@@ -189,10 +198,10 @@ std::vector<Color> SoftBodySkin::colors() const {
 			hull[i] = style_.vertex_colors[order_.mirror(int(i))];
 		}
 	}
-	std::vector<Color> colors = fill_.spread<Color>(hull);
+	std::vector<Color> colors = fill_->spread<Color>(hull);
 	for (std::size_t i = 0; i < colors.size(); ++i) {
 		colors[i] = colors[i].clamp();
-		if (i >= fill_.faded_start()) {
+		if (i >= fill_->faded_start()) {
 			colors[i].a = 0;
 		}
 	}
@@ -204,17 +213,17 @@ void SoftBodySkin::make_fill() {
 	const Real soft_edge = style_.antialiased && !has_outline() ? pixel_ : 0;
 	const Real inset = style_.antialiased && has_outline() ? std::min(pixel_, Real(style_.outline_width) / 2) : 0;
 	const bool is_curved = style_.smooth && hull_count_ <= MOST_SMOOTHED_POINTS;
-	fill_ = FillMesh(rest_, hull_count_, { is_curved ? SMOOTH_PIECES : 1, soft_edge, inset });
+	fill_ = fill_mesh_of(rest_, hull_count_, { is_curved ? SMOOTH_PIECES : 1, soft_edge, inset });
 	if (has_fill()) {
-		fill_mesh_.make(fill_.triangles(), texture_coordinates(), colors());
+		fill_mesh_.make(fill_->triangles(), texture_coordinates(), colors());
 	} else {
 		fill_mesh_.free();
 	}
 }
 
 std::vector<std::uint8_t> SoftBodySkin::cut_edges() const {
-	const std::size_t pieces = rim_.size() / hull_count_; // of the rim, for each edge of the hull
-	std::vector<std::uint8_t> edges(rim_.size(), 0);
+	const std::size_t pieces = fill_->rim_count() / hull_count_; // of the rim, for each edge of the hull
+	std::vector<std::uint8_t> edges(fill_->rim_count(), 0);
 	for (std::size_t i = 0; i < hull_count_; ++i) {
 		if (style_.cut_edges.has(order_.mirror_edge(int(i)))) {
 			std::fill_n(edges.begin() + std::ptrdiff_t(i * pieces), pieces, std::uint8_t(1));
@@ -223,7 +232,7 @@ std::vector<std::uint8_t> SoftBodySkin::cut_edges() const {
 	return edges;
 }
 
-OutlineBand SoftBodySkin::make_band(Mesh &r_mesh, Real width, const Ref<Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const {
+OutlineBand SoftBodySkin::make_band(Mesh &r_mesh, std::span<const Vec2> rim, Real width, const Ref<Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const {
 	const std::uint32_t arc = style_.smooth ? SMOOTH_ARC_POINTS : ARC_POINTS;
 	std::vector<OutlineBand::Rail> rails;
 	if (style_.antialiased) {
@@ -232,11 +241,11 @@ OutlineBand SoftBodySkin::make_band(Mesh &r_mesh, Real width, const Ref<Texture2
 	} else {
 		rails = { { 0, 1 }, { width, arc } };
 	}
-	const OutlineBand band(fill_.rim_count(), rails, edges);
+	const OutlineBand band(fill_->rim_count(), rails, edges);
 
 	std::vector<Real> way{ 0 }; // along the rim at rest
-	for (std::size_t i = 0; i < rim_.size(); ++i) {
-		way.push_back(way.back() + length(rim_[(i + 1) % rim_.size()] - rim_[i]));
+	for (std::size_t i = 0; i < rim.size(); ++i) {
+		way.push_back(way.back() + length(rim[(i + 1) % rim.size()] - rim[i]));
 	}
 	const TexturePart part = part_of(texture);
 	// A whole number of tiles, so that the last tile ends where the first begins.
@@ -258,7 +267,7 @@ OutlineBand SoftBodySkin::make_band(Mesh &r_mesh, Real width, const Ref<Texture2
 }
 
 // The outline lies inside the hull: its outer edge is where the body touches other things.
-void SoftBodySkin::make_outline() {
+void SoftBodySkin::make_outline(std::span<const Vec2> rim) {
 	outline_mesh_.free();
 	if (!has_outline()) {
 		return;
@@ -271,23 +280,29 @@ void SoftBodySkin::make_outline() {
 		}
 	}
 	const bool is_tiled = style_.outline_texture_mode == SkinStyle::OutlineTextureMode::TILE;
-	outline_ = make_band(outline_mesh_, Real(style_.outline_width), style_.outline_texture, is_tiled, edges);
+	outline_ = make_band(outline_mesh_, rim, Real(style_.outline_width), style_.outline_texture, is_tiled, edges);
 }
 
-void SoftBodySkin::make_cuts() {
+void SoftBodySkin::make_cuts(std::span<const Vec2> rim) {
 	cut_mesh_.free();
 	if (has_cuts()) {
-		cut_band_ = make_band(cut_mesh_, Real(style_.cut_width), style_.cut_texture, true, cut_edges());
+		cut_band_ = make_band(cut_mesh_, rim, Real(style_.cut_width), style_.cut_texture, true, cut_edges());
 	}
 }
 
 void SoftBodySkin::make() {
 	is_stale_ = false;
 	make_fill();
-	rim_.resize(fill_.rim_count());
-	fill_.place_rim(rest_, rim_);
-	make_outline();
-	make_cuts();
+	const std::span<const Vec2> rim = rim_at(rest_);
+	make_outline(rim);
+	make_cuts(rim);
+}
+
+std::span<Vec2> SoftBodySkin::rim_at(std::span<const Vec2> points) const {
+	static std::vector<Vec2> rim;
+	rim.resize(fill_->rim_count());
+	fill_->place_rim(points, rim);
+	return rim;
 }
 
 void SoftBodySkin::draw(const RID &item) {
@@ -314,18 +329,18 @@ void SoftBodySkin::update(std::span<const Vec2> points) {
 	if (points.size() < rest_.size()) {
 		return;
 	}
-	fill_.place_rim(points, rim_);
-	bounds_ = bounding_box(rim_).grown(pixel_);
+	const std::span<const Vec2> rim = rim_at(points);
+	bounds_ = bounding_box(rim).grown(pixel_);
 	if (has_fill()) {
-		fill_.place(points, rim_, fill_mesh_.vertices());
+		fill_->place(points, rim, fill_mesh_.vertices());
 		fill_mesh_.send();
 	}
 	if (outline_mesh_.rid.is_valid()) {
-		outline_.place(rim_, fill_.side(), outline_mesh_.vertices());
+		outline_.place(rim, fill_->side(), outline_mesh_.vertices());
 		outline_mesh_.send();
 	}
 	if (cut_mesh_.rid.is_valid()) {
-		cut_band_.place(rim_, fill_.side(), cut_mesh_.vertices());
+		cut_band_.place(rim, fill_->side(), cut_mesh_.vertices());
 		cut_mesh_.send();
 	}
 }

@@ -14,6 +14,7 @@
 #include <godot_cpp/variant/rid.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -74,12 +75,14 @@ private:
 	bool has_cuts() const { return style_.cut_width > 0 && !style_.cut_edges.is_empty(); }
 	void make();
 	void make_fill();
-	void make_outline();
-	void make_cuts();
+	void make_outline(std::span<const Vec2> rim);
+	void make_cuts(std::span<const Vec2> rim);
+	/// Places of the rim for these points. Valid until the next call for any body.
+	std::span<Vec2> rim_at(std::span<const Vec2> points) const;
 	/// For each edge of the rim whether a cut made it.
 	std::vector<std::uint8_t> cut_edges() const;
 	/// A band inside the rim, with a texture along it: a whole number of tiles all around, or one that is stretched.
-	OutlineBand make_band(Mesh &r_mesh, Real width, const godot::Ref<godot::Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const;
+	OutlineBand make_band(Mesh &r_mesh, std::span<const Vec2> rim, Real width, const godot::Ref<godot::Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const;
 	/// Before offset, scale and rotation [px of the texture].
 	std::vector<Vec2> corner_pixels(godot::Vector2 part_size) const;
 	bool has_own_uv() const { return std::size_t(style_.uv.size()) == hull_count_; }
@@ -93,13 +96,12 @@ private:
 	Real pixel_ = 1;
 	bool is_stale_ = true;
 
-	FillMesh fill_;
+	std::shared_ptr<const FillMesh> fill_; ///< one for like bodies
 	OutlineBand outline_;
 	OutlineBand cut_band_;
 	Mesh fill_mesh_;
 	Mesh outline_mesh_;
 	Mesh cut_mesh_;
-	std::vector<Vec2> rim_;
 	Aabb bounds_;
 };
 

@@ -288,8 +288,7 @@ void BodyCuts::draw_as_before(SoftBody2D &r_node) const {
 		r_node.interpolation_.end();
 	}
 	r_node.on_screen_ = node_.on_screen_;
-	r_node.settled_ = false;
-	r_node.area_checked_ = false;
+	r_node.note_look();
 }
 
 // The first piece's body takes the place of the whole in the world.
@@ -318,7 +317,7 @@ void BodyCuts::add_piece(Piece &r_piece) {
 	SoftBody2D &node = *r_piece.node;
 	node.design_ = r_piece.design;
 	node.polygon_reversed_ = r_piece.design.is_reversed;
-	node.stored_body_ = std::move(*r_piece.body);
+	node.stored_body_ = std::make_unique<SoftBodyData>(std::move(*r_piece.body));
 	SkinStyle &style = node.skin_.change_style();
 	style.uv = r_piece.uv;
 	style.vertex_colors = r_piece.vertex_colors;

@@ -86,7 +86,7 @@ Status BodyCuts::become(const NodeState &p_state) {
 		keep_first();
 		find_modes(node_);
 	} else {
-		node_.stored_body_ = std::move(*piece.body);
+		node_.stored_body_ = std::make_unique<SoftBodyData>(std::move(*piece.body));
 		node_.design_ = piece.design;
 		node_.polygon_reversed_ = piece.design.is_reversed;
 		SkinStyle &style = node_.skin_.change_style();

@@ -136,7 +136,7 @@ void SoftBody2D::leave_space() {
 	}
 	proxy_.leave();
 	if (softbody::SoftBodyData *found = body()) {
-		stored_body_ = std::move(*found);
+		stored_body_ = std::make_unique<softbody::SoftBodyData>(std::move(*found));
 		space_->world().remove_soft_body(body_id_);
 		stored_body_->wake(); // what it slept on is not where it comes back to
 	}
@@ -183,7 +183,7 @@ void SoftBody2D::_notification(int p_what) {
 		case NOTIFICATION_RESET_PHYSICS_INTERPOLATION: {
 			take_over_transform();
 			interpolation_.end();
-			settled_ = false;
+			note_look();
 		} break;
 		case NOTIFICATION_DRAW: {
 			draw();
@@ -258,8 +258,7 @@ void SoftBody2D::take_over_transform() {
 			softbody::set_angular_velocity(*body(), motion.angular_velocity);
 		}
 	}
-	settled_ = false;
-	area_checked_ = false;
+	note_look();
 }
 
 // The engine reports a changed transform at the end of the frame. A caller before that gets the body at the node's new place.
@@ -376,8 +375,7 @@ void SoftBody2D::follow_body() {
 	// Read back rather than remembered: under a transformed parent it may differ in the last digit,
 	// and such a digit must not look like a move by the user.
 	known_transform_ = get_global_transform();
-	settled_ = false;
-	area_checked_ = false;
+	note_look();
 }
 
 } // namespace godot

@@ -272,6 +272,7 @@ public:
 	softbody::Status check_state(std::span<const uint8_t> p_state) const override;
 	void take_state(std::span<const uint8_t> p_state, bool p_is_foreign) override;
 	bool draw_frame(const softbody::DrawingFrame &p_frame) override;
+	bool is_drawn() const override;
 	/// For joints: it passes through the object of that instance id, no soft body, until that is removed as often as added.
 	void add_joined(uint64_t p_id);
 	void remove_joined(uint64_t p_id);
@@ -320,12 +321,10 @@ private:
 	static constexpr double DEFAULT_MASS = 1;
 	static double default_area();
 	static PackedVector2Array make_default_polygon();
-
 	softbody::SizedHull sized_hull(const Transform2D &p_transform) const;
 	using Design = softbody::BodyDesign;
 
-	/// A callable of a bound method of this node that may be kept beyond the call. It is by name: the node outlives its code
-	/// when the editor reloads the extension, and a `callable_mp` points into that code.
+	/// A callable of a bound method that may be kept: it is by name, as a reload of the extension exchanges the node's code.
 	Callable own_callable(const char *p_method) { return Callable(this, p_method); }
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
 	bool accept_shape(const StringName &p_property);
@@ -429,6 +428,7 @@ private:
 	void listen_to_textures(bool p_listens);
 	void follow_texture();
 	void remake_skin();
+	void note_look();
 	void note_move_by_user(const Transform2D &p_from, const Transform2D &p_to);
 	bool check_fraction(double &r_fraction) const;
 	void draw();
@@ -436,7 +436,7 @@ private:
 	void update_seen_area();
 	void draw_debug(double p_fraction);
 	void enter_screen();
-	void leave_screen() { on_screen_ = false; }
+	void leave_screen();
 	bool is_off_screen() const;
 
 	Values values_;
@@ -463,7 +463,7 @@ private:
 
 	softbody::SoftBodySpace2D *space_ = nullptr;
 	softbody::BodyId body_id_;
-	std::optional<softbody::SoftBodyData> stored_body_;
+	std::unique_ptr<softbody::SoftBodyData> stored_body_; ///< while in no space
 	Transform2D built_scale_; ///< scale and skew the shape was built at, without rotation and position
 	Transform2D known_transform_; ///< global transform the node had when it last agreed with the body
 	bool polygon_reversed_ = false;
@@ -472,7 +472,7 @@ private:
 	softbody::BodyGrowth growth_;
 	bool is_mirrored_x_ = false; ///< whether the node's scale of x is negative
 	mutable std::optional<Design> design_; ///< forgotten when the structure changes
-	mutable softbody::FallMemory falls_;
+	mutable std::unique_ptr<softbody::FallMemory> falls_; ///< once it was asked
 	PackedStringArray told_problems_;
 	bool sleeping_ = false; ///< as of the last step, or as wanted of a body that is still to be made
 	softbody::ToldValue<bool> told_sleep_;
@@ -487,7 +487,7 @@ private:
 	softbody::BodyInterpolation interpolation_;
 	std::unique_ptr<softbody::DebugDrawing> debug_drawing_; ///< while collision shapes are visible
 	softbody::BodyView *view_ = nullptr; ///< while in a space
-	bool settled_ = false; ///< whether what is drawn holds until the body moves again
+	bool settled_ = false; ///< whether what is drawn holds until the body moves again; see `note_look`
 	bool area_checked_ = false; ///< since the last tick, of a body that no camera sees
 	bool item_displaced_ = false; ///< whether the canvas item stands where the body is drawn, not where the node is
 	bool on_screen_ = false; ///< as the rendering server saw it last

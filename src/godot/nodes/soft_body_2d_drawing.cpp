@@ -4,6 +4,7 @@
 
 #include "godot/convert.h"
 #include "godot/server/soft_body_simulation_2d.h"
+#include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -47,9 +48,17 @@ void SoftBody2D::update_topology() {
 
 // The commands of the canvas item hold colors and textures; drawing them again also brings the meshes up to date.
 void SoftBody2D::remake_skin() {
+	note_look();
+	queue_redraw();
+}
+
+// The next frame does not leave the node out, though its body may rest.
+void SoftBody2D::note_look() {
 	settled_ = false;
 	area_checked_ = false;
-	queue_redraw();
+	if (space_ != nullptr) {
+		space_->note_look(*this);
+	}
 }
 
 void SoftBody2D::append_drawing_warnings(PackedStringArray &r_warnings) const {
@@ -170,7 +179,8 @@ void SoftBody2D::draw() {
 	update_seen_area();
 }
 
-// While no camera sees the body, its skin stays as it was drawn last, and only its area is followed: it may grow into view.
+// While a body moves and no camera sees it, its skin stays as it was drawn last, and only its area is followed: it may grow
+// into view. Once it rests, its skin is brought to where it rests.
 bool SoftBody2D::draw_frame(const softbody::DrawingFrame &p_frame) {
 	unseen_frames_ = on_screen_ ? 0 : MIN(unseen_frames_ + 1, UNSEEN_FRAMES);
 	if (settled_) {
@@ -178,7 +188,7 @@ bool SoftBody2D::draw_frame(const softbody::DrawingFrame &p_frame) {
 	}
 	const double fraction = is_drawn_at_tick() ? 1 : p_frame.fraction();
 	place_canvas_item(fraction);
-	if (on_screen_ || view_->is_unsteady()) {
+	if (on_screen_ || view_->is_unsteady() || !interpolation_.is_moving()) {
 		skin_.update(local_points(fraction));
 		update_seen_area();
 		if (debug_drawing_) {
@@ -197,6 +207,11 @@ bool SoftBody2D::draw_frame(const softbody::DrawingFrame &p_frame) {
 		}
 	}
 	return false;
+}
+
+// The frames in which no camera sees the body are counted as far as needed.
+bool SoftBody2D::is_drawn() const {
+	return settled_ && (on_screen_ || unseen_frames_ == UNSEEN_FRAMES);
 }
 
 void SoftBody2D::draw_debug(double p_fraction) {
@@ -229,6 +244,13 @@ void SoftBody2D::place_canvas_item(double p_fraction) {
 void SoftBody2D::enter_screen() {
 	on_screen_ = true;
 	unseen_frames_ = 0;
+}
+
+void SoftBody2D::leave_screen() {
+	on_screen_ = false;
+	if (space_ != nullptr) {
+		space_->note_look(*this); // to count frames
+	}
 }
 
 // A body that no frame has had a chance to show, as without a screen, is not off-screen.

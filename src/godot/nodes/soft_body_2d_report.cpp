@@ -194,7 +194,10 @@ softbody::FallOutcome SoftBody2D::fall_outcome(const Design &p_design, const sof
 	if (p_design.used.model != ELASTIC_MODEL_NETWORK || values_.collision_mask == 0 || !pins_.points().is_empty()) {
 		return {};
 	}
-	return falls_.outcome_of(p_design.shape, p_settings, project_gravity(), softbody::PIXELS_PER_METER, tick_length());
+	if (falls_ == nullptr) {
+		falls_ = std::make_unique<softbody::FallMemory>();
+	}
+	return falls_->outcome_of(p_design.shape, p_settings, project_gravity(), softbody::PIXELS_PER_METER, tick_length());
 }
 
 void SoftBody2D::append_stability_warnings(const Design &p_design, PackedStringArray &r_warnings) const {

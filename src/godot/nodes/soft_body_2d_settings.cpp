@@ -159,7 +159,7 @@ const softbody::SoftBodyData *SoftBody2D::body() const {
 	if (space_ != nullptr) {
 		return std::as_const(*space_).world().find(body_id_);
 	}
-	return stored_body_ ? &*stored_body_ : nullptr;
+	return stored_body_.get();
 }
 
 void SoftBody2D::apply_settings() {

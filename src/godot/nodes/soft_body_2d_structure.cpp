@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 using softbody::to_core;
 using softbody::to_godot;
@@ -48,7 +49,8 @@ PackedVector2Array SoftBody2D::make_capsule_polygon(double p_radius, double p_he
 }
 
 PackedVector2Array SoftBody2D::make_default_polygon() {
-	return make_circle_polygon(DEFAULT_RADIUS, DEFAULT_POINTS);
+	static const std::vector<softbody::Vec2> POINTS = softbody::circle_hull(softbody::Real(DEFAULT_RADIUS), DEFAULT_POINTS).value();
+	return to_godot(POINTS);
 }
 
 // As the area of any other body is computed, so that the default body has the default mass to the bit.

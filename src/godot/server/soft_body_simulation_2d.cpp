@@ -164,7 +164,7 @@ void SoftBodySimulation2D::draw_frame() {
 	drawing_.begin();
 	last_drawn_count_ = 0;
 	for (Space &space : spaces_) {
-		space.content->nodes().for_each([&](softbody::SteppedNode &r_node) { last_drawn_count_ += r_node.draw_frame(drawing_); });
+		last_drawn_count_ += space.content->draw(drawing_);
 	}
 	last_drawing_usec_ = double(Time::get_singleton()->get_ticks_usec() - start);
 }

@@ -78,6 +78,7 @@ void SoftBodySpace2D::remove(SteppedNode &r_node) {
 	nodes_.remove(r_node);
 	busy_.remove(r_node);
 	near_moving_.remove(r_node);
+	undrawn_.remove(r_node);
 	detailed_count_ -= int(std::exchange(r_node.is_counted_detailed, false));
 }
 
@@ -87,6 +88,17 @@ BodyId SoftBodySpace2D::add_body(SteppedNode &r_node, SoftBodyData p_body) {
 	owners_[body.index] = { body, &r_node };
 	busy_.add(r_node);
 	return body;
+}
+
+int64_t SoftBodySpace2D::draw(const DrawingFrame &p_frame) {
+	int64_t count = 0;
+	undrawn_.for_each([&](SteppedNode &r_node) {
+		count += int64_t(r_node.draw_frame(p_frame));
+		if (r_node.is_drawn()) {
+			undrawn_.remove(r_node);
+		}
+	});
+	return count;
 }
 
 SteppedNode *SoftBodySpace2D::node_of(BodyId p_body) const {

@@ -55,7 +55,10 @@ public:
 	int64_t contact_count() const { return contact_count_; }
 
 	/// Adds a node, which takes part in ticks once it has a body.
-	void add(SteppedNode &r_node) { nodes_.add(r_node); }
+	void add(SteppedNode &r_node) {
+		nodes_.add(r_node);
+		undrawn_.add(r_node);
+	}
 	/// Removes the node from all lists. Its body must have left the world.
 	void remove(SteppedNode &r_node);
 	/// Puts a node's body into the world.
@@ -63,6 +66,10 @@ public:
 	/// Has the node take part in the coming tick, though its body may rest. To be called for every change of the node or
 	/// of its body.
 	void note_change(SteppedNode &r_node) { busy_.add(r_node); }
+	/// Has the node take part in the coming frame. To be called when its body has moved or is to look different.
+	void note_look(SteppedNode &r_node) { undrawn_.add(r_node); }
+	/// Before a frame is drawn: brings the nodes that have moved or changed to where they are in it. How many these are.
+	int64_t draw(const DrawingFrame &p_frame);
 	void add_joint(SteppedJoint &r_joint) { joints_.push_back(&r_joint); }
 	void remove_joint(SteppedJoint &r_joint) { std::erase(joints_, &r_joint); }
 	std::span<SteppedJoint *const> joints() const { return joints_; }
@@ -111,6 +118,7 @@ private:
 	NodeList<&SteppedNode::Places::all> nodes_;
 	NodeList<&SteppedNode::Places::busy> busy_;
 	NodeList<&SteppedNode::Places::near_moving> near_moving_; ///< whose proxies were told of moving bodies near them
+	NodeList<&SteppedNode::Places::undrawn> undrawn_; ///< with something to do in the coming frame
 	std::vector<Owner> owners_; ///< by the index of the body's id
 	std::vector<SteppedJoint *> joints_;
 	std::vector<BodyId> awake_; ///< after the last step

@@ -75,6 +75,8 @@ public:
 
 	/// Before a frame is drawn: brings the skin to where the body is in it. False if there was nothing to do.
 	virtual bool draw_frame(const DrawingFrame &p_frame) = 0;
+	/// Whether that can be left out until the node says so (`SoftBodySpace2D::note_look`).
+	virtual bool is_drawn() const = 0;
 	/// How deep the body is inside of surfaces [px].
 	virtual double get_penetration() const = 0;
 
@@ -83,6 +85,7 @@ public:
 		std::size_t all = SIZE_MAX;
 		std::size_t busy = SIZE_MAX;
 		std::size_t near_moving = SIZE_MAX;
+		std::size_t undrawn = SIZE_MAX;
 	};
 	Places places;
 	/// Whether its proxy shows dents, as the space last counted it.

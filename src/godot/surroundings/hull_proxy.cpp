@@ -63,6 +63,8 @@ std::vector<Vec2> corner_normals(std::span<const Vec2> hull) {
 
 } // namespace
 
+HullProxy::Scratch HullProxy::scratch_;
+
 bool is_hull_proxy(const RID &body) {
 	return proxies.contains(body.get_id());
 }
@@ -142,33 +144,41 @@ void HullProxy::leave() {
 	end_near();
 }
 
+// Crowds come of one kind at a time, so the last division is the one that is asked for again.
+std::shared_ptr<const HullProxy::Division> HullProxy::division_of(std::span<const Vec2> rest_hull) {
+	static std::shared_ptr<const Division> last;
+	if (last == nullptr || !std::ranges::equal(last->rest_hull, rest_hull)) {
+		last = std::make_shared<const Division>(Division{
+				{ rest_hull.begin(), rest_hull.end() }, divide_hull(rest_hull), corner_normals(rest_hull) });
+	}
+	return last;
+}
+
 // Existing slots are kept, so that areas do not see the body leave and come back as its size changes.
 void HullProxy::divide(const SoftBodyData &body) {
-	parts_ = divide_hull(body.shape().rest_hull());
-	polygons_.resize(parts_.convex.size());
-	rest_normals_ = corner_normals(body.shape().rest_hull());
+	division_ = division_of(body.shape().rest_hull());
 	shown_.clear();
 	divided_ = false;
 	has_cuts_ = false;
-	drop_slots(parts_.convex.size());
+	drop_slots(parts().convex.size());
 }
 
 // The outline to be shown: the hull, drawn in where a kinematic body may come.
 void HullProxy::trace(const SoftBodyData &body, const BodyFrame &frame, Real inset) {
 	const std::span<const Vec2> hull = body.hull();
-	outline_.assign(hull.begin(), hull.end());
+	scratch_.outline.assign(hull.begin(), hull.end());
 	if (!(inset > 0)) {
 		return;
 	}
 	const std::span<const Vec2> rest = body.shape().rest_hull();
-	mark_at_riders(hull, riders_, RIDER_MARGIN, under_rider_);
+	mark_at_riders(hull, riders_, RIDER_MARGIN, scratch_.under_rider);
 	for (std::size_t i = 0; i < hull.size(); ++i) {
-		if (under_rider_[i]) {
+		if (scratch_.under_rider[i]) {
 			continue; // the step has pressed it in
 		}
-		const Vec2 normal = frame.rotation.apply(rest_normals_[i]);
+		const Vec2 normal = frame.rotation.apply(division_->rest_normals[i]);
 		const Real pressed_in = dot(frame.center + frame.rotation.apply(rest[i]) - hull[i], normal);
-		outline_[i] -= normal * std::clamp(inset - pressed_in, Real(0), inset);
+		scratch_.outline[i] -= normal * std::clamp(inset - pressed_in, Real(0), inset);
 	}
 }
 
@@ -236,7 +246,7 @@ void HullProxy::drop_slots(std::size_t count) {
 
 bool HullProxy::has_moved(const std::vector<std::uint32_t> &part, std::size_t first, std::size_t count) const {
 	for (std::size_t i = first; i < first + count; ++i) {
-		if (moved_[part[i % part.size()]]) {
+		if (scratch_.moved[part[i % part.size()]]) {
 			return true;
 		}
 	}
@@ -247,19 +257,20 @@ bool HullProxy::has_moved(const std::vector<std::uint32_t> &part, std::size_t fi
 // body leave in between. The first slots show either; the slots behind them are for wedges and pieces only.
 void HullProxy::show(bool may_detail) {
 	Real radius = 0;
-	for (const Vec2 point : outline_) {
+	for (const Vec2 point : scratch_.outline) {
 		radius = std::max(radius, length_squared(point));
 	}
 	Dent deepest;
-	for (std::size_t i = 0; i < parts_.convex.size(); ++i) {
-		const Dent dent = gather_part(outline_, parts_.convex[i], workspace_, polygons_[i]);
+	scratch_.polygons.resize(parts().convex.size());
+	for (std::size_t i = 0; i < parts().convex.size(); ++i) {
+		const Dent dent = gather_part(scratch_.outline, parts().convex[i], scratch_.workspace, scratch_.polygons[i]);
 		deepest = dent.depth > deepest.depth ? dent : deepest;
 	}
 	const Real tolerance = std::max(LEAST_DENT_TOLERANCE, (pressed_ ? PRESSED_DENT_TOLERANCE : DENT_TOLERANCE) * std::sqrt(radius));
 	const bool is_deep = deepest.depth > tolerance &&
 			(pressed_ || ((may_detail || is_detailed()) && !is_filled(deepest.middle + origin_)));
 	smooth_follows_ = is_deep ? 0 : smooth_follows_ + 1;
-	if (!sinking_.empty()) {
+	if (!scratch_.sinking.empty()) {
 		show_cuts();
 	} else if (is_deep || (is_detailed() && smooth_follows_ < SMOOTH_FOLLOWS)) {
 		show_wedges();
@@ -283,57 +294,57 @@ bool HullProxy::is_filled(Vec2 place) const {
 
 // The parts, and nothing else once they have been shown for a tick.
 void HullProxy::show_whole(bool is_new) {
-	for (std::size_t i = 0; i < parts_.convex.size(); ++i) {
-		if (is_new || has_moved(parts_.convex[i], 0, parts_.convex[i].size())) {
-			show_slot(i, polygons_[i]);
+	for (std::size_t i = 0; i < parts().convex.size(); ++i) {
+		if (is_new || has_moved(parts().convex[i], 0, parts().convex[i].size())) {
+			show_slot(i, scratch_.polygons[i]);
 		}
 	}
 	if (!is_new) {
-		drop_slots(parts_.convex.size());
+		drop_slots(parts().convex.size());
 		has_cuts_ = false;
 	}
 }
 
 void HullProxy::show_wedges() {
-	const std::size_t part_count = parts_.convex.size();
+	const std::size_t part_count = parts().convex.size();
 	const bool is_ready = is_detailed();
 	const bool is_new = !divided_ || has_cuts_;
-	for (std::size_t i = 0; i < parts_.wedges.size(); ++i) {
-		const HullParts::Wedge &wedge = parts_.wedges[i];
+	for (std::size_t i = 0; i < parts().wedges.size(); ++i) {
+		const HullParts::Wedge &wedge = parts().wedges[i];
 		if (i < part_count && !is_ready) {
-			if (divided_ || has_moved(parts_.convex[i], 0, parts_.convex[i].size())) {
-				show_slot(i, polygons_[i]);
+			if (divided_ || has_moved(parts().convex[i], 0, parts().convex[i].size())) {
+				show_slot(i, scratch_.polygons[i]);
 			}
-		} else if (i >= slots_.size() || is_new || has_moved(parts_.convex[wedge.part], wedge.first, wedge.count)) {
-			gather_wedge(outline_, parts_, wedge, workspace_, polygon_);
-			show_slot(i, polygon_);
+		} else if (i >= slots_.size() || is_new || has_moved(parts().convex[wedge.part], wedge.first, wedge.count)) {
+			gather_wedge(scratch_.outline, parts(), wedge, scratch_.workspace, scratch_.polygon);
+			show_slot(i, scratch_.polygon);
 		}
 	}
 	divided_ = is_ready;
 	has_cuts_ = false;
-	drop_slots(std::max(part_count, parts_.wedges.size()));
+	drop_slots(std::max(part_count, parts().wedges.size()));
 }
 
 // An empty piece is shown as another piece once more: as a speck it could be in the way.
 void HullProxy::show_cuts() {
-	const std::size_t part_count = parts_.convex.size();
-	const std::size_t more = pieces_for(sinking_.size()) - 1;
+	const std::size_t part_count = parts().convex.size();
+	const std::size_t more = pieces_for(scratch_.sinking.size()) - 1;
 	const bool is_ready = has_cuts_ && slots_.size() >= part_count * (1 + more);
 	has_cuts_ = true;
-	pieces_.resize(part_count);
+	scratch_.pieces.resize(part_count);
 	const std::vector<Vec2> *filler = nullptr;
 	for (std::size_t part = 0; part < part_count; ++part) {
-		cut_for_riders(polygons_[part], sinking_, pieces_[part]);
-		for (const std::vector<Vec2> &piece : pieces_[part]) {
+		cut_for_riders(scratch_.polygons[part], scratch_.sinking, scratch_.pieces[part]);
+		for (const std::vector<Vec2> &piece : scratch_.pieces[part]) {
 			filler = filler != nullptr || piece.empty() ? filler : &piece;
 		}
 	}
 	const auto filled = [&](const std::vector<Vec2> &piece) { return piece.empty() && filler != nullptr ? *filler : piece; };
 	for (std::size_t part = 0; part < part_count; ++part) {
-		show_slot(part, is_ready ? filled(pieces_[part].front()) : polygons_[part]);
+		show_slot(part, is_ready ? filled(scratch_.pieces[part].front()) : scratch_.polygons[part]);
 	}
 	for (std::size_t i = 0; i < part_count * more; ++i) {
-		show_slot(part_count + i, filled(pieces_[i / more][1 + i % more]));
+		show_slot(part_count + i, filled(scratch_.pieces[i / more][1 + i % more]));
 	}
 	divided_ = is_ready;
 	drop_slots(part_count * (1 + more));
@@ -362,10 +373,10 @@ bool HullProxy::follow(const SoftBodyData &body, Real inset, bool may_detail) {
 	const Real wanted = pressed_ ? std::min(inset, body.shape().width() / 4) : 0;
 	asked_inset_ = inset;
 	const bool has_new_riders = std::exchange(has_new_riders_, false);
-	if (!in_space_ || (still_ && body.is_asleep() && wanted == inset_ && !has_new_riders && !parts_.convex.empty())) {
+	if (!in_space_ || (still_ && body.is_asleep() && wanted == inset_ && !has_new_riders && division_ != nullptr)) {
 		return false;
 	}
-	if (parts_.convex.empty()) {
+	if (division_ == nullptr) {
 		divide(body);
 	}
 	inset_ = wanted;
@@ -375,21 +386,21 @@ bool HullProxy::follow(const SoftBodyData &body, Real inset, bool may_detail) {
 	const bool is_placed = place(frame, asleep);
 	trace(body, frame, inset_);
 	const bool is_new = shown_.empty();
-	shown_.resize(outline_.size());
-	moved_.assign(outline_.size(), is_new);
+	shown_.resize(scratch_.outline.size());
+	scratch_.moved.assign(scratch_.outline.size(), is_new);
 	bool is_changed = is_new;
-	for (std::size_t i = 0; i < outline_.size(); ++i) {
-		outline_[i] -= origin_;
-		if (is_new || length_squared(outline_[i] - shown_[i]) > OUTLINE_TOLERANCE * OUTLINE_TOLERANCE) {
-			moved_[i] = true;
+	for (std::size_t i = 0; i < scratch_.outline.size(); ++i) {
+		scratch_.outline[i] -= origin_;
+		if (is_new || length_squared(scratch_.outline[i] - shown_[i]) > OUTLINE_TOLERANCE * OUTLINE_TOLERANCE) {
+			scratch_.moved[i] = true;
 			is_changed = true;
-			shown_[i] = outline_[i];
+			shown_[i] = scratch_.outline[i];
 		} else {
-			outline_[i] = shown_[i];
+			scratch_.outline[i] = shown_[i];
 		}
 	}
 	gather_riders(body.hull());
-	if (is_changed || is_detailed() || has_cuts_ || !sinking_.empty()) {
+	if (is_changed || is_detailed() || has_cuts_ || !scratch_.sinking.empty()) {
 		show(may_detail);
 	}
 	send_velocity(body, frame);
@@ -411,11 +422,11 @@ bool HullProxy::set_riders(const std::vector<Rider> &riders) {
 
 // Riders in the frame of the shapes.
 void HullProxy::gather_riders(std::span<const Vec2> hull) {
-	sinking_.clear();
+	scratch_.sinking.clear();
 	for (const Rider &rider : riders_) {
 		if (sinks_in(hull, rider)) {
-			sinking_.push_back(rider);
-			sinking_.back().box = { rider.box.min - origin_, rider.box.max - origin_ };
+			scratch_.sinking.push_back(rider);
+			scratch_.sinking.back().box = { rider.box.min - origin_, rider.box.max - origin_ };
 		}
 	}
 }

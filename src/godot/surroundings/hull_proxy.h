@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -43,14 +44,14 @@ public:
 	void enter(const godot::RID &space, const SoftBodyData &body, Real inset);
 	void leave();
 	/// Called after the body got another hull: the next `follow` divides it anew.
-	void forget_shape() { parts_ = {}; }
+	void forget_shape() { division_ = nullptr; }
 	/// Makes the engine work out anew the effects of areas on a sleeping body.
 	void stir();
 	/// Called after a step. `inset` >= 0 [px], limited to a quarter of the body's width. If it returns true,
 	/// `flush_hull_proxies` must be called before any query.
 	bool follow(const SoftBodyData &body, Real inset, bool may_detail);
 	/// Whether it is shown in wedges.
-	bool is_detailed() const { return !parts_.convex.empty() && slots_.size() > parts_.convex.size() && !has_cuts_; }
+	bool is_detailed() const { return division_ != nullptr && slots_.size() > parts().convex.size() && !has_cuts_; }
 
 	/// Encloses the reports of bodies near this one; a body not reported in between is no longer near.
 	void begin_near();
@@ -70,6 +71,14 @@ public:
 	void remove_exception(const godot::RID &body);
 
 private:
+	/// What follows from the hull at rest, one for like bodies.
+	struct Division {
+		std::vector<Vec2> rest_hull;
+		HullParts parts;
+		std::vector<Vec2> rest_normals; ///< outward, one a hull point
+	};
+	static std::shared_ptr<const Division> division_of(std::span<const Vec2> rest_hull);
+
 	/// One shape of the engine's body. A single shape is changed in place. Of several, each change would make the
 	/// engine process all, so the next polygon goes into a spare shape, and the two are exchanged, which the engine
 	/// processes later.
@@ -78,6 +87,7 @@ private:
 		godot::RID spare;
 	};
 
+	const HullParts &parts() const { return division_->parts; }
 	void divide(const SoftBodyData &body);
 	void trace(const SoftBodyData &body, const BodyFrame &frame, Real inset);
 	bool place(const BodyFrame &frame, bool exactly);
@@ -95,22 +105,17 @@ private:
 	godot::RID rid_;
 	godot::RID space_;
 	std::vector<Slot> slots_;
-	HullParts parts_;
-	std::vector<Vec2> rest_normals_; ///< outward, one a hull point
+	std::shared_ptr<const Division> division_; ///< null until `follow` divides the body
 
-	std::vector<Vec2> outline_; ///< to be shown, relative to the origin
 	std::vector<Vec2> shown_; ///< place of each point when it was last shown
-	std::vector<bool> moved_; ///< points that are elsewhere now
 	Vec2 origin_;
 	Vec2 velocity_;
 	Real angular_velocity_ = 0;
 	Real asked_inset_ = 0; ///< that of the last `follow`
 	Real inset_ = 0;
 	std::vector<Rider> riders_;
-	std::vector<Rider> sinking_; ///< riders that sink in, relative to the origin
 	bool has_new_riders_ = false;
 	bool has_cuts_ = false; ///< the slots behind the parts show pieces
-	std::vector<bool> under_rider_; ///< hull points at riders
 	bool in_space_ = false;
 	bool still_ = false; ///< the body rests, and all of it has been shown
 	bool divided_ = false; ///< the first slots show wedges or pieces, not parts
@@ -123,10 +128,18 @@ private:
 	std::vector<godot::RID> kept_apart_; ///< rigid bodies near, sorted
 	std::vector<godot::RID> exceptions_; ///< the user's
 
-	std::vector<Vec2> workspace_;
-	std::vector<std::vector<Vec2>> polygons_; ///< one a convex part
-	std::vector<std::vector<std::vector<Vec2>>> pieces_; ///< of each convex part
-	std::vector<Vec2> polygon_;
+	/// Scratch memory of one `follow`, of all proxies.
+	struct Scratch {
+		std::vector<Vec2> outline; ///< to be shown, relative to the origin
+		std::vector<bool> moved; ///< points that are elsewhere now
+		std::vector<bool> under_rider; ///< hull points at riders
+		std::vector<Rider> sinking; ///< riders that sink in, relative to the origin
+		std::vector<Vec2> workspace;
+		std::vector<std::vector<Vec2>> polygons; ///< one a convex part
+		std::vector<std::vector<std::vector<Vec2>>> pieces; ///< of each convex part
+		std::vector<Vec2> polygon;
+	};
+	static Scratch scratch_;
 };
 
 /// Whether this body of the physics server is a soft body's proxy. The environment reader leaves proxies out.
