@@ -76,10 +76,12 @@ need_peer() {
 
 # build_peers: builds the program that runs the piles, and sets BENCH_PEERS to the libraries of the peers that were built.
 build_peers() {
-	local name found=()
+	local name found=() wide=()
 	need_packages libbox2d-dev libchipmunk-dev || return 1
+	# Our core looks for AVX2 when it runs; Box2D is told when it is built, and takes 0.82 to 0.89 of the time with it.
+	! grep -qsw avx2 /proc/cpuinfo || wide=(-mavx2 -DBOX2D_AVX2)
 	need_peer box2d_v3 "$BOX2D_V3_CRATE $BOX2D_V3_CRATE_VERSION" "${BOX2D_V3_SOURCES-}" fetch_box2d_v3 \
-		-std=gnu17 -ffp-contract=off
+		-std=gnu17 -ffp-contract=off "${wide[@]}"
 	# With the flags of its own release build.
 	need_peer chipmunk_floats "$CHIPMUNK_SDIST $CHIPMUNK_SDIST_VERSION" "${CHIPMUNK_SOURCES-}" fetch_chipmunk \
 		-std=gnu99 -ffast-math -DCP_USE_DOUBLES=0
