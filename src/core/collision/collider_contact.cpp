@@ -157,11 +157,13 @@ std::optional<SurfaceContact> find_contact_of_corner(const HullMotion &hull, con
 	const Real radius = is_free_end ? std::max(collider.radius, slop) : collider.radius;
 	const Vec2 now = motion.is_still ? vertex : motion.to.apply(vertex);
 	const Vec2 before = motion.world_from(vertex);
-	if (!box.grown(radius).overlaps(Aabb::between(before, now))) {
+	const Aabb path = Aabb::between(before, now);
+	if (!box.grown(radius).overlaps(path)) {
 		return {};
 	}
-	const bool inside = point_in_polygon(now, hull.to);
-	if ((inside || !motion.is_still) && !point_in_polygon(before, hull.from.first(hull.to.size()))) {
+	const bool may_enter = box.overlaps(path); // a disk's center stays away from what its rim touches
+	const bool inside = may_enter && point_in_polygon(now, hull.to);
+	if (may_enter && (inside || !motion.is_still) && !point_in_polygon(before, hull.from.first(hull.to.size()))) {
 		// The corner may by now be past the middle of a thin body, or past the whole body.
 		if (const auto contact = find_entered_edge(hull, before, now, radius)) {
 			return contact;

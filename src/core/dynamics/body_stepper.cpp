@@ -68,8 +68,9 @@ std::uint32_t BodyStepper::lanes_solved_alone(const Batch &batch, const TimeSlic
 	const std::uint32_t all = (1u << batch.count) - 1;
 	std::uint32_t lanes = 0;
 	for (std::uint32_t lane = 0; lane < batch.count; ++lane) { // each body has its own memory of bounces
-		const bool bounces = context_->borders_bounce || context_->bodies.has_touch(batch.active_indices[lane]);
-		lanes |= std::uint32_t(bounces) << lane;
+		const bool can_bounce =
+				context_->borders_bounce || batch.settings->restitution > 0 || context_->bodies.has_touch(batch.active_indices[lane]);
+		lanes |= std::uint32_t(can_bounce && collision_.may_bounce(context_->world, body(batch.body_indices[lane]), slice.duration, lane)) << lane;
 	}
 	for (std::uint32_t lane = 0; lane < batch.count && (context_->colliders.has_colliders() || lanes != 0); ++lane) {
 		const bool is_near =
@@ -194,6 +195,7 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 	SubstepInput input{ world.gravity(), external_, h, plan.implicit_share };
 	const std::span<Vec2> before(before_.data(), count);
 	collision_.begin_body(context_->colliders, data, slice.elapsed, slice.duration);
+	collision_.may_bounce(world, data, slice.duration);
 	const bool meets_itself = data.settings().self_collision && !slice.is_coupled;
 	const bool may_dent = data.settings().can_dent() && data.takes_damage();
 	bool is_dented = false;
