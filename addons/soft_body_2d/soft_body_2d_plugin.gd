@@ -4,6 +4,8 @@ extends EditorPlugin
 ## The editor tools of SoftBody2D. Thin: it hands input and drawing to the mode that is on, and ties the parts together.
 
 const BodyCanvas := preload("editor/canvas/body_canvas.gd")
+const ConvertCommands := preload("editor/ui/convert_commands.gd")
+const ConvertMenu := preload("editor/ui/convert_menu.gd")
 const EditedBodies := preload("editor/ui/edited_bodies.gd")
 const PolygonMode := preload("editor/canvas/polygon_mode.gd")
 const LivePreview := preload("editor/preview/live_preview.gd")
@@ -26,8 +28,11 @@ var toolbar: Toolbar
 var springs_panel: SpringsPanel
 var pins_panel: PinsPanel
 var shapes: ShapeCommands
+var convert_commands: ConvertCommands
+var convert_menu: ConvertMenu
 var inspector: StabilityInspector
 
+var _context_menu: RefCounted # an EditorContextMenuPlugin, which Godot 4.3 has not
 var _mode := Toolbar.Mode.POLYGON
 
 
@@ -51,6 +56,8 @@ func _enter_tree() -> void:
 	shapes.canvas = canvas
 	EditorInterface.get_base_control().add_child(shapes)
 	toolbar.shape_chosen.connect(_on_shape_chosen)
+
+	_add_convert_menu()
 
 	springs_panel = SpringsPanel.new()
 	springs_panel.set_up(springs_mode)
@@ -81,7 +88,11 @@ func _exit_tree() -> void:
 	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, pins_panel)
 	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, springs_panel)
 	remove_control_from_container(CONTAINER_CANVAS_EDITOR_MENU, toolbar)
-	for node: Node in [pins_panel, springs_panel, toolbar, shapes]:
+	remove_control_from_container(CONTAINER_CANVAS_EDITOR_MENU, convert_menu)
+	if _context_menu != null:
+		call(&"remove_context_menu_plugin", _context_menu)
+		_context_menu = null
+	for node: Node in [pins_panel, springs_panel, toolbar, shapes, convert_menu, convert_commands]:
 		node.queue_free()
 	# The inspector shows a panel of ours until it is made anew.
 	var edited := EditorInterface.get_inspector().get_edited_object()
@@ -185,8 +196,24 @@ func _set_bodies(bodies: Array[SoftBody2D]) -> void:
 	update_overlays()
 
 
+func _add_convert_menu() -> void:
+	convert_commands = ConvertCommands.new()
+	convert_commands.canvas = canvas
+	convert_commands.preview_outline = preview.outline_of
+	convert_commands.starting.connect(set_preview.bind(false)) # which also takes a drag back
+	EditorInterface.get_base_control().add_child(convert_commands)
+	convert_menu = ConvertMenu.new()
+	convert_menu.commands = convert_commands
+	add_control_to_container(CONTAINER_CANVAS_EDITOR_MENU, convert_menu)
+	if ClassDB.class_exists(&"EditorContextMenuPlugin"):
+		_context_menu = load("res://addons/soft_body_2d/editor/ui/convert_context_menu.gd").new()
+		_context_menu.menu = convert_menu
+		call(&"add_context_menu_plugin", 0, _context_menu) # CONTEXT_SLOT_SCENE_TREE
+
+
 # The editor asks `_edit` of several nodes with an object of its own, which says nothing of which ones they are.
 func _on_selection_changed() -> void:
+	convert_menu.show_selection()
 	var bodies := EditedBodies.selected()
 	if not bodies.is_empty() and toolbar.visible:
 		_set_bodies(bodies)

@@ -116,6 +116,44 @@ func picture_traced() -> void:
 	await shot("traced", _around())
 
 
+# A sprite, a polygon, and a rigid body with a picture and two shapes, after they were converted together.
+func picture_convert() -> void:
+	await open_scene({"visible": false})
+	var cat := Sprite2D.new()
+	var picture := Image.new()
+	picture.load_svg_from_string(CAT)
+	cat.texture = ImageTexture.create_from_image(picture)
+	cat.scale = Vector2(0.6, 0.6)
+	var leaf := Polygon2D.new()
+	leaf.polygon = SoftBody2D.make_capsule_polygon(14, 70, 9)
+	leaf.color = COLOR
+	var ball := RigidBody2D.new()
+	var entries := [[cat, "Cat", Vector2(230, 200)], [leaf, "Leaf", Vector2(308, 200)], [ball, "Barbell", Vector2(370, 200)]]
+	for entry: Array in entries:
+		entry[0].name = entry[1]
+		entry[0].position = entry[2]
+		root().add_child(entry[0])
+		entry[0].owner = root()
+	for place: float in [-18, 18]:
+		var shape := CollisionShape2D.new()
+		shape.shape = CircleShape2D.new()
+		shape.shape.radius = 24
+		shape.position.y = place
+		ball.add_child(shape)
+		shape.owner = root()
+	EditorInterface.get_selection().clear()
+	for entry: Array in entries:
+		EditorInterface.get_selection().add_node(entry[0])
+	await frames(3)
+	plugin.convert_menu.choose(0)
+	for i in 300:
+		await frames(1)
+		if root().get_node("Barbell") is SoftBody2D:
+			break
+	await frames(30)
+	await shot("convert", _around(Vector2i(560, 300)))
+
+
 func picture_toolbar() -> void:
 	await open_scene({"color": COLOR})
 	var bar: Rect2 = plugin.toolbar.get_global_rect()

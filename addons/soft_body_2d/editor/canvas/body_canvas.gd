@@ -77,10 +77,10 @@ func is_editable(body: SoftBody2D) -> bool:
 	return is_instance_valid(body) and body.is_inside_tree() and not is_zero_approx(to_screen(body).determinant())
 
 
-## Why the shape of this body must not be changed; empty when it may.
-func lock_problem(body: SoftBody2D) -> String:
-	if body.has_meta(&"_edit_lock_"):
-		return Words.say("'%s' is locked: unlock it in the toolbar to edit it.") % body.name
+## Why this node must not be changed; empty when it may.
+func lock_problem(node: Node2D) -> String:
+	if node.has_meta(&"_edit_lock_"):
+		return Words.say("'%s' is locked: unlock it in the toolbar to edit it.") % node.name
 	return ""
 
 
@@ -126,21 +126,23 @@ func take_values() -> Dictionary:
 
 
 func _tell_inheritance(body: SoftBody2D) -> void:
+	var origin := origin_of(body)
+	if origin != "":
+		tell(Words.say("'%s' comes from %s: what you change is kept in this scene, over what it says there.") % [body.name,
+				origin.get_file()])
+
+
+## The scene that a node comes from, if that is not the one that is edited: by inheritance, or as an instance.
+func origin_of(node: Node) -> String:
 	var root := EditorInterface.get_edited_scene_root()
 	if root == null:
-		return
-	var inherited := root.scene_file_path if body == root else body.scene_file_path
-	var state: SceneState = null
-	if body == root or (root.is_ancestor_of(body) and body.owner == root and body.scene_file_path == ""):
-		state = _inherited_state(root)
-		if state == null or not _state_has(state, root.get_path_to(body)):
-			return
-		inherited = state.get_path()
-	elif body.scene_file_path == "" and body.owner != null and body.owner != root:
-		inherited = body.owner.scene_file_path
-	if inherited != "":
-		tell(Words.say("'%s' comes from %s: what you change is kept in this scene, over what it says there.") % [body.name,
-				inherited.get_file()])
+		return ""
+	if node == root or (root.is_ancestor_of(node) and node.owner == root and node.scene_file_path == ""):
+		var state := _inherited_state(root)
+		return state.get_path() if state != null and _state_has(state, root.get_path_to(node)) else ""
+	if node.scene_file_path == "" and node.owner != null:
+		return node.owner.scene_file_path
+	return node.scene_file_path
 
 
 func _inherited_state(root: Node) -> SceneState:

@@ -50,6 +50,12 @@ func start() -> void:
 	canvas.changed.emit()
 
 
+## Where the points of a body's copy are, in global coordinates; empty where none plays.
+func outline_of(body: SoftBody2D) -> PackedVector2Array:
+	var index := _played_bodies.find(body)
+	return PackedVector2Array() if world == null or index < 0 else world.get_polygon(index)
+
+
 func stop() -> void:
 	if world == null:
 		return
