@@ -80,7 +80,7 @@ test_core() {
 		step "Testing the core, $real"
 		log=$LOG_DIR/tests_core_$real.log
 		status=0
-		(cd "$REPO_DIR" && limited $TIME_LIMIT "build/tests/softbody_tests_$real" "${options[@]}") 2>&1 | tee "$log" ||
+		(cd "$REPO_DIR" && limited $((2 * TIME_LIMIT)) "build/tests/softbody_tests_$real" "${options[@]}") 2>&1 | tee "$log" ||
 			status=$?
 		count_doctest "$status" "$log"
 	done
