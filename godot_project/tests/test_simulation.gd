@@ -130,6 +130,43 @@ func test_the_parts_of_the_profile_lie_within_the_step() -> void:
 	check(sum <= SoftBodySimulation2D.get_mean_step_usec() + 1e-6, "the parts are no longer than the step")
 
 
+func test_islands_tell_their_bodies_substeps_and_contact_error() -> void:
+	add_floor(0)
+	var heap: Array[SoftBody2D] = []
+	for i in 4:
+		heap.append(add_body(Vector2(0, -50 - 100 * i)))
+	var stiff := add_body(Vector2(600, -50), {"youngs_modulus": 20 * heap[0].youngs_modulus})
+	await ticks(2)
+	check_equal(SoftBodySimulation2D.get_islands(), [], "islands that nobody asked for")
+	check(not SoftBodySimulation2D.is_reporting_islands(), "islands are measured without being asked for")
+	SoftBodySimulation2D.set_reporting_islands(true)
+	var overlap := 0.0
+	for _tick in 60:
+		await ticks(1)
+		var islands := SoftBodySimulation2D.get_islands()
+		var bodies := 0
+		for island in islands:
+			bodies += island.bodies
+			overlap = maxf(overlap, island.overlap)
+			check(island.first == stiff or island.first in heap, "first body of an island")
+			check(island.deepest == stiff or island.deepest in heap, "deepest body of an island")
+			check_below(island.penetration, 1, "penetration left in the floor")
+		check_equal(bodies, 5, "bodies of all islands")
+	var islands := SoftBodySimulation2D.get_islands()
+	check_equal(islands.size(), 2, "islands once the heap has come together")
+	check_equal(islands[0].first, heap[0], "first body of the heap")
+	check_equal(islands[0].bodies, 4, "bodies of the heap")
+	check_equal(islands[1].first, stiff, "the body apart")
+	check_above(islands[1].contact_substeps, islands[0].contact_substeps, "contact substeps of the stiff one")
+	check_below(overlap, 2, "overlap of the heap")
+	check_above(overlap, 0, "overlap of the heap")
+	heap[0].free()
+	check_equal(SoftBodySimulation2D.get_islands()[0].first, null, "first body that is gone")
+	SoftBodySimulation2D.set_reporting_islands(false)
+	await ticks(1)
+	check_equal(SoftBodySimulation2D.get_islands(), [], "islands once nobody asks for them")
+
+
 ## A node that is moved along runs code of the user at once, if it asked for it.
 func test_bodies_may_be_freed_and_added_while_a_step_moves_nodes() -> void:
 	var bodies := add_pile(12)

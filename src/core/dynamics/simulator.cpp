@@ -90,6 +90,10 @@ StepReport Simulator::simulate(Real dt) {
 		let_sleep();
 	}
 	collect(report);
+	if (reports_islands_) {
+		report.islands = report_islands({ world_, bodies_, free_, coupled_, contact_substeps_.island_substeps(), pair_contacts_.pairs(),
+				pair_contacts_.touched(), joint_solver_.joined(), beside_dynamic_ });
+	}
 	timer_.lap(profile_.end);
 	report.profile = profile_;
 	return report;

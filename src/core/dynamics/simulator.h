@@ -12,6 +12,7 @@
 #include "core/dynamics/body_stepper.h"
 #include "core/dynamics/bounce_ledger.h"
 #include "core/dynamics/contact_substeps.h"
+#include "core/dynamics/island_report.h"
 #include "core/dynamics/joint_solver.h"
 #include "core/dynamics/pin_motion.h"
 #include "core/dynamics/rigid_neighbors.h"
@@ -44,6 +45,8 @@ struct StepReport {
 	/// Joints removed because they bore more than Joint::break_force. Each joint is reported once.
 	std::vector<JointId> broken_joints;
 	StepProfile profile;
+	/// Contact substeps of each island and the contact error that they leave; empty unless `set_reporting_islands`.
+	std::vector<IslandReport> islands;
 };
 
 /// Steps a world (thesis 4.4.2, "Simulator"). A body with no other body near takes its substeps independently of
@@ -65,6 +68,11 @@ public:
 
 	/// Advances every body by `dt` [s], > 0 and finite. External forces act during the whole step and are then cleared.
 	StepReport simulate(Real dt);
+
+	/// Whether each step measures its islands (`report_islands`), which takes more time than the step. False by default.
+	/// Does not change how bodies move.
+	void set_reporting_islands(bool reports) { reports_islands_ = reports; }
+	bool is_reporting_islands() const { return reports_islands_; }
 
 	/// Contacts of monitored bodies in the last step (BodySettings::contact_monitor), each from that body's side. The
 	/// list does not depend on the number of threads. It is sorted by body, other side and place. A sleeping body has
@@ -141,6 +149,7 @@ private:
 	std::uint64_t seen_restores_ = 0;
 	bool had_colliders_ = true; ///< in the last step
 	bool has_accelerated_bodies_ = false;
+	bool reports_islands_ = false;
 };
 
 } // namespace softbody

@@ -73,6 +73,7 @@ softbody::SoftBodySpace2D &SoftBodySimulation2D::space_of(const CanvasItem *p_no
 	}
 	spaces_.push_back({ rid, std::make_unique<softbody::SoftBodySpace2D>(rid, threads_.parallel_for()) });
 	spaces_.back().content->apply_settings(settings_);
+	spaces_.back().content->set_reporting_islands(reports_islands_);
 	return *spaces_.back().content;
 }
 
@@ -237,6 +238,21 @@ double SoftBodySimulation2D::measure_max_penetration() const {
 	return deepest;
 }
 
+void SoftBodySimulation2D::set_reporting_islands(bool p_reports) {
+	reports_islands_ = p_reports;
+	for (Space &space : spaces_) {
+		space.content->set_reporting_islands(p_reports);
+	}
+}
+
+TypedArray<Dictionary> SoftBodySimulation2D::get_islands() const {
+	TypedArray<Dictionary> islands;
+	for (const Space &space : spaces_) {
+		space.content->list_islands(islands);
+	}
+	return islands;
+}
+
 TypedArray<Node2D> SoftBodySimulation2D::intersect_shape(const Ref<PhysicsShapeQueryParameters2D> &p_parameters, const Ref<World2D> &p_world) const {
 	TypedArray<Node2D> found;
 	ERR_FAIL_COND_V_MSG(p_parameters.is_null(), found, "SoftBodySimulation2D.intersect_shape: the parameters must not be null.");
@@ -283,6 +299,9 @@ void SoftBodySimulation2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_last_drawn_count"), &SoftBodySimulation2D::get_last_drawn_count);
 	ClassDB::bind_method(D_METHOD("reset_statistics"), &SoftBodySimulation2D::reset_statistics);
 	ClassDB::bind_method(D_METHOD("measure_max_penetration"), &SoftBodySimulation2D::measure_max_penetration);
+	ClassDB::bind_method(D_METHOD("set_reporting_islands", "enabled"), &SoftBodySimulation2D::set_reporting_islands);
+	ClassDB::bind_method(D_METHOD("is_reporting_islands"), &SoftBodySimulation2D::is_reporting_islands);
+	ClassDB::bind_method(D_METHOD("get_islands"), &SoftBodySimulation2D::get_islands);
 }
 
 } // namespace godot

@@ -79,6 +79,10 @@ public:
 	int64_t hash_state(const RID &p_space) const;
 	Dictionary get_step_profile() const;
 	double measure_max_penetration() const;
+	/// Whether each step measures its islands, in all spaces.
+	void set_reporting_islands(bool p_reports);
+	bool is_reporting_islands() const { return reports_islands_; }
+	TypedArray<Dictionary> get_islands() const;
 
 protected:
 	static void _bind_methods();
@@ -121,6 +125,7 @@ private:
 	softbody::DrawingFrame drawing_;
 	double last_drawing_usec_ = 0;
 	int64_t last_drawn_count_ = 0;
+	bool reports_islands_ = false;
 };
 
 } // namespace godot

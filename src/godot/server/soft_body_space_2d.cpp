@@ -9,6 +9,7 @@
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/physics_server2d.hpp>
 #include <godot_cpp/classes/time.hpp>
+#include <godot_cpp/core/object.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <algorithm>
@@ -106,6 +107,23 @@ SteppedNode *SoftBodySpace2D::node_of(BodyId p_body) const {
 	return is_there ? owners_[p_body.index].node : nullptr;
 }
 
+void SoftBodySpace2D::list_islands(TypedArray<Dictionary> &r_islands) const {
+	const auto object_of = [this](BodyId p_body) -> Object * {
+		const SteppedNode *node = node_of(p_body); // null if it has left since
+		return node == nullptr ? nullptr : ObjectDB::get_instance(node->instance_id());
+	};
+	for (const IslandReport &island : islands_) {
+		Dictionary told;
+		told["first"] = object_of(island.first);
+		told["bodies"] = island.bodies;
+		told["contact_substeps"] = island.contact_substeps;
+		told["overlap"] = island.overlap;
+		told["penetration"] = island.penetration;
+		told["deepest"] = object_of(island.deepest);
+		r_islands.push_back(told);
+	}
+}
+
 void SoftBodySpace2D::prepare_joints() {
 	joined_.clear();
 	for (SteppedJoint *joint : joints_) {
@@ -195,7 +213,7 @@ void SoftBodySpace2D::step(double p_delta, StepThreads &p_threads, StepSignals &
 		reader_.begin_rides(character_mass_, p_delta, world_);
 	}
 	r_profile.surroundings += watch.lap();
-	const StepReport report = simulator_.simulate(Real(p_delta));
+	StepReport report = simulator_.simulate(Real(p_delta));
 	// A physics server with a thread of its own may be running a helper on it, and would answer only after that.
 	p_threads.end_step();
 	if (!r_signals.is_quiet()) {
@@ -204,6 +222,7 @@ void SoftBodySpace2D::step(double p_delta, StepThreads &p_threads, StepSignals &
 	}
 	r_profile.simulate += watch.lap();
 	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
+	islands_ = std::move(report.islands);
 	simulator_.list_awake(awake_);
 	for (const BodyId body : awake_) {
 		if (SteppedNode *node = node_of(body)) {

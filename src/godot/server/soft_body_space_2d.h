@@ -12,8 +12,10 @@
 #include "godot/surroundings/area_effects.h"
 #include "godot/surroundings/environment_reader.h"
 
+#include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 #include <vector>
 
@@ -48,11 +50,14 @@ public:
 
 	/// Number of bodies that were neither asleep nor disabled in the last step.
 	int64_t awake_body_count() const { return int64_t(awake_.size()); }
-	/// Contacts solved in the last step, counted in every substep.
 	/// Of a node whose body bears its strain no more, while it finishes the step. It is torn after the step, or after a later
 	/// one if there are too many.
 	void note_overstretched(SteppedNode &r_node) { overstretched_.push_back(&r_node); }
+	/// Contacts solved in the last step, counted in every substep.
 	int64_t contact_count() const { return contact_count_; }
+	void set_reporting_islands(bool p_reports) { simulator_.set_reporting_islands(p_reports); }
+	/// Of the last step: a dictionary for each island, as SoftBodySimulation2D.get_islands tells it.
+	void list_islands(godot::TypedArray<godot::Dictionary> &r_islands) const;
 
 	/// Adds a node, which takes part in ticks once it has a body.
 	void add(SteppedNode &r_node) {
@@ -135,6 +140,7 @@ private:
 	uint64_t turn_to_tear_ = 0; ///< tears looked for so far
 	int most_tears_ = 0; ///< StepSettings::most_tears
 	int64_t contact_count_ = 0;
+	std::vector<IslandReport> islands_; ///< of the last step, if they are reported
 	uint64_t last_frame_ = UINT64_MAX; ///< of the engine's physics, at the last step
 	WorldState state_;
 	std::vector<uint8_t> saved_; ///< scratch memory of `save_state`
