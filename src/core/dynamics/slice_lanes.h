@@ -135,7 +135,9 @@ BodyLanes<T> BasicLaneStepper<T>::load(const Batch &batch, StatePrefetch &prefet
 	const std::size_t count = batch.shape->point_count();
 	positions_.resize(std::max(positions_.size(), count));
 	velocities_.resize(std::max(velocities_.size(), count));
-	BodyLanes<T> bodies{ { *batch.shape, *batch.settings, {} }, batch.shape->inverse_masses(), { positions_.data(), count },
+	const ForceCoefficients<T> coefficients =
+			batch.are_unlike ? coefficients_of<T>(batch.own_settings.data()) : coefficients_of<T>(*batch.settings);
+	BodyLanes<T> bodies{ { *batch.shape, *batch.settings, {}, coefficients }, batch.shape->inverse_masses(), { positions_.data(), count },
 		{ velocities_.data(), count } };
 	for (std::size_t lane = 0; batch.settings->turns_with_body() && lane < LANES<T>; ++lane) {
 		const Rotation memory = batch.rotation_memory(lane);
