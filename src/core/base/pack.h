@@ -70,6 +70,10 @@ struct BasicPackMask {
 };
 using PackMask = BasicPackMask<PACK_WIDTH>;
 
+/// Number of lanes of a pack; 1 for `Real`.
+template <class T>
+inline constexpr std::size_t LANES = sizeof(T) / sizeof(Real);
+
 /// WIDTH scalars side by side. Code written for any scalar type T gives the same bits for `Real` as for a lane. A
 /// `Real` converts to a pack of equal lanes.
 template <std::size_t WIDTH>

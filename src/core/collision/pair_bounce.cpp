@@ -17,8 +17,8 @@ void follow_pair_bounce(const SoftBodyData &first, const SoftBodyData &second, V
 	if (!(restitution > 0) || (push == Vec2{} && !touch.touching)) {
 		return;
 	}
-	const BodyFrame a = measure_frame(first);
-	const BodyFrame b = measure_frame(second);
+	const Translation a = measure_translation(first);
+	const Translation b = measure_translation(second);
 	const Real inverse_mass = whole_inverse_mass(first) + whole_inverse_mass(second);
 	const Vec2 line = a.center - b.center;
 	const Real distance = length(line);

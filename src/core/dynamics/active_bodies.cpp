@@ -2,10 +2,14 @@
 // The active bodies of a world: their data for a step, which are awake, and which share a batch.
 #include "core/dynamics/active_bodies.h"
 
+#include "core/base/hash.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/model/body_frame.h"
+#include "core/model/force_coefficients.h"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 #include <unordered_map>
 
 namespace softbody {
@@ -21,30 +25,56 @@ bool can_share_a_batch(const SoftBodyData &body) {
 
 } // namespace
 
-/// Numbers kinds in the order of their first bodies.
+/// Numbers kinds and families in the order of their first bodies.
 class ActiveBodies::KindFinder {
 public:
 	explicit KindFinder(std::vector<Kind> &kinds) : kinds_(kinds) {}
 
+	// Expected O(families of the shape): a scene may have as many kinds as bodies, by their coefficients.
 	std::uint32_t find(const SoftBodyData &body) {
 		const bool single = !can_share_a_batch(body);
 		const std::uint32_t next = std::uint32_t(kinds_.size());
-		const auto [first, last] = of_shape_.equal_range(&body.shape());
-		for (auto entry = first; !single && entry != last; ++entry) {
-			if (*kinds_[entry->second].settings == body.settings()) {
+		if (single) {
+			kinds_.push_back({ &body.shape(), &body.settings(), family_count_++, true });
+			return next;
+		}
+		const std::uint64_t key = key_of(body);
+		const auto [first, last] = of_key_.equal_range(key);
+		for (auto entry = first; entry != last; ++entry) {
+			const Kind &kind = kinds_[entry->second];
+			if (kind.shape == &body.shape() && *kind.settings == body.settings()) {
 				return entry->second;
 			}
 		}
-		if (!single) {
-			of_shape_.emplace(&body.shape(), next);
-		}
-		kinds_.push_back({ &body.shape(), &body.settings(), single });
+		of_key_.emplace(key, next);
+		kinds_.push_back({ &body.shape(), &body.settings(), family_of(body, next), false });
 		return next;
 	}
 
 private:
+	static std::uint64_t key_of(const SoftBodyData &body) {
+		Hash hash;
+		hash.add(std::uint64_t(reinterpret_cast<std::uintptr_t>(&body.shape())));
+		for (const auto coefficient : COEFFICIENT_SETTINGS) {
+			hash.add(body.settings().*coefficient);
+		}
+		return hash.value();
+	}
+	std::uint32_t family_of(const SoftBodyData &body, std::uint32_t kind) {
+		const auto [first, last] = of_shape_.equal_range(&body.shape());
+		for (auto entry = first; entry != last; ++entry) {
+			if (can_stand_side_by_side(*kinds_[entry->second].settings, body.settings())) {
+				return kinds_[entry->second].family;
+			}
+		}
+		of_shape_.emplace(&body.shape(), kind);
+		return family_count_++;
+	}
+
 	std::vector<Kind> &kinds_;
-	std::unordered_multimap<const SoftBodyShape *, std::uint32_t> of_shape_; ///< kinds that may share a batch
+	std::uint32_t family_count_ = 0;
+	std::unordered_multimap<std::uint64_t, std::uint32_t> of_key_; ///< kinds that may share a batch
+	std::unordered_multimap<const SoftBodyShape *, std::uint32_t> of_shape_; ///< the first kinds of the families
 };
 
 bool ActiveBodies::update(Real dt) {
@@ -85,6 +115,7 @@ bool ActiveBodies::update(Real dt) {
 	for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
 		plans_.push_back(plan_near_rest(plans_[kind], *kinds_[kind].shape, *kinds_[kind].settings, dt));
 	}
+	order_kinds();
 	for (const std::uint32_t active_index : pressed_) {
 		plan_of_[active_index] = std::uint32_t(plans_.size());
 		plans_.push_back(plans_[kind_of_[active_index]]);
@@ -101,6 +132,23 @@ bool ActiveBodies::update(Real dt) {
 	resting_count_ = 0;
 	awake_is_current_ = false;
 	return true;
+}
+
+// Rows in the order of families, and of substeps within one.
+void ActiveBodies::order_kinds() {
+	std::vector<std::uint32_t> order(kinds_.size());
+	std::iota(order.begin(), order.end(), 0u);
+	const auto rank = [this](std::uint32_t kind) {
+		const std::size_t near_rest = kinds_.size() + kind;
+		return std::tuple(kinds_[kind].family, plans_[kind].integrator, plans_[kind].substeps, plans_[near_rest].substeps);
+	};
+	std::ranges::stable_sort(order, {}, rank);
+	row_of_kind_.resize(kinds_.size());
+	row_count_ = 0;
+	for (std::size_t i = 0; i < order.size(); ++i) {
+		row_count_ += std::uint32_t(i == 0 || rank(order[i]) != rank(order[i - 1]));
+		row_of_kind_[order[i]] = row_count_ - 1;
+	}
 }
 
 void ActiveBodies::add_body(std::uint32_t body_index, KindFinder &finder, Real dt) {
@@ -171,17 +219,17 @@ void ActiveBodies::plan_near_rest_shapes(std::span<const std::uint32_t> listed, 
 std::span<const std::uint32_t> ActiveBodies::awake() {
 	if (!awake_is_current_) {
 		awake_is_current_ = true;
-		starts_.assign(kinds_.size() + 1, 0);
+		starts_.assign(row_count_ + 1, 0);
 		for (std::uint32_t i = 0; i < count(); ++i) {
-			starts_[kind_of_[i] + 1] += std::uint32_t(!is_resting(i));
+			starts_[row_of_kind_[kind_of_[i]] + 1] += std::uint32_t(!is_resting(i));
 		}
-		for (std::size_t kind = 1; kind < starts_.size(); ++kind) {
-			starts_[kind] += starts_[kind - 1];
+		for (std::size_t row = 1; row < starts_.size(); ++row) {
+			starts_[row] += starts_[row - 1];
 		}
 		awake_.resize(count() - resting_count_);
 		for (std::uint32_t i = 0; i < count(); ++i) {
 			if (!is_resting(i)) {
-				awake_[starts_[kind_of_[i]]++] = i;
+				awake_[starts_[row_of_kind_[kind_of_[i]]]++] = i;
 			}
 		}
 	}
@@ -205,20 +253,22 @@ void ActiveBodies::set_resting(std::uint32_t active_index, bool resting) {
 	solver_bodies_[active_index].measure_extent();
 }
 
-bool ActiveBodies::is_alike(std::uint32_t a, std::uint32_t b) const {
+bool ActiveBodies::is_alike(std::uint32_t a, std::uint32_t b, int parts) const {
 	if (plan_of_[a] == plan_of_[b]) {
 		return true; // one plan belongs to one kind
 	}
 	const SubstepPlan &plan_a = plan(a);
 	const SubstepPlan &plan_b = plan(b);
-	return kind_of_[a] == kind_of_[b] && plan_a.substeps == plan_b.substeps && plan_a.integrator == plan_b.integrator;
+	// Plans of XPBD differ in more than substeps.
+	return kinds_[kind_of_[a]].family == kinds_[kind_of_[b]].family && plan_a.integrator == plan_b.integrator &&
+			plan_a.integrator != Integrator::XPBD && substeps_in_slice(plan_a, parts) == substeps_in_slice(plan_b, parts);
 }
 
-Batch ActiveBodies::batch_at(std::span<const std::uint32_t> list) const {
+Batch ActiveBodies::batch_at(std::span<const std::uint32_t> list, int parts) const {
 	const Kind &kind = kinds_[kind_of_[list[0]]];
 	const std::size_t most = kind.single ? 1 : std::min(list.size(), WIDE_WIDTH);
 	std::size_t alike = 1;
-	while (alike < most && is_alike(list[0], list[alike])) {
+	while (alike < most && is_alike(list[0], list[alike], parts)) {
 		++alike;
 	}
 	Batch batch;
@@ -230,6 +280,8 @@ Batch ActiveBodies::batch_at(std::span<const std::uint32_t> list) const {
 		batch.active_indices[lane] = list[lane];
 		batch.body_indices[lane] = body_indices_[list[lane]];
 		batch.states[lane] = states_[list[lane]];
+		batch.own_settings[lane] = kinds_[kind_of_[list[lane]]].settings;
+		batch.are_unlike = batch.are_unlike || batch.own_settings[lane] != batch.settings;
 	}
 	return batch;
 }

@@ -58,7 +58,8 @@ public:
 	/// Whether any body collides with itself.
 	bool has_self_collision() const { return has_self_collision_; }
 
-	/// Active indices of the awake bodies, grouped by kind. O(1), or O(bodies) after a change.
+	/// Active indices of the awake bodies, those that may share batches one after the other. O(1), or O(bodies) after a
+	/// change.
 	std::span<const std::uint32_t> awake();
 	/// One entry for each active index; not 0 for a sleeping or frozen body.
 	std::span<const char> resting() const { return resting_; }
@@ -69,22 +70,25 @@ public:
 	/// rests already, the extent is measured again.
 	void set_resting(std::uint32_t active_index, bool resting);
 
-	/// Batch of the first bodies of a list, ordered as `awake`, that can share one. Precondition: `list` is not empty.
-	Batch batch_at(std::span<const std::uint32_t> list) const;
+	/// Batch of the first bodies of a list, ordered as `awake`, that can share one in a step of `parts` equal slices
+	/// (`substeps_in_slice`). Precondition: `list` is not empty.
+	Batch batch_at(std::span<const std::uint32_t> list, int parts = 1) const;
 	/// Adds the first `bodies` of a list (at most WIDE_WIDTH) to `prefetch`.
 	void prefetch(std::span<const std::uint32_t> list, std::size_t bodies, StatePrefetch &prefetch) const;
 
 private:
-	/// Bodies of one kind have one shape and equal settings. They may share a batch unless the kind is `single`.
+	/// Bodies of one kind have one shape and equal settings. Kinds of one family may share batches, unless `single`.
 	struct Kind {
 		const SoftBodyShape *shape = nullptr;
 		const BodySettings *settings = nullptr;
+		std::uint32_t family = 0;
 		bool single = false;
 	};
 	class KindFinder;
 
 	void add_body(std::uint32_t body_index, KindFinder &finder, Real dt);
-	bool is_alike(std::uint32_t a, std::uint32_t b) const;
+	void order_kinds();
+	bool is_alike(std::uint32_t a, std::uint32_t b, int parts) const;
 
 	WorldData &world_;
 	// One entry for each active index.
@@ -102,6 +106,8 @@ private:
 	std::vector<Kind> kinds_;
 	std::vector<SubstepPlan> plans_; ///< one for each kind, then one near rest for each kind, then one for each body under pressure
 	std::vector<std::uint32_t> pressed_; ///< bodies under pressure
+	std::vector<std::uint32_t> row_of_kind_; ///< place among the rows of `awake_`; of one family those with like plans share a row
+	std::uint32_t row_count_ = 0;
 	std::vector<std::uint32_t> awake_; ///< empty while out of date
 	std::vector<std::uint32_t> starts_; ///< scratch memory of `awake`
 	std::vector<std::uint32_t> inactive_bodies_;

@@ -60,11 +60,12 @@ void hold_area(const BodyLanes<T> &body, Real h) {
 	// C = target (J - 1/J) / 2, and its slope by the area; both held at the least share below it.
 	const T slope = (T(1) + T(1) / (held * held)) * T(Real(0.5));
 	const T excess = (held - T(1) / held) * T(Real(0.5)) * target;
-	const T stiffness(settings.area_stiffness / shape.rest_area() * h * h);
+	const ForceCoefficients<T> &coefficients = body.model.coefficients;
+	const T stiffness = coefficients.area_stiffness / T(shape.rest_area()) * T(h) * T(h);
 	const T push = slope * slope * stiffness * inverse_mass;
 	const T whole = T(1) / (slope * inverse_mass);
 	const T impulse_at_rest = select(push < T(1), slope * stiffness, whole) * excess;
-	const T viscous = slope * slope * T(settings.area_stiffness / shape.rest_area() * settings.elastic_damping_time * h);
+	const T viscous = slope * slope * (coefficients.area_stiffness / T(shape.rest_area()) * coefficients.elastic_damping_time * T(h));
 	const T left = select(push < T(1), T(1) - push, T(0));
 	const T impulse = -impulse_at_rest - viscous * rate * left * T(h) / (T(1) + viscous * inverse_mass);
 	// Edges between neighbors are those before any point is moved.

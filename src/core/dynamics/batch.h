@@ -13,15 +13,18 @@
 
 namespace softbody {
 
-/// Bodies of one shape, equal settings and one plan: WIDE_WIDTH or PACK_WIDTH of them, or a single body. A batch is a
-/// view of the active bodies, made for one call.
+/// Bodies of one shape that take the same substeps by the same method, and whose settings differ in the coefficients of
+/// forces at most (`can_stand_side_by_side`): WIDE_WIDTH or PACK_WIDTH of them, or a single body. A batch is a view of
+/// the active bodies, made for one call.
 struct Batch {
 	const SoftBodyShape *shape = nullptr;
-	const BodySettings *settings = nullptr;
-	const SubstepPlan *plan = nullptr;
+	const BodySettings *settings = nullptr; ///< of the first body, which hold for all but for the coefficients
+	const SubstepPlan *plan = nullptr; ///< of the first body
+	bool are_unlike = false; ///< whether settings differ, which are then in `own_settings`
 	std::uint32_t count = 0; ///< WIDE_WIDTH, PACK_WIDTH or 1
 	std::array<std::uint32_t, WIDE_WIDTH> active_indices; ///< of the first `count` lanes, as the next two
 	std::array<std::uint32_t, WIDE_WIDTH> body_indices; ///< indices into `WorldData::soft_bodies()`
+	std::array<const BodySettings *, WIDE_WIDTH> own_settings;
 	std::array<Vec2 *, WIDE_WIDTH> states; ///< positions of all points, followed by velocities and by the rotation memory
 
 	/// Velocities of a lane's points.

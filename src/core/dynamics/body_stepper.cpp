@@ -64,8 +64,6 @@ bool BodyStepper::can_use_lanes(const Batch &batch) const {
 }
 
 std::uint32_t BodyStepper::lanes_solved_alone(const Batch &batch, const TimeSlice &slice) {
-	const bool has_borders = !context_->world.borders().empty();
-	const std::uint32_t all = (1u << batch.count) - 1;
 	std::uint32_t lanes = 0;
 	for (std::uint32_t lane = 0; lane < batch.count; ++lane) { // each body has its own memory of bounces
 		const bool can_bounce =
@@ -77,8 +75,7 @@ std::uint32_t BodyStepper::lanes_solved_alone(const Batch &batch, const TimeSlic
 				collision_.begin_body(context_->colliders, body(batch.body_indices[lane]), slice.elapsed, slice.duration, lane);
 		lanes |= std::uint32_t(is_near) << lane;
 	}
-	// Borders are solved for all lanes at once, or for each lane alone.
-	return lanes != 0 && has_borders ? all : lanes;
+	return lanes;
 }
 
 // Other bodies, or the body itself, may have pushed it through a thin wall since its contacts with colliders were last

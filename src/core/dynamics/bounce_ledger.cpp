@@ -83,7 +83,7 @@ void BounceLedger::begin_step(ActiveBodies &bodies, Vec2 gravity, const Parallel
 		for (const std::uint32_t i : awake.subspan(begin, end - begin)) {
 			SoftBodyData &body = bodies.data(i);
 			const bool is_driven = !body.external_forces().empty() || body.queued_load() != RigidLoad{} || !body.pin_targets().empty();
-			starts_[i] = { stored_energy(body), measure_frame(body).center, is_driven };
+			starts_[i] = { stored_energy(body), measure_translation(body).center, is_driven };
 			body.touch_memory().work = 0;
 		}
 	});
@@ -130,7 +130,7 @@ void BounceLedger::book() {
 		island.mass += double(body.shape().total_mass());
 		island.account += touch.account;
 		if (island.has_touched && !starts_[i].is_driven) {
-			const Vec2 way = measure_frame(body).center - starts_[i].center;
+			const Vec2 way = measure_translation(body).center - starts_[i].center;
 			const double work = double(body.shape().total_mass()) * double(dot(body.total_acceleration(gravity_), way)) + touch.work;
 			const double lost = starts_[i].energy + work - stored_energy(body);
 			island.account += std::isfinite(lost) ? lost : 0.0;

@@ -18,21 +18,28 @@ inline constexpr Real REST_STIFFNESS = 2;
 inline constexpr Real LEAST_REACH = Real(0.25);
 
 /// Stiffness of each mode of a material, and of deformation in no mode [force/length].
+template <class T>
 struct ModeStiffness {
-	std::array<Real, MAX_ELASTIC_MODES> modes{};
-	Real rest = 0;
+	std::array<T, MAX_ELASTIC_MODES> modes;
+	T rest = T(0);
 };
 
-inline ModeStiffness mode_stiffness(const ElasticModes &modes, const BodySettings &settings) {
-	const std::array<Real, 3> weights = mode_weights(settings.poisson_ratio);
-	ModeStiffness result;
+/// Precondition of the next two: `poisson_ratio` and `shear_modulus` are those of a valid body.
+template <class T>
+ModeStiffness<T> mode_stiffness(const ElasticModes &modes, Real poisson_ratio, T shear_modulus) {
+	const std::array<Real, 3> weights = mode_weights(poisson_ratio);
+	ModeStiffness<T> result;
 	for (std::size_t j = 0; j < modes.count; ++j) {
 		const std::array<Real, 3> &known = modes.stiffness[j];
-		result.modes[j] = settings.shear_modulus * (weights[0] * known[0] + weights[1] * known[1] + weights[2] * known[2]);
-		result.rest = result.modes[j] > result.rest ? result.modes[j] : result.rest;
+		result.modes[j] = shear_modulus * T(weights[0] * known[0] + weights[1] * known[1] + weights[2] * known[2]);
+		result.rest = greater(result.modes[j], result.rest);
 	}
-	result.rest *= REST_STIFFNESS;
+	result.rest *= T(REST_STIFFNESS);
 	return result;
+}
+
+inline ModeStiffness<Real> mode_stiffness(const ElasticModes &modes, const BodySettings &settings) {
+	return mode_stiffness<Real>(modes, settings.poisson_ratio, settings.shear_modulus);
 }
 
 /// Adds the forces of the elastic modes (modal analysis in the frame that turns with the body; Terzopoulos and Witkin
@@ -45,9 +52,9 @@ void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> pos
 		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {
 	const SoftBodyShape &shape = body.shape;
 	const ElasticModes &modes = *shape.modes();
-	const ModeStiffness stiffness = mode_stiffness(modes, body.settings);
+	const ModeStiffness<T> stiffness = mode_stiffness<T>(modes, body.settings.poisson_ratio, body.coefficients.shear_modulus);
 	const BasicBodyFrame<T> frame = measure_frame<T>(shape, body.rotation_memory, positions, velocities);
-	const T damping(body.settings.elastic_damping_time);
+	const T damping = body.coefficients.elastic_damping_time;
 	const Real per_mass = 1 / shape.total_mass();
 	const auto displacement = [&](std::size_t i) {
 		const BasicVec2<T> arm = positions[i] - frame.center;
@@ -70,10 +77,10 @@ void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> pos
 		along += dot(in_all_lanes<T>(shape.rest_positions()[i] * (shape.masses()[i] * per_mass)), y);
 	}
 	along -= dilation * T(shape.rest_inertia() * per_mass);
-	T along_force = along * T(stiffness.rest);
+	T along_force = along * stiffness.rest;
 	for (std::size_t j = 0; j < modes.count; ++j) {
 		const T overlap(modes.dilation_overlap[j]);
-		amplitudes[j] = (amplitudes[j] - dilation * overlap) * T(stiffness.modes[j] - stiffness.rest);
+		amplitudes[j] = (amplitudes[j] - dilation * overlap) * (stiffness.modes[j] - stiffness.rest);
 		along_force += amplitudes[j] * overlap;
 	}
 	BasicVec2<T> sum;
@@ -82,7 +89,7 @@ void add_mode_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> pos
 	for (std::size_t i = 0; i < positions.size(); ++i) {
 		const BasicVec2<T> rest = in_all_lanes<T>(shape.rest_positions()[i]);
 		const BasicVec2<T> y = displacement(i) - rest * dilation;
-		BasicVec2<T> force = y * T(stiffness.rest * (shape.masses()[i] * per_mass));
+		BasicVec2<T> force = y * (stiffness.rest * T(shape.masses()[i] * per_mass));
 		const std::span<const Vec2> mode = modes.shape_of_point(i);
 		for (std::size_t j = 0; j < mode.size(); ++j) {
 			force += BasicVec2<T>{ T(mode[j].x) * amplitudes[j], T(mode[j].y) * amplitudes[j] };

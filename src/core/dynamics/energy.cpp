@@ -16,7 +16,7 @@ namespace {
 double mode_energy(const SoftBodyData &body, const BodyFrame &frame) {
 	const SoftBodyShape &shape = body.shape();
 	const ElasticModes &modes = *shape.modes();
-	const ModeStiffness stiffness = mode_stiffness(modes, body.settings());
+	const ModeStiffness<Real> stiffness = mode_stiffness(modes, body.settings());
 	std::array<double, MAX_ELASTIC_MODES> amplitudes{};
 	double dilation = 0;
 	double along = 0;
@@ -52,7 +52,7 @@ double triangle_energy(const SoftBodyData &body) {
 		const Vec2 e2 = body.positions()[c] - body.positions()[a];
 		const TriangleShear<Real> shear = triangle_shear<Real>(triangle, e1, e2);
 		const Real ratio = cross(e1, e2) / (2 * triangle.area);
-		const TriangleDilation<Real> dilation = triangle_dilation<Real>(settings, ratio, shear);
+		const TriangleDilation<Real> dilation = triangle_dilation<Real>(settings.inflation, coefficients_of<Real>(settings), ratio, shear);
 		const double sheared = double(shear.u) * shear.u + double(shear.v) * shear.v;
 		energy += triangle.area * (settings.shear_modulus * sheared / 2 + dilation_energy(settings.area_stiffness, dilation));
 	}

@@ -15,19 +15,19 @@ namespace softbody {
 
 /// Adds the springs' forces: F = (k (|d| - l) + c (v2 - v1)·e) e on the first point, -F on the second (thesis eq. 3.12
 /// and 3.16, the latter corrected to a vector). A spring shorter than DEGENERATE_LENGTH of its rest length has no
-/// direction and adds nothing. The settings' scales multiply stiffness and damping.
+/// direction and adds nothing. The scales multiply stiffness and damping.
 template <class T>
 void add_spring_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,
 		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {
-	const Real stiffness = body.settings.spring_stiffness_scale;
-	const Real damping = body.settings.spring_damping_scale;
+	const T stiffness = body.coefficients.spring_stiffness_scale;
+	const T damping = body.coefficients.spring_damping_scale;
 	for (const Spring2D &spring : body.shape.springs()) {
 		const BasicVec2<T> d = positions[spring.b] - positions[spring.a];
 		const T current = length(d);
 		const auto has_direction = current > T(DEGENERATE_LENGTH * spring.rest_length);
 		const BasicVec2<T> e = d * (T(1) / current);
 		const T rate = dot(velocities[spring.b] - velocities[spring.a], e);
-		const T size = T(spring.stiffness * stiffness) * (current - T(spring.rest_length)) + T(spring.damping * damping) * rate;
+		const T size = T(spring.stiffness) * stiffness * (current - T(spring.rest_length)) + T(spring.damping) * damping * rate;
 		const BasicVec2<T> force = select(has_direction, e * size, BasicVec2<T>{});
 		forces[spring.a] += force;
 		forces[spring.b] -= force;
@@ -42,9 +42,9 @@ template <class T>
 void add_shape_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,
 		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {
 	const SoftBodyShape &shape = body.shape;
-	const Real per_mass = Real(shape.point_count()) / shape.total_mass();
-	const T stiffness(body.settings.shape_stiffness * per_mass);
-	const T damping(body.settings.shape_damping * per_mass);
+	const T per_mass(Real(shape.point_count()) / shape.total_mass());
+	const T stiffness = body.coefficients.shape_stiffness * per_mass;
+	const T damping = body.coefficients.shape_damping * per_mass;
 	const BasicBodyFrame<T> frame = measure_frame<T>(shape, body.rotation_memory, positions, velocities);
 	const auto pull_on = [&](std::size_t i) {
 		const BasicVec2<T> arm = positions[i] - frame.center;
@@ -67,7 +67,7 @@ void add_shape_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> po
 /// Adds up all forces at the given state (thesis eq. 3.7): gravity, springs with projected damping, pressure, shape
 /// matching, elastic modes or triangles, and `external`. The area term is not a force (`hold_area`). `positions` and
 /// `velocities` have one entry a point, `external` one a point or none; `forces` [mass·length/s²] is overwritten. Of
-/// the body only shape, settings and rotation memory are read. O(points + springs).
+/// the body only the model is read. O(points + springs).
 template <class T>
 void evaluate_forces(const BodyModel<T> &body, Vec2 gravity, std::span<const BasicVec2<T>> external,
 		std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities,

@@ -37,7 +37,7 @@ struct LaneSlice {
 	int substeps = 1;
 	Real reach = 0; ///< largest distance of points at the end [length], see `is_finite_within`
 	bool bears_load = false; ///< see `keep_whole`
-	std::span<const Border> borders; ///< for the lanes that are not solved alone
+	std::span<const Border> borders; ///< of the lanes that are not solved alone
 	std::uint32_t solved_alone = 0; ///< bit mask of the lanes whose contacts `lone_contacts` solves
 	LoneContacts *lone_contacts = nullptr; ///< may be null if `solved_alone` is 0 and the bodies are not monitored
 	std::span<Vec2> scratch; ///< room for the positions and velocities of one body

@@ -86,7 +86,7 @@ MaskOf<T> keep_whole_in_lanes(const BodyLanes<T> &bodies, Real h, bool bears_loa
 			if (!crushed[lane]) {
 				continue;
 			}
-			const BodyLanes<Real> body{ { bodies.model.shape, bodies.model.settings, {} }, bodies.inverse_masses,
+			const BodyLanes<Real> body{ { bodies.model.shape, bodies.model.settings, {}, {} }, bodies.inverse_masses,
 				scratch.first(count), scratch.subspan(count, count) };
 			for (std::size_t i = 0; i < count; ++i) {
 				body.positions[i] = lane_of(bodies.positions[i], lane);

@@ -27,12 +27,12 @@ SubstepPlan Simulator::plan(const SoftBodyData &body, Real dt) const {
 }
 
 template <class Work>
-void Simulator::for_batches(std::span<const std::uint32_t> list, const Work &work) {
+void Simulator::for_batches(std::span<const std::uint32_t> list, int parts, const Work &work) {
 	const std::size_t units = (list.size() + WIDE_WIDTH - 1) / WIDE_WIDTH;
 	run_slices(parallel_for_, units, UNITS_A_TASK, [&](std::size_t task, std::size_t begin, std::size_t end) {
 		const std::size_t last = std::min(end * WIDE_WIDTH, list.size());
 		for (std::size_t at = begin * WIDE_WIDTH; at < last;) {
-			const Batch batch = bodies_.batch_at(list.subspan(at, std::min(last - at, steppers_[task].width())));
+			const Batch batch = bodies_.batch_at(list.subspan(at, std::min(last - at, steppers_[task].width())), parts);
 			StatePrefetch prefetch;
 			if (at + BODIES_AHEAD < last) {
 				bodies_.prefetch(list.subspan(at + BODIES_AHEAD, last - at - BODIES_AHEAD), batch.count, prefetch);
@@ -198,7 +198,7 @@ bool Simulator::may_bounce() {
 }
 
 void Simulator::step_free(Real dt) {
-	for_batches(free_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &prefetch) {
+	for_batches(free_, 1, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &prefetch) {
 		stepper.begin(batch);
 		stepper.advance(batch, { 0, dt, 1, false }, prefetch);
 		stepper.forget_pushes(batch);
@@ -221,7 +221,7 @@ void Simulator::step_coupled(Real dt) {
 	}
 	measure_frames();
 	resist_rolling_between_bodies();
-	for_batches(coupled_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
+	for_batches(coupled_, MAX_SUBSTEPS, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
 		for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
 			if (surroundings_.has_colliders()) {
 				const std::span<const Vec2> outside = bodies_.sweep_start(batch.active_indices[lane]);
@@ -252,7 +252,7 @@ void Simulator::step_islands(int substeps, Real dt) {
 		}
 		joint_solver_.begin_substep(group);
 		const TimeSlice slice{ Real(substep) * duration, duration, substeps, true };
-		for_batches(group_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &prefetch) {
+		for_batches(group_, substeps, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &prefetch) {
 			if (substep == 0) {
 				stepper.begin(batch);
 			}
@@ -301,7 +301,7 @@ void Simulator::move_rigid_bodies_alone(Real dt) {
 }
 
 void Simulator::measure_frames() {
-	for_batches(coupled_, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
+	for_batches(coupled_, MAX_SUBSTEPS, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
 		if (!pair_contacts_.resists_rolling() && !batch.settings->turns_with_body()) {
 			return;
 		}
@@ -320,7 +320,7 @@ void Simulator::solve_self_contacts(std::span<const std::uint32_t> list, Real h)
 	if (!bodies_.has_self_collision()) {
 		return;
 	}
-	for_batches(list, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
+	for_batches(list, MAX_SUBSTEPS, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
 		for (std::uint32_t lane = 0; batch.settings->self_collision && lane < batch.count; ++lane) {
 			stepper.solve_self_contacts(batch.active_indices[lane], h);
 		}
@@ -333,7 +333,7 @@ void Simulator::resist_rolling_between_bodies() {
 		return;
 	}
 	pair_contacts_.resist_rolling(pair_bodies());
-	for_batches(coupled_, [&](BodyStepper &, const Batch &batch, StatePrefetch &) {
+	for_batches(coupled_, MAX_SUBSTEPS, [&](BodyStepper &, const Batch &batch, StatePrefetch &) {
 		for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
 			bodies_.solver_body(batch.active_indices[lane]).apply_spin_change();
 		}

@@ -108,9 +108,9 @@ private:
 	void collect(StepReport &report);
 
 	/// Calls `work(stepper, batch, prefetch)` for the bodies of a list, ordered as `ActiveBodies::awake`, divided among
-	/// the steppers.
+	/// the steppers. `parts` as for `ActiveBodies::batch_at`; MAX_SUBSTEPS where no substep is taken.
 	template <class Work>
-	void for_batches(std::span<const std::uint32_t> list, const Work &work);
+	void for_batches(std::span<const std::uint32_t> list, int parts, const Work &work);
 	void step_islands(int substeps, Real dt);
 	void move_rigid_bodies_alone(Real dt);
 	void measure_frames();

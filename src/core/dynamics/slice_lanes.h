@@ -135,7 +135,9 @@ BodyLanes<T> BasicLaneStepper<T>::load(const Batch &batch, StatePrefetch &prefet
 	const std::size_t count = batch.shape->point_count();
 	positions_.resize(std::max(positions_.size(), count));
 	velocities_.resize(std::max(velocities_.size(), count));
-	BodyLanes<T> bodies{ { *batch.shape, *batch.settings, {} }, batch.shape->inverse_masses(), { positions_.data(), count },
+	const ForceCoefficients<T> coefficients =
+			batch.are_unlike ? coefficients_of<T>(batch.own_settings.data()) : coefficients_of<T>(*batch.settings);
+	BodyLanes<T> bodies{ { *batch.shape, *batch.settings, {}, coefficients }, batch.shape->inverse_masses(), { positions_.data(), count },
 		{ velocities_.data(), count } };
 	for (std::size_t lane = 0; batch.settings->turns_with_body() && lane < LANES<T>; ++lane) {
 		const Rotation memory = batch.rotation_memory(lane);
@@ -162,15 +164,34 @@ T BasicLaneStepper<T>::solve_contacts(const BodyLanes<T> &bodies, const LaneSlic
 	if (slice.solved_alone == 0) {
 		return solve_borders(bodies, slice);
 	}
-	store(bodies, *slice.batch);
-	T contacts(0);
-	for (std::size_t lane = 0; lane < LANES<T>; ++lane) {
-		if (slice.solved_alone >> lane & 1) {
-			contacts.set(lane, Real(slice.lone_contacts->solve(lane)));
+	const Batch &batch = *slice.batch;
+	const std::size_t count = bodies.positions.size();
+	const auto is_alone = [&](std::size_t lane) { return (slice.solved_alone >> lane & 1) != 0; };
+	const bool all_at_once = slice.borders.empty() || slice.solved_alone == (1u << LANES<T>)-1;
+	if (all_at_once) {
+		store(bodies, batch);
+	}
+	for (std::size_t lane = 0; !all_at_once && lane < LANES<T>; ++lane) {
+		for (std::size_t i = 0; is_alone(lane) && i < count; ++i) {
+			batch.states[lane][i] = lane_of(bodies.positions[i], lane);
+			batch.velocities(lane)[i] = lane_of(bodies.velocities[i], lane);
 		}
 	}
-	gather_all<T>(slice.batch->states.data(), bodies.positions);
-	gather_all<T>(velocities_of(*slice.batch).data(), bodies.velocities);
+	T contacts = all_at_once ? T(0) : solve_borders(bodies, slice); // of the others; lanes solved alone are overwritten
+	for (std::size_t lane = 0; lane < LANES<T>; ++lane) {
+		if (!is_alone(lane)) {
+			continue;
+		}
+		contacts.set(lane, Real(slice.lone_contacts->solve(lane)));
+		for (std::size_t i = 0; !all_at_once && i < count; ++i) {
+			set_lane(bodies.positions[i], lane, batch.states[lane][i]);
+			set_lane(bodies.velocities[i], lane, batch.velocities(lane)[i]);
+		}
+	}
+	if (all_at_once) {
+		gather_all<T>(batch.states.data(), bodies.positions);
+		gather_all<T>(velocities_of(batch).data(), bodies.velocities);
+	}
 	return contacts;
 }
 
@@ -187,7 +208,8 @@ T BasicLaneStepper<T>::solve_borders(const BodyLanes<T> &bodies, const LaneSlice
 		solve_border<T>(bodies, border, std::numeric_limits<Real>::infinity(), slice.h, load, solutions_); // none bounces
 		for (std::uint32_t point = 0; any(load.contacts > contacts) && point < solutions_.size(); ++point) {
 			for (std::size_t lane = 0; lane < LANES<T>; ++lane) {
-				if (const Real depth = solutions_[point].depth[lane]; depth > 0) {
+				const bool is_alone = (slice.solved_alone >> lane & 1) != 0;
+				if (const Real depth = solutions_[point].depth[lane]; depth > 0 && !is_alone) {
 					slice.lone_contacts->report({ slice.batch->body_indices[lane], ContactOther::Kind::BORDER, i, point, point, 0,
 							lane_of(bodies.positions[point], lane), border.plane.normal, solutions_[point].normal_impulse[lane], depth });
 				}

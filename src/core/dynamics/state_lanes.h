@@ -11,10 +11,6 @@
 
 namespace softbody {
 
-/// Number of lanes of a pack.
-template <class T>
-inline constexpr std::size_t LANES = sizeof(T) / sizeof(Real);
-
 #ifdef SOFTBODY_SHUFFLES
 
 namespace detail {

@@ -25,7 +25,7 @@ struct TimeSlice {
 	/// Whether other bodies push the bodies of the slice afterwards. Contacts of a body with itself then wait.
 	bool is_coupled = false;
 
-	int substeps_of(const SubstepPlan &plan) const { return (plan.substeps + parts - 1) / parts; }
+	int substeps_of(const SubstepPlan &plan) const { return substeps_in_slice(plan, parts); }
 };
 
 } // namespace softbody

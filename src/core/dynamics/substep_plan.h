@@ -42,6 +42,11 @@ struct SubstepPlan {
 	Real cost = 0;
 };
 
+/// Substeps of a body in one of `parts` equal slices of a step: its share, rounded up.
+inline int substeps_in_slice(const SubstepPlan &plan, int parts) {
+	return (plan.substeps + parts - 1) / parts;
+}
+
 /// Bounds on a body's own motion; derived in docs/decisions/substep-rule.md.
 struct FrequencyBounds {
 	double frequency_squared = 0; ///< Ω², of the highest squared angular frequency [1/s²]

@@ -64,19 +64,19 @@ struct TriangleDilation {
 	T softening = T(0); ///< minus the derivative of K h(C) by (u² + v²)/2 [force/length]
 };
 
-/// `ratio` is J, which is compared with the settings' inflation instead of 1.
+/// `ratio` is J, which is compared with `inflation` instead of 1.
 template <class T>
-TriangleDilation<T> triangle_dilation(const BodySettings &settings, T ratio, const TriangleShear<T> &shear) {
+TriangleDilation<T> triangle_dilation(Real inflation, const ForceCoefficients<T> &coefficients, T ratio, const TriangleShear<T> &shear) {
 	const T size = (ratio + (shear.u * shear.u + shear.v * shear.v) * T(Real(0.5))) * T(1 / PLAIN_SIZE);
 	const auto is_large = size > T(1);
 	const T per_n = select(is_large, T(1) / sqrt(size), T(1));
 	TriangleDilation<T> dilation;
-	dilation.strain = (ratio - T(settings.inflation)) * per_n;
-	const Real most = MOST_PRESSURE * settings.shear_modulus / settings.area_stiffness;
-	dilation.slope = greater(lesser(dilation.strain, T(most)), T(-most));
-	const T softening = dilation.slope * dilation.strain * per_n * per_n * T(settings.area_stiffness / (2 * PLAIN_SIZE));
+	dilation.strain = (ratio - T(inflation)) * per_n;
+	const T most = T(MOST_PRESSURE) * coefficients.shear_modulus / coefficients.area_stiffness;
+	dilation.slope = greater(lesser(dilation.strain, most), -most);
+	const T softening = dilation.slope * dilation.strain * per_n * per_n * (coefficients.area_stiffness / T(2 * PLAIN_SIZE));
 	dilation.softening = select(is_large, softening, T(0));
-	dilation.pressure = dilation.slope * per_n * T(settings.area_stiffness) - dilation.softening;
+	dilation.pressure = dilation.slope * per_n * coefficients.area_stiffness - dilation.softening;
 	return dilation;
 }
 
@@ -111,8 +111,8 @@ template <class T>
 void add_triangle_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>> positions,
 		std::span<const BasicVec2<T>> velocities, std::span<BasicVec2<T>> forces) {
 	const SoftBodyShape &shape = body.shape;
-	const BodySettings &settings = body.settings;
-	const T damping(settings.shear_modulus * settings.elastic_damping_time);
+	const ForceCoefficients<T> &coefficients = body.coefficients;
+	const T damping = coefficients.shear_modulus * coefficients.elastic_damping_time;
 	const BasicBodyFrame<T> frame = measure_frame<T>(shape, body.rotation_memory, positions, velocities);
 	const NetForce<T> before = net_force<T>(positions, frame.center, forces);
 	for (const ElasticTriangle &triangle : shape.triangles()->triangles) {
@@ -124,8 +124,8 @@ void add_triangle_forces(const BodyModel<T> &body, std::span<const BasicVec2<T>>
 		const TriangleShear<T> shear = triangle_shear<T>(triangle, e1, e2);
 		const TriangleShear<T> rate = triangle_shear<T>(triangle, drift1, drift2);
 		const T ratio = cross(e1, e2) * T(Real(0.5) / triangle.area);
-		const TriangleDilation<T> dilation = triangle_dilation<T>(settings, ratio, shear);
-		const T elastic = (T(settings.shear_modulus) - dilation.softening) * T(triangle.area);
+		const TriangleDilation<T> dilation = triangle_dilation<T>(body.settings.inflation, coefficients, ratio, shear);
+		const T elastic = (coefficients.shear_modulus - dilation.softening) * T(triangle.area);
 		const T viscous = damping * T(triangle.area);
 		const TriangleShear<T> stress = { shear.u * elastic + rate.u * viscous, shear.v * elastic + rate.v * viscous };
 		// The derivative of the area by a corner is half of the opposite edge, turned.

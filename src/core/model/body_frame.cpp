@@ -18,4 +18,8 @@ BodyFrame measure_frame(const SoftBodyData &body) {
 	return measure_frame(body, body.positions(), body.velocities());
 }
 
+Translation measure_translation(const SoftBodyData &body) {
+	return measure_translation<Real>(body.shape(), body.positions(), body.velocities());
+}
+
 } // namespace softbody

@@ -21,6 +21,21 @@ struct BasicBodyFrame {
 };
 using BodyFrame = BasicBodyFrame<Real>;
 
+/// The part of a frame that takes no rotation: the center of mass and its velocity.
+template <class T>
+struct BasicTranslation {
+	BasicVec2<T> center; ///< [length]
+	BasicVec2<T> velocity; ///< [length/s]
+};
+using Translation = BasicTranslation<Real>;
+
+/// Measures the translation of any state of a body's points, with the same bits as `measure_frame`. O(points), in less
+/// than half of its time.
+template <class T>
+BasicTranslation<T> measure_translation(const SoftBodyShape &shape, std::span<const BasicVec2<T>> positions,
+		std::span<const BasicVec2<T>> velocities);
+Translation measure_translation(const SoftBodyData &body);
+
 /// Measures the frame of any state of a body's points. The rotation minimizes sum m |x - c - R q|², which in 2D is
 /// atan2(sum m q×x, sum m q·x) (Müller et al. 2005, sec. 3.3). Where it is undefined (every rotation may fit a mirrored
 /// or collapsed body equally well), the rotation is `memory`, the body's last defined one. O(points).

@@ -10,10 +10,9 @@
 namespace softbody {
 
 template <class T>
-BasicBodyFrame<T> measure_frame(const SoftBodyShape &shape, const BasicRotation<T> &memory,
-		std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities) {
+BasicTranslation<T> measure_translation(const SoftBodyShape &shape, std::span<const BasicVec2<T>> positions,
+		std::span<const BasicVec2<T>> velocities) {
 	const std::span<const Real> masses = shape.masses();
-	const std::span<const Vec2> rest = shape.rest_positions();
 	const BasicVec2<T> base = positions[0]; // sums relative to a point of the body keep digits far from the origin
 	BasicVec2<T> center;
 	BasicVec2<T> velocity;
@@ -21,9 +20,18 @@ BasicBodyFrame<T> measure_frame(const SoftBodyShape &shape, const BasicRotation<
 		center += (positions[i] - base) * masses[i];
 		velocity += velocities[i] * masses[i];
 	}
+	return { base + center * (1 / shape.total_mass()), velocity * (1 / shape.total_mass()) };
+}
+
+template <class T>
+BasicBodyFrame<T> measure_frame(const SoftBodyShape &shape, const BasicRotation<T> &memory,
+		std::span<const BasicVec2<T>> positions, std::span<const BasicVec2<T>> velocities) {
+	const std::span<const Real> masses = shape.masses();
+	const std::span<const Vec2> rest = shape.rest_positions();
+	const BasicTranslation<T> translation = measure_translation<T>(shape, positions, velocities);
 	BasicBodyFrame<T> frame;
-	frame.center = base + center * (1 / shape.total_mass());
-	frame.velocity = velocity * (1 / shape.total_mass());
+	frame.center = translation.center;
+	frame.velocity = translation.velocity;
 
 	T along = T(0); // sum m q·r, proportional to the cosine
 	T across = T(0); // sum m q×r, proportional to the sine

@@ -5,6 +5,7 @@
 #include "core/base/pack.h"
 #include "core/base/vec2.h"
 #include "core/model/body_settings.h"
+#include "core/model/force_coefficients.h"
 #include "core/model/soft_body_data.h"
 #include "core/model/soft_body_shape.h"
 
@@ -13,12 +14,14 @@
 namespace softbody {
 
 /// What the forces on a body depend on besides its points: for one body (T = `Real`), or for PACK_WIDTH bodies of one
-/// shape and equal settings side by side (T = `RealPack`). A view: its sources must outlive it.
+/// shape side by side (T = `RealPack`). Settings hold for all lanes but for the coefficients of forces, which are read
+/// from `coefficients` alone. A view: its sources must outlive it.
 template <class T>
 struct BodyModel {
 	const SoftBodyShape &shape;
 	const BodySettings &settings;
 	BasicRotation<T> rotation_memory; ///< last well-defined orientation, see `measure_frame`
+	ForceCoefficients<T> coefficients;
 };
 
 /// A model with the state of its points, for integrators and constraints. Positions, velocities and inverse masses have
@@ -42,7 +45,7 @@ inline bool holds_area(const SoftBodyShape &shape, const BodySettings &settings)
 }
 
 inline BodyModel<Real> model_of(const SoftBodyData &body) {
-	return { body.shape(), body.settings(), body.rotation_memory() };
+	return { body.shape(), body.settings(), body.rotation_memory(), coefficients_of<Real>(body.settings()) };
 }
 inline BodyLanes<Real> lanes_of(SoftBodyData &body) {
 	return { model_of(body), body.inverse_masses(), body.mutable_positions(), body.mutable_velocities() };

@@ -115,7 +115,7 @@ void solve_shape(SoftBodyData &body, std::span<const Vec2> before, Real h, std::
 void solve_modes(const SoftBodyData &body, std::span<const Vec2> before, Real h, std::span<Vec2> x, std::span<Vec2> scratch) {
 	const SoftBodyShape &shape = body.shape();
 	const ElasticModes &modes = *shape.modes();
-	const ModeStiffness stiffness = mode_stiffness(modes, body.settings());
+	const ModeStiffness<Real> stiffness = mode_stiffness(modes, body.settings());
 	const Real damping = body.settings().elastic_damping_time;
 	for (std::size_t i = 0; i < x.size(); ++i) {
 		scratch[i] = (x[i] - before[i]) * (1 / h);
@@ -188,7 +188,7 @@ void solve_dilation(const ElasticTriangle &triangle, const SoftBodyData &body, R
 	const Vec2 e2 = x[c] - x[a];
 	const Real ratio = cross(e1, e2) / (2 * triangle.area);
 	const TriangleShear<Real> shear = triangle_shear<Real>(triangle, e1, e2);
-	const TriangleDilation<Real> dilation = triangle_dilation<Real>(settings, ratio, shear);
+	const TriangleDilation<Real> dilation = triangle_dilation<Real>(settings.inflation, coefficients_of<Real>(settings), ratio, shear);
 	// As in the forces: a corner's part of K h(C) A0 by J and by u² + v².
 	const TriangleShear<Real> stress = { -shear.u * dilation.softening * triangle.area, -shear.v * dilation.softening * triangle.area };
 	const Vec2 on_b = shear_derivative<Real>(stress, triangle.gradients[0]) - perpendicular(e2) * (dilation.pressure / 2);
