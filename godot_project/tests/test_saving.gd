@@ -10,7 +10,7 @@ const PROPERTIES := {
 	"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK, "least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0, "smallest_piece": 0.125, "yield_strain": 0.0625, "flow_rate": 12.0, "max_dent": 0.25, "tear_stretch": 0.75, "dent_by": SoftBody2D.DENT_BY_TENSION, "stiffness": 640.0, "damping": 0.5, 
 	"rolling_resistance": 0.0625, "shape_matching": 0.75, "shape_damping_ratio": 0.5, "gravity_scale": 1.25,
 	"substeps": 9, "collision_layer": 5, "collision_mask": 3, "color": Color(0.25, 0.5, 0.75, 1.0),
-	"antialiased": true, "smooth": true, "texture_offset": Vector2(2, -3), "texture_scale": Vector2(0.5, 2),
+	"antialiased": true, "smooth": true, "look": SoftBody2D.LOOK_SOFT, "texture_offset": Vector2(2, -3), "texture_scale": Vector2(0.5, 2),
 	"texture_rotation": 0.5, "outline_width": 4.0, "outline_color": Color(0.5, 0, 0.25, 1.0), "outline_texture_mode": 1,
 	"cut_width": 3.0, "cut_color": Color(0.25, 0.5, 0, 1.0), "cut_edges": [2, 5],
 	"pressure": 12.0, "inflation": 1.125, "center_point": false, "integrator": SoftBody2D.INTEGRATOR_MIDPOINT,

@@ -85,17 +85,28 @@ FillMesh::FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Opt
 	if (has_mean_) {
 		inner_weights_.push_back(std::vector<Real>(hull_count, 1 / Real(hull_count)));
 	}
-	faded_start_ = rim_count() + inner_weights_.size();
-	vertex_count_ = faded_start_;
+	band_start_ = rim_count() + inner_weights_.size();
+	faded_start_ = band_start_;
+	vertex_count_ = band_start_;
+	const bool has_band = options_.soft_edge > 0 && options_.band > 0;
+	if (has_band) {
+		add_ring(0);
+		faded_start_ = vertex_count_;
+	}
 	if (options_.soft_edge > 0) {
-		const std::uint32_t rim = std::uint32_t(rim_count());
-		vertex_count_ += rim;
-		for (std::uint32_t i = 0; i < rim; ++i) {
-			const std::uint32_t next = (i + 1) % rim;
-			const std::uint32_t faded = std::uint32_t(faded_start_);
-			triangles_.push_back({ i, next, faded + next });
-			triangles_.push_back({ i, faded + next, faded + i });
-		}
+		add_ring(has_band ? band_start_ : 0);
+	}
+}
+
+void FillMesh::add_ring(std::size_t inner) {
+	const std::uint32_t rim = std::uint32_t(rim_count());
+	const std::uint32_t inside = std::uint32_t(inner);
+	const std::uint32_t outside = std::uint32_t(vertex_count_);
+	vertex_count_ += rim;
+	for (std::uint32_t i = 0; i < rim; ++i) {
+		const std::uint32_t next = (i + 1) % rim;
+		triangles_.push_back({ inside + i, inside + next, outside + next });
+		triangles_.push_back({ inside + i, outside + next, outside + i });
 	}
 }
 
@@ -135,6 +146,10 @@ void FillMesh::place(std::span<const Vec2> points, std::span<const Vec2> rim, st
 	}
 	if (options_.soft_edge > 0) {
 		const Real half = options_.soft_edge / 2 * side_;
+		if (faded_start_ != band_start_) {
+			move_corners(rim, { options_.band * side_, half, -half }, { vertices.first(rim.size()), vertices.subspan(band_start_, rim.size()), vertices.subspan(faded_start_, rim.size()) });
+			return;
+		}
 		move_corners(rim, half, vertices.first(rim.size()));
 		move_corners(rim, -half, vertices.subspan(faded_start_, rim.size()));
 	} else if (options_.inset > 0) {

@@ -99,13 +99,6 @@ void SoftBody2D::listen_to_textures(bool p_listens) {
 	}
 }
 
-void SoftBody2D::set_outline_texture_mode(OutlineTextureMode p_mode) {
-	if (accept("outline_texture_mode", softbody::check_between("outline_texture_mode", p_mode, 0, 1, ""))) {
-		skin_.change_style().outline_texture_mode = SkinStyle::OutlineTextureMode(p_mode);
-		remake_skin();
-	}
-}
-
 // Frames.
 
 // Where the engine blends the canvas item's transform, drawing leaves the frame to it. Where it does not, the canvas

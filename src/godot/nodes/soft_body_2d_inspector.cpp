@@ -68,6 +68,7 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Values::max_contacts_reported>({ "max_contacts_reported", Range::between(0, softbody::ContactReports::MOST_LIMIT) }, PROPERTY_HINT_RANGE, "0,64,1,or_greater");
 
 	ADD_GROUP("Drawing", "");
+	bind_value<&Style::look>({ "look", Range::between(LOOK_AUTOMATIC, LOOK_SOFT) }, PROPERTY_HINT_ENUM, "Automatic,Plain,Soft");
 	bind_value<&Style::color>({ "color" });
 	bind_value<&Style::antialiased>({ "antialiased" }, PROPERTY_HINT_NONE, "", "is_antialiased");
 	bind_value<&Style::smooth>({ "smooth" }, PROPERTY_HINT_NONE, "", "is_smooth");
@@ -80,7 +81,7 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Style::outline_width>({ "outline_width", Range::at_least(0, "px") }, PROPERTY_HINT_RANGE, "0,64,0.1,or_greater,suffix:px");
 	bind_value<&Style::outline_color>({ "outline_color" });
 	bind_value<&Style::outline_texture>({ "outline_texture" }, PROPERTY_HINT_RESOURCE_TYPE, "Texture2D");
-	bind_property("outline_texture_mode", &SoftBody2D::set_outline_texture_mode, &SoftBody2D::get_outline_texture_mode, PROPERTY_HINT_ENUM, "Tile,Stretch");
+	bind_value<&Style::outline_texture_mode>({ "outline_texture_mode", Range::between(OUTLINE_TEXTURE_TILE, OUTLINE_TEXTURE_STRETCH) }, PROPERTY_HINT_ENUM, "Tile,Stretch");
 	ADD_SUBGROUP("Cut Edges", "cut_");
 	bind_value<&Style::cut_width>({ "cut_width", Range::at_least(0, "px") }, PROPERTY_HINT_RANGE, "0,64,0.1,or_greater,suffix:px");
 	bind_value<&Style::cut_color>({ "cut_color" });
