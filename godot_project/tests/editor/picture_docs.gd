@@ -89,6 +89,7 @@ func picture_preview() -> void:
 func picture_stability() -> void:
 	await open_scene({"color": COLOR, "stiffness": 6.0, "substeps": 12, "damping": 0.01})
 	var panel: Control = plugin.inspector.panel
+	panel.find_children("*", "Button", true, false)[0].button_pressed = true
 	panel.refresh()
 	await frames(10)
 	var inspector := EditorInterface.get_inspector().get_global_rect()
