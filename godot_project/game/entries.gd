@@ -14,6 +14,7 @@ const SCENES: Array[Dictionary] = [
 	{"title": "Cuts", "path": "res://examples/cuts.tscn", "about": "Draw a line through jelly"},
 	{"title": "Dents", "path": "res://examples/dents.tscn", "about": "Metal, toughness, dough"},
 	{"title": "Tears", "path": "res://examples/tears.tscn", "about": "Strips that part at their seam"},
+	{"title": "Materials", "path": "res://examples/presets.tscn", "about": "From jelly to sheet metal"},
 	{"title": "Looks", "path": "res://examples/looks.tscn", "about": "Outlines, textures, colors"},
 	{"title": "Pile", "path": "res://examples/pile.tscn", "about": "Many bodies on a heap"},
 	{"title": "Friction", "path": "res://examples/friction.tscn", "about": "Who slides, who holds"},

@@ -96,6 +96,14 @@ func picture_stability() -> void:
 	await shot("stability", Rect2i(Rect2(inspector.position, Vector2(inspector.size.x, panel.size.y + 16))))
 
 
+func picture_materials() -> void:
+	await open_scene()
+	var picker: Control = plugin.inspector.picker
+	picker.thumbnails[1].mouse_entered.emit()
+	await frames(24)
+	await shot("materials", Rect2i(picker.get_global_rect().grow(8)))
+
+
 func picture_traced() -> void:
 	await open_scene({"color": Color.WHITE})
 	var sprite := Sprite2D.new()
