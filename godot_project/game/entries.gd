@@ -15,6 +15,8 @@ const SCENES: Array[Dictionary] = [
 	{"title": "Dents", "path": "res://examples/dents.tscn", "about": "Metal, toughness, dough"},
 	{"title": "Tears", "path": "res://examples/tears.tscn", "about": "Strips that part at their seam"},
 	{"title": "Materials", "path": "res://examples/presets.tscn", "about": "From jelly to sheet metal"},
+	{"title": "Water", "path": "res://examples/water.tscn", "about": "What floats, and how deep"},
+	{"title": "Wind", "path": "res://examples/wind.tscn", "about": "Sails, boxes and a balloon"},
 	{"title": "Looks", "path": "res://examples/looks.tscn", "about": "Outlines, textures, colors"},
 	{"title": "Pile", "path": "res://examples/pile.tscn", "about": "Many bodies on a heap"},
 	{"title": "Friction", "path": "res://examples/friction.tscn", "about": "Who slides, who holds"},

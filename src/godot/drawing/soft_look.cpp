@@ -47,11 +47,8 @@ Real soft_rim_width(const SkinStyle &style, std::span<const Vec2> hull) {
 	if (style.outline_width > 0) {
 		return 0;
 	}
-	Real perimeter = 0;
-	for (std::size_t i = 0; i < hull.size(); ++i) {
-		perimeter += length(hull[(i + 1) % hull.size()] - hull[i]);
-	}
-	return perimeter > 0 ? RIM_SHARE * 2 * std::abs(Real(signed_area(hull))) / perimeter : 0;
+	const Real outline = perimeter(hull);
+	return outline > 0 ? RIM_SHARE * 2 * std::abs(signed_area(hull)) / outline : 0;
 }
 
 std::size_t soft_pieces(std::size_t hull_count) {
