@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -81,6 +82,14 @@ TEST_CASE("buoyancy is the weight of the displaced fluid, and acts at the middle
 	}
 }
 
+TEST_CASE("buoyancy is as exact a million lengths from the origin as the places there are") {
+	const Fluid water{ .density = 2, .drag = 0, .gravity = { 0, 10 } };
+	const Vec2 far{ 1'000'000, -1'000'000 };
+	const std::vector<Vec2> disk = moved(circle_hull(50, 64).value(), far);
+	const double area = std::abs(double(signed_area(circle_hull(50, 64).value())));
+	CHECK(double(sum_of(disk, forces_of(water, disk, {}, moved(SEA, far))).force.y) == doctest::Approx(-20 * area / 2).epsilon(5e-3));
+}
+
 TEST_CASE("a tilted box is righted by the arm of its centroid, whatever its winding") {
 	const Fluid water{ .density = 1, .drag = 0, .gravity = { 0, 10 } };
 	// A right triangle, half under water: the part below y = 0 is a triangle of its own with corners (-30, 0), (0, 0), (-30, 30).
@@ -106,15 +115,24 @@ TEST_CASE("a plate that the fluid meets squarely is pressed by half of density, 
 	CHECK(double(length(sum_of(plate, forces_of(air, plate, { 100, 0 }, region)).force)) == doctest::Approx(0).scale(1));
 	CHECK(double(sum_of(plate, forces_of(air, plate, { -100, 0 }, region)).force.x) == doctest::Approx(4 * double(wind.force.x)).epsilon(1e-4));
 	// A round body: the integral of cos² θ over its front, 4/3 r of the plate's length.
-	const std::vector<Vec2> disk = circle_hull(40, 256).value();
-	CHECK(double(sum_of(disk, forces_of(air, disk, {}, region)).force.x) == doctest::Approx(0.5 * 0.5 * 1.2 * (4.0 / 3 * 40) * 10000).epsilon(1e-3));
+	std::vector<Vec2> disk = circle_hull(40, 256).value();
+	for (int winding = 0; winding < 2; ++winding) {
+		CHECK(double(sum_of(disk, forces_of(air, disk, {}, region)).force.x) == doctest::Approx(0.5 * 0.5 * 1.2 * (4.0 / 3 * 40) * 10000).epsilon(1e-3));
+		const std::vector<Vec2> forces = forces_of(air, disk, {}, region);
+		for (std::size_t i = 0; i < disk.size(); ++i) {
+			CHECK((disk[i].x < 2 || length(forces[i]) == 0)); // the lee side is not pulled
+		}
+		std::ranges::reverse(disk);
+	}
 }
 
 TEST_CASE("only what is inside of the region feels the fluid") {
 	const Fluid air{ .density = 1, .flow = { 100, 0 } };
 	const std::vector<Vec2> plate = box_hull({ 10, 80 }, 80).value();
+	const std::vector<Vec2> fine_plate = box_hull({ 10, 80 }, 10).value();
 	const std::vector<Vec2> below{ { -500, 20 }, { 500, 20 }, { 500, 500 }, { -500, 500 } };
 	CHECK(double(sum_of(plate, forces_of(air, plate, {}, below)).force.x) == doctest::Approx(0.5 * 20 * 10000).epsilon(1e-4));
+	CHECK(double(sum_of(fine_plate, forces_of(air, fine_plate, {}, below)).force.x) == doctest::Approx(0.5 * 20 * 10000).epsilon(1e-4));
 	const std::vector<Vec2> away = moved(below, { 0, 100 });
 	CHECK(length(sum_of(plate, forces_of(air, plate, {}, away)).force) == 0);
 }

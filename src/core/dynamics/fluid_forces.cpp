@@ -128,24 +128,14 @@ std::vector<Vec2> clip_to_convex(std::span<const Vec2> polygon, std::span<const 
 }
 
 void add_fluid_forces(const Fluid &fluid, std::span<const Vec2> region, std::span<const Vec2> hull, std::span<const Vec2> velocities, Real point_mass, Real time_step, std::span<Vec2> forces) {
-	// From the hull's own middle, as far from the origin areas lose their digits.
-	const Vec2 middle = mean_of(hull);
-	std::vector<Vec2> outline(hull.begin(), hull.end());
-	std::vector<Vec2> near(region.begin(), region.end());
-	for (Vec2 &point : outline) {
-		point -= middle;
-	}
-	for (Vec2 &corner : near) {
-		corner -= middle;
-	}
-	const std::vector<Vec2> part = clip_to_convex(outline, near);
+	const std::vector<Vec2> part = clip_to_convex(hull, region);
 	const Real signed_part = part.size() < 3 ? Real(0) : signed_area(part);
 	if (!(std::abs(signed_part) > 0)) {
 		return;
 	}
-	const Real side = signed_area(outline) < 0 ? Real(-1) : Real(1);
+	const Real side = signed_area(hull) < 0 ? Real(-1) : Real(1);
 	const Real displaced = fluid.density * std::abs(signed_part);
-	add_at(area_centroid(part), fluid.gravity * -displaced, outline, forces);
+	add_at(area_centroid(part), fluid.gravity * -displaced, hull, forces);
 	const Vec2 difference = fluid.flow - mean_of(velocities);
 	const Real whole_mass = point_mass * Real(hull.size());
 	const Vec2 pull = difference * (std::min(displaced * fluid.viscosity, whole_mass / time_step) / Real(hull.size()));
@@ -153,7 +143,7 @@ void add_fluid_forces(const Fluid &fluid, std::span<const Vec2> region, std::spa
 		force += pull;
 	}
 	// Half of each neighbor's mass hangs on an edge.
-	add_drag(fluid, near, outline, velocities, side, point_mass / time_step, forces);
+	add_drag(fluid, region, hull, velocities, side, point_mass / time_step, forces);
 }
 
 } // namespace softbody
