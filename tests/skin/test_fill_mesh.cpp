@@ -102,6 +102,28 @@ TEST_CASE("a band follows the edge at its width inside, and takes the values of 
 	}
 }
 
+TEST_CASE("a strip that is bent to an arc is filled inside of its outline alone") {
+	// 40 long by 280, bent about a circle of 200: its middle, left where it was, lies outside of it.
+	const std::vector<Vec2> strip = box_hull({ 40, 280 }, 20).value();
+	for (const bool has_center : { false, true }) {
+		std::vector<Vec2> points = strip;
+		std::vector<Vec2> bent;
+		if (has_center) {
+			points.push_back({ 0, 0 });
+		}
+		for (const Vec2 p : points) {
+			const Real radius = 200 + p.x;
+			bent.push_back({ radius * std::cos(p.y / 200) - 200, radius * std::sin(p.y / 200) });
+		}
+		if (has_center) {
+			bent.back().x -= 30; // it hangs behind
+		}
+		const FillMesh mesh(points, strip.size(), {});
+		const Placed result = placed(mesh, bent);
+		CHECK(area_of(mesh, result.vertices) == doctest::Approx(std::abs(signed_area(result.rim))).epsilon(0.01));
+	}
+}
+
 TEST_CASE("the curve goes through the hull points and is rounder than the hull") {
 	const std::vector<Vec2> circle = circle_hull(50, 12).value();
 	const FillMesh mesh(circle, circle.size(), { 8, 0 });

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace softbody {
 
@@ -56,6 +57,14 @@ std::vector<Real> mean_value_weights(Vec2 place, std::span<const Vec2> polygon) 
 		normalized.push_back(std::abs(sum) > 0 ? Real(weight / sum) : 1 / Real(count));
 	}
 	return normalized;
+}
+
+// A slender body bends so far that its middle no longer sees its ends: 4 π area over the square of the perimeter is 0.50 for a
+// rectangle of 1 : 4, and 1 for a disk.
+bool is_slender(std::span<const Vec2> hull) {
+	constexpr Real LEAST_COMPACTNESS = Real(0.5);
+	const Real around = perimeter(hull);
+	return 4 * std::numbers::pi_v<Real> * std::abs(signed_area(hull)) < LEAST_COMPACTNESS * around * around;
 }
 
 // Uniform Catmull-Rom: passes through the points, with the mean of the two chords as tangent.
@@ -116,11 +125,16 @@ void FillMesh::fill() {
 	const std::uint32_t rim = std::uint32_t(points.size());
 	const std::size_t inner = rest_.size() - hull_count_;
 	const Vec2 middle = inner == 1 ? rest_.back() : mean_of(std::span<const Vec2>(rest_).first(hull_count_));
-	if (inner <= 1 && is_star_shaped_about(middle, points)) {
+	const bool is_slim = is_slender(std::span<const Vec2>(rest_).first(hull_count_));
+	if (inner <= 1 && !is_slim && is_star_shaped_about(middle, points)) {
 		has_mean_ = inner == 0;
 		for (std::uint32_t i = 0; i < rim; ++i) {
 			triangles_.push_back({ rim, i, (i + 1) % rim });
 		}
+		return;
+	}
+	if (inner == 1 && is_slim) { // a center point may be left beside the bend
+		triangles_ = triangulate(points, rim);
 		return;
 	}
 	points.insert(points.end(), rest_.begin() + std::ptrdiff_t(hull_count_), rest_.end());

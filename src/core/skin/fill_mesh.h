@@ -16,7 +16,8 @@ namespace softbody {
 ///
 /// Vertices, in this order: the rim, which is the hull or a curve through it; the body's inner points; if there are
 /// none and the middle sees the whole hull, a middle, the mean of the hull; with a shaded band, its outer line; with a
-/// soft edge, the rim again, farther out. Triangles spread out from the middle if it sees the whole rim, and otherwise are those of `triangulate`.
+/// soft edge, the rim again, farther out. Triangles spread out from the middle if it sees the whole rim of a body that is not
+/// slender, and otherwise are those of `triangulate`.
 class FillMesh {
 public:
 	/// How the mesh is made.
