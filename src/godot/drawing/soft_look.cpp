@@ -4,6 +4,8 @@
 
 #include "core/geometry/polygon.h"
 
+#include <godot_cpp/classes/material.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +23,11 @@ constexpr std::size_t RIM_CORNERS = 32;
 constexpr std::size_t MOST_PIECES = 4;
 
 } // namespace
+
+bool is_tinted(const CanvasItem &item) {
+	const Color white(1, 1, 1);
+	return item.get_modulate() != white || item.get_self_modulate() != white || item.get_material().is_valid();
+}
 
 bool is_drawn_soft(const SkinStyle &style, bool is_tinted) {
 	if (style.look != SkinStyle::LOOK_AUTOMATIC) {

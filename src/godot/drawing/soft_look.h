@@ -5,10 +5,15 @@
 #include "core/base/vec2.h"
 #include "godot/drawing/skin_style.h"
 
+#include <godot_cpp/classes/canvas_item.hpp>
+
 #include <cstddef>
 #include <span>
 
 namespace softbody {
+
+/// Whether a node has a color or a shader that are not properties of its body: modulate, self_modulate or material.
+bool is_tinted(const godot::CanvasItem &item);
 
 /// Whether a body of this style is drawn in the soft look. LOOK_AUTOMATIC is soft where all that says how a body is drawn has
 /// its default value; `is_tinted` tells whether the node has a modulate or material of its own.

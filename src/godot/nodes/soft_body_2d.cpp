@@ -12,7 +12,6 @@
 #include "godot/server/soft_body_space_2d.h"
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world2d.hpp>
 #include <godot_cpp/core/math.hpp>
@@ -159,7 +158,7 @@ void SoftBody2D::_notification(int p_what) {
 			unfit_.tell(*this);
 			tell_network_once();
 			note_enabled();
-			skin_.note_tint(get_modulate() != Color(1, 1, 1) || get_self_modulate() != Color(1, 1, 1) || get_material().is_valid());
+			skin_.note_tint(softbody::is_tinted(*this));
 			enter_space();
 		} break;
 		case NOTIFICATION_EXIT_TREE: {

@@ -166,6 +166,7 @@ Transform2D SoftBody2D::get_interpolated_transform(double p_fraction) const {
 }
 
 void SoftBody2D::draw() {
+	skin_.note_tint(softbody::is_tinted(*this)); // of a node that was there before the library was loaded anew
 	skin_.draw(get_canvas_item());
 	const double fraction = is_drawn_at_tick() ? 1 : softbody::present_fraction();
 	skin_.update(local_points(fraction));
