@@ -102,6 +102,28 @@ func test_only_what_is_inside_is_pushed_and_disabled_shapes_hold_nothing() -> vo
 	check_near(body.get_linear_velocity(), velocity, 0.01, "velocity after the shape was disabled")
 
 
+func test_a_disabled_shape_beside_another_holds_nothing() -> void:
+	var water := _add_fluid(Vector2(-545, 0), Vector2(1000, 1000), {"density": 6.0}) # reaches 5 px into the body
+	var all := CollisionShape2D.new()
+	all.shape = rectangle(8000, 8000)
+	all.disabled = true
+	water.add_child(all)
+	var body := add_body()
+	await ticks(12)
+	check_above(body.get_linear_velocity().y, 100, "speed of a body that falls, with a few drops under it")
+	all.disabled = false
+	await ticks(40)
+	check_below(body.get_linear_velocity().y, -50, "speed of one that is lifted")
+
+
+func test_a_body_at_rest_in_still_air_sleeps() -> void:
+	add_floor(50)
+	_add_fluid(Vector2.ZERO, Vector2(1000, 1000), {"buoyancy_enabled": false, "viscosity": 0.0})
+	var body := add_body(Vector2(0, -10))
+	await seconds(8)
+	check(body.sleeping, "the body sleeps")
+
+
 func test_every_kind_of_shape_with_an_inside_holds_fluid() -> void:
 	var shapes: Array[Shape2D] = [circle(400), CapsuleShape2D.new(), ConvexPolygonShape2D.new(), WorldBoundaryShape2D.new()]
 	(shapes[1] as CapsuleShape2D).radius = 300

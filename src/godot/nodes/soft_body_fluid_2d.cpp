@@ -20,6 +20,13 @@ using softbody::to_godot;
 
 namespace godot {
 
+namespace {
+
+// Change of a point's speed in a tick below which the fluid leaves a body alone [px/s]. Larger: a light breeze is not felt.
+constexpr softbody::Real LEAST_PUSH = softbody::Real(0.01);
+
+} // namespace
+
 String SoftBodyFluid2D::describe() const {
 	return "SoftBodyFluid2D '" + String(get_name()) + "'" + (is_inside_tree() ? " (" + String(get_path()) + ")" : String());
 }
@@ -115,9 +122,9 @@ void SoftBodyFluid2D::push(SoftBody2D &r_body, const std::vector<std::vector<sof
 	bool is_pushed = false;
 	for (std::size_t i = 0; i < hull_count; i++) {
 		pushes[int64_t(i)] = to_godot(forces[i]);
-		is_pushed = is_pushed || forces[i] != softbody::Vec2{};
+		is_pushed = is_pushed || length(forces[i]) * time_step > LEAST_PUSH * point_mass;
 	}
-	if (is_pushed) { // else a body that only stands near the fluid could not sleep
+	if (is_pushed) { // else a body that lies in still air could not sleep
 		r_body.apply_point_forces(pushes);
 	}
 }
