@@ -41,7 +41,7 @@ PHYSICS_THREAD_SUITES=(test_soft_floors test_found_by_shape test_rigid_bodies te
 	test_resting test_contacts test_characters test_cuts)
 # Suites that an exported release cannot run: of warnings that it does not give, of documents that it does not hold, of the editor,
 # of drawing without a window, and of the demo's panels, whose containers report connections of their own in Godot's release template.
-DEBUG_SUITES=" test_class test_class_reference test_damaged_scenes test_drawing test_drawing_debug test_drawing_looks
+DEBUG_SUITES=" test_class test_class_reference test_damaged_scenes test_drawing test_drawing_debug test_drawing_default_look test_drawing_looks
 	test_drawing_seen test_drawing_smoothness test_editor_conversion test_editor_logic test_editor_stability test_editor_tracing
 	test_former_names test_godot_audit test_laboratory test_scenes "
 passed=0

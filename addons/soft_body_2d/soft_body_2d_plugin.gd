@@ -8,6 +8,7 @@ const ConvertCommands := preload("editor/ui/convert_commands.gd")
 const ConvertMenu := preload("editor/ui/convert_menu.gd")
 const EditedBodies := preload("editor/ui/edited_bodies.gd")
 const PolygonMode := preload("editor/canvas/polygon_mode.gd")
+const LookChoice := preload("editor/logic/look_choice.gd")
 const LivePreview := preload("editor/preview/live_preview.gd")
 const Mode := preload("editor/canvas/mode.gd")
 const PinsMode := preload("editor/canvas/pins_mode.gd")
@@ -70,6 +71,7 @@ func _enter_tree() -> void:
 	inspector.canvas = canvas
 	add_inspector_plugin(inspector)
 	add_undo_redo_inspector_hook_callback(_add_undo_of_preset)
+	add_undo_redo_inspector_hook_callback(_keep_look)
 	get_undo_redo().version_changed.connect(_on_version_changed)
 	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
 	toolbar.show_mode(_mode)
@@ -84,6 +86,7 @@ func _exit_tree() -> void:
 	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
 	get_undo_redo().version_changed.disconnect(_on_version_changed)
 	remove_undo_redo_inspector_hook_callback(_add_undo_of_preset)
+	remove_undo_redo_inspector_hook_callback(_keep_look)
 	remove_inspector_plugin(inspector)
 	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, pins_panel)
 	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, springs_panel)
@@ -258,6 +261,16 @@ func _add_undo_of_preset(undo_redo: Object, object: Object, property: String, _v
 		values.append_array([&"physics_material_override"] if object is SoftBody2D else [&"friction", &"bounce"])
 		for value in values:
 			(undo_redo as EditorUndoRedoManager).add_undo_property(object, value, object.get(value))
+
+
+# A node looks soft until something of its look is set; in the inspector it stays so. Steps that the editor merges keep what
+# the last one does, so each of them sets it.
+func _keep_look(undo_redo: Object, object: Object, property: String, _value: Variant) -> void:
+	if object is SoftBody2D:
+		var kept := LookChoice.kept_with(property, object)
+		for name: StringName in kept:
+			(undo_redo as EditorUndoRedoManager).add_do_property(object, name, kept[name])
+			(undo_redo as EditorUndoRedoManager).add_undo_property(object, name, object.get(name))
 
 
 func _show_help() -> void:

@@ -333,3 +333,25 @@ func test_the_preview_tears_what_is_pulled_too_far_and_leaves_the_node_as_it_was
 		check_equal(body.polygon, bar, "polygon of the node")
 		preview.release()
 		body.free()
+
+
+func test_one_line_says_what_to_do_and_the_worst_comes_first() -> void:
+	var say := func(text: String) -> String: return text
+	var body := SoftBody2D.new()
+	stage.add_child(body)
+	var tick := 1.0 / 60
+	var line := func() -> String:
+		var report := body.get_stability_report(200)
+		var own := {"youngs_modulus": body.youngs_modulus, "stiffness": body.stiffness, "damping": body.damping,
+				"substeps": body.substeps, "integrator": body.integrator}
+		return Advice.headline(Advice.rows(report, tick, say), Advice.advice(report, own, say), say).text
+	check_equal(line.call(), "It holds: nothing to do.", "line of a new node")
+	body.substeps = 60
+	check("substeps are enough" in line.call(), "line of too many substeps: " + line.call())
+	body.firm_for_weight = false
+	body.youngs_modulus = 5
+	check("Young's modulus 5" in line.call(), "line of a body that sags, with too many substeps: " + line.call())
+	body.youngs_modulus = 2e6
+	body.integrator = SoftBody2D.INTEGRATOR_EXPLICIT_EULER
+	body.substeps = 1
+	check("To do" in line.call() and "stable" in line.call(), "line of what is not stable: " + line.call())

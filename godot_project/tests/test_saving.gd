@@ -10,7 +10,7 @@ const PROPERTIES := {
 	"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK, "least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0, "smallest_piece": 0.125, "yield_strain": 0.0625, "flow_rate": 12.0, "max_dent": 0.25, "tear_stretch": 0.75, "dent_by": SoftBody2D.DENT_BY_TENSION, "stiffness": 640.0, "damping": 0.5, 
 	"rolling_resistance": 0.0625, "shape_matching": 0.75, "shape_damping_ratio": 0.5, "gravity_scale": 1.25,
 	"substeps": 9, "collision_layer": 5, "collision_mask": 3, "color": Color(0.25, 0.5, 0.75, 1.0),
-	"antialiased": true, "smooth": true, "texture_offset": Vector2(2, -3), "texture_scale": Vector2(0.5, 2),
+	"antialiased": true, "smooth": true, "look": SoftBody2D.LOOK_SOFT, "texture_offset": Vector2(2, -3), "texture_scale": Vector2(0.5, 2),
 	"texture_rotation": 0.5, "outline_width": 4.0, "outline_color": Color(0.5, 0, 0.25, 1.0), "outline_texture_mode": 1,
 	"cut_width": 3.0, "cut_color": Color(0.25, 0.5, 0, 1.0), "cut_edges": [2, 5],
 	"pressure": 12.0, "inflation": 1.125, "center_point": false, "integrator": SoftBody2D.INTEGRATOR_MIDPOINT,
@@ -94,6 +94,31 @@ func test_a_binary_scene_gives_the_same_body_and_the_same_motion() -> void:
 
 func test_a_text_scene_gives_the_same_body_and_the_same_motion() -> void:
 	await _check_same("user://soft_body_test.tscn")
+
+
+## A scene sets one value after the other: none may be refused because the others are still to come.
+func test_bodies_of_extreme_sizes_masses_and_materials_are_loaded_as_they_were_saved() -> void:
+	for radius: float in [0.05, 5.0, 5000.0, 1e6]:
+		for mass: float in [0.0, 1e-6, 1e6]:
+			for properties: Dictionary in [{}, {"youngs_modulus": 1e-3}, {"youngs_modulus": 1e7, "poisson_ratio": 0.49, "damping_ratio": 5.0},
+					{"stiffness": 1e6, "damping": 10.0, "center_point": false, "pressure": 1e5}, {"gravity_scale": 1e4, "inflation": 3.0}]:
+				var body := SoftBody2D.new()
+				body.polygon = SoftBody2D.make_circle_polygon(radius, 9)
+				if mass > 0:
+					body.mass = mass
+				for name: String in properties:
+					body.set(name, properties[name])
+				take_errors() # a value that this body cannot have is refused here, and not saved
+				var scene := PackedScene.new()
+				scene.pack(body)
+				var loaded: SoftBody2D = scene.instantiate()
+				var what := "radius %s, mass %s, %s" % [radius, mass, properties]
+				check_equal(take_errors(), PackedStringArray(), "errors as it is loaded, " + what)
+				for property in body.get_property_list():
+					if property["usage"] & PROPERTY_USAGE_STORAGE:
+						check_equal(loaded.get(property["name"]), body.get(property["name"]), "%s, %s" % [property["name"], what])
+				body.free()
+				loaded.free()
 
 
 func test_every_property_that_is_saved_is_tried_with_a_value_of_its_own() -> void:

@@ -12,7 +12,7 @@ from markdown import linked_files
 
 ADDON = PurePosixPath("addons/soft_body_2d")
 # Of the documentation, what is about using the addon.
-MANUAL = ("manual.md", "editor.md", "performance.md", "troubleshooting.md", "limits.md", "accuracy.md")
+MANUAL = ("cookbook.md", "manual.md", "editor.md", "performance.md", "troubleshooting.md", "limits.md", "accuracy.md")
 LONG_AGO = (1980, 1, 1, 0, 0, 0)
 
 

@@ -69,6 +69,61 @@ TEST_CASE("the triangles fill what the rim encloses, straight or curved, with a 
 	}
 }
 
+TEST_CASE("a band follows the edge at its width inside, and takes the values of the rim") {
+	for (const std::vector<Vec2> &hull : bodies()) {
+		const Real band = 5;
+		const FillMesh mesh(hull, hull.size(), { .pieces = 1, .soft_edge = 1, .band = band });
+		const Placed result = placed(mesh, hull);
+		const std::size_t rim = mesh.rim_count();
+		REQUIRE(mesh.faded_start() == mesh.band_start() + rim);
+		REQUIRE(mesh.vertex_count() == mesh.faded_start() + rim);
+		for (std::size_t i = 0; i < rim; ++i) {
+			const std::size_t next = (i + 1) % rim;
+			const Vec2 edge = (hull[next] - hull[i]) * (1 / length(hull[next] - hull[i]));
+			// Distance from the line of the edge, into the polygon.
+			const auto depth = [&](std::size_t vertex) { return cross(edge, result.vertices[vertex] - hull[i]) * mesh.side(); };
+			CHECK(depth(i) == doctest::Approx(band).epsilon(0.01));
+			CHECK(depth(next) == doctest::Approx(band).epsilon(0.01));
+			CHECK(depth(mesh.band_start() + i) == doctest::Approx(0.5).epsilon(0.01));
+			CHECK(depth(mesh.faded_start() + i) == doctest::Approx(-0.5).epsilon(0.01));
+		}
+		// Nothing is left out and nothing is covered twice: the triangles have the area inside of the outermost line.
+		const std::vector<Vec2> outermost(result.vertices.begin() + std::ptrdiff_t(mesh.faded_start()), result.vertices.end());
+		CHECK(area_of(mesh, result.vertices) == doctest::Approx(std::abs(signed_area(outermost))).epsilon(1e-3));
+		std::vector<Real> values;
+		for (std::size_t i = 0; i < hull.size(); ++i) {
+			values.push_back(Real(i));
+		}
+		const std::vector<Real> spread = mesh.spread<Real>(values);
+		for (std::size_t i = 0; i < rim; ++i) {
+			CHECK(spread[mesh.band_start() + i] == Real(i));
+			CHECK(spread[mesh.faded_start() + i] == Real(i));
+		}
+	}
+}
+
+TEST_CASE("a strip that is bent to an arc is filled inside of its outline alone") {
+	// 40 long by 280, bent about a circle of 200: its middle, left where it was, lies outside of it.
+	const std::vector<Vec2> strip = box_hull({ 40, 280 }, 20).value();
+	for (const bool has_center : { false, true }) {
+		std::vector<Vec2> points = strip;
+		std::vector<Vec2> bent;
+		if (has_center) {
+			points.push_back({ 0, 0 });
+		}
+		for (const Vec2 p : points) {
+			const Real radius = 200 + p.x;
+			bent.push_back({ radius * std::cos(p.y / 200) - 200, radius * std::sin(p.y / 200) });
+		}
+		if (has_center) {
+			bent.back().x -= 30; // it hangs behind
+		}
+		const FillMesh mesh(points, strip.size(), {});
+		const Placed result = placed(mesh, bent);
+		CHECK(area_of(mesh, result.vertices) == doctest::Approx(std::abs(signed_area(result.rim))).epsilon(0.01));
+	}
+}
+
 TEST_CASE("the curve goes through the hull points and is rounder than the hull") {
 	const std::vector<Vec2> circle = circle_hull(50, 12).value();
 	const FillMesh mesh(circle, circle.size(), { 8, 0 });

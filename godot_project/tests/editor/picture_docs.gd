@@ -89,10 +89,19 @@ func picture_preview() -> void:
 func picture_stability() -> void:
 	await open_scene({"color": COLOR, "stiffness": 6.0, "substeps": 12, "damping": 0.01})
 	var panel: Control = plugin.inspector.panel
+	panel.find_children("*", "Button", true, false)[0].button_pressed = true
 	panel.refresh()
 	await frames(10)
 	var inspector := EditorInterface.get_inspector().get_global_rect()
 	await shot("stability", Rect2i(Rect2(inspector.position, Vector2(inspector.size.x, panel.size.y + 16))))
+
+
+func picture_materials() -> void:
+	await open_scene()
+	var picker: Control = plugin.inspector.picker
+	picker.thumbnails[1].mouse_entered.emit()
+	await frames(24)
+	await shot("materials", Rect2i(picker.get_global_rect().grow(8)))
 
 
 func picture_traced() -> void:

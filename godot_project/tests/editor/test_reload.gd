@@ -29,7 +29,7 @@ var body_values := {
 	"integrator": SoftBody2D.INTEGRATOR_MIDPOINT, "substeps": 9, "collision_layer": 5, "collision_mask": 3,
 	"self_collision": 1, "collision_proxy_enabled": false, "collision_proxy_margin": 2.0, "contact_monitor": true,
 	"max_contacts_reported": 4, "sleeping": true, "can_sleep": false, "lock_rotation": true, "input_pickable": true, "freeze": true, "simulate_off_screen": false,
-	"failure_mode": 1, "disable_mode": 1, "color": Color(0.25, 0.5, 0.75), "antialiased": true, "smooth": true,
+	"failure_mode": 1, "disable_mode": 1, "color": Color(0.25, 0.5, 0.75), "antialiased": true, "smooth": true, "look": SoftBody2D.LOOK_SOFT,
 	"vertex_colors": PackedColorArray([Color.RED, Color.GREEN, Color.BLUE, Color.WHITE, Color.BLACK, Color.RED, Color.GREEN]),
 	"uv": PackedVector2Array([Vector2(0, 0), Vector2(8, 0), Vector2(16, 0), Vector2(16, 8), Vector2(16, 16), Vector2(8, 16),
 		Vector2(0, 16)]),
@@ -44,6 +44,7 @@ var joint_values := {
 	"break_force": 900.0, "disable_collision": false, "position": Vector2(350, 200),
 }
 var attachment_values := { "follow_rotation": false, "position": Vector2(10, 12), "rotation": 0.5 }
+var fluid_values := { "density": 4.0, "buoyancy_enabled": false, "flow": Vector2(120, 8), "drag": 0.5, "viscosity": 3.0, "position": Vector2(80, 90) }
 var material_values := {
 	"youngs_modulus": 240.0, "poisson_ratio": 0.125, "damping_ratio": 0.75,
 	"network_values_set": true, "stiffness": 320.0, "damping": 0.75, "shape_matching": 0.5, "shape_damping_ratio": 0.375, "pressure": 3.0, "inflation": 1.25,
@@ -113,9 +114,9 @@ func write_scene_of_everything() -> void:
 	root.name = "Root"
 	var material := SoftBodyMaterial2D.new()
 	_set_all(material, material_values)
-	var nodes: Array[Node2D] = [SoftBody2D.new(), SoftBody2D.new(), SoftBodyJoint2D.new(), SoftBodyAttachment2D.new()]
-	var names := ["Jelly", "Other", "Joint", "Attachment"]
-	for i in 4:
+	var nodes: Array[Node2D] = [SoftBody2D.new(), SoftBody2D.new(), SoftBodyJoint2D.new(), SoftBodyAttachment2D.new(), SoftBodyFluid2D.new()]
+	var names := ["Jelly", "Other", "Joint", "Attachment", "Fluid"]
+	for i in nodes.size():
 		nodes[i].name = names[i]
 		(nodes[0] if i == 3 else root).add_child(nodes[i])
 		nodes[i].owner = root
@@ -124,6 +125,7 @@ func write_scene_of_everything() -> void:
 	nodes[1].position = Vector2(460, 210)
 	_set_all(nodes[2], joint_values)
 	_set_all(nodes[3], attachment_values)
+	_set_all(nodes[4], fluid_values)
 	write_scene(root, SCENE)
 
 
@@ -336,13 +338,16 @@ future_of_attachment = true
 node_a = NodePath("../Jelly")
 length = 30.0
 future_of_joint = "text"
+
+[node name="Fluid" type="SoftBodyFluid2D" parent="."]
+future_of_fluid = 2.5
 """)
 	file.close()
 
 
 const FUTURE := {
 	"Jelly": {"future_of_body": Vector3(1, 2, 3), "future_list": ["a", "b"]}, "Jelly/Attachment": {"future_of_attachment": true},
-	"Joint": {"future_of_joint": "text"},
+	"Joint": {"future_of_joint": "text"}, "Fluid": {"future_of_fluid": 2.5},
 }
 
 
@@ -377,7 +382,7 @@ func test_what_a_newer_version_saved_is_named_kept_and_saved_again() -> void:
 	check_equal(take_errors().size(), FUTURE.size() + 2, "messages after the reload: once more, as the new code knows nothing of the old")
 	var text := FileAccess.get_file_as_string("res://newer.tscn") + FileAccess.get_file_as_string("res://newer.tres")
 	for line: String in ["position = Vector2(12, 13)", "future_of_body = Vector3(1, 2, 3)", "future_list = PackedStringArray(\"a\", \"b\")",
-			"future_of_attachment = true", "future_of_joint = \"text\"", "future_of_material = 5", "mass = 3.5", "length = 30.0"]:
+			"future_of_attachment = true", "future_of_joint = \"text\"", "future_of_fluid = 2.5", "future_of_material = 5", "mass = 3.5", "length = 30.0"]:
 		check(line in text, "the saved scene holds %s: %s" % [line, text])
 	# Other tests that reload would hear of it.
 	EditorInterface.get_selection().clear()

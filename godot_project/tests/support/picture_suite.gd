@@ -35,6 +35,7 @@ func middle() -> Vector2:
 func add_to_view(properties := {}, parent: Node = viewport) -> SoftBody2D:
 	var body := SoftBody2D.new()
 	body.gravity_scale = 0
+	body.look = SoftBody2D.LOOK_PLAIN
 	body.position = middle()
 	for name: String in properties:
 		body.set(name, properties[name])

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace softbody {
 
@@ -58,6 +59,14 @@ std::vector<Real> mean_value_weights(Vec2 place, std::span<const Vec2> polygon) 
 	return normalized;
 }
 
+// A slender body bends so far that its middle no longer sees its ends: 4 π area over the square of the perimeter is 0.50 for a
+// rectangle of 1 : 4, and 1 for a disk.
+bool is_slender(std::span<const Vec2> hull) {
+	constexpr Real LEAST_COMPACTNESS = Real(0.5);
+	const Real around = perimeter(hull);
+	return 4 * std::numbers::pi_v<Real> * std::abs(signed_area(hull)) < LEAST_COMPACTNESS * around * around;
+}
+
 // Uniform Catmull-Rom: passes through the points, with the mean of the two chords as tangent.
 std::vector<Real> curve_weights(std::size_t pieces) {
 	std::vector<Real> weights;
@@ -85,17 +94,28 @@ FillMesh::FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Opt
 	if (has_mean_) {
 		inner_weights_.push_back(std::vector<Real>(hull_count, 1 / Real(hull_count)));
 	}
-	faded_start_ = rim_count() + inner_weights_.size();
-	vertex_count_ = faded_start_;
+	band_start_ = rim_count() + inner_weights_.size();
+	faded_start_ = band_start_;
+	vertex_count_ = band_start_;
+	const bool has_band = options_.soft_edge > 0 && options_.band > 0;
+	if (has_band) {
+		add_ring(0);
+		faded_start_ = vertex_count_;
+	}
 	if (options_.soft_edge > 0) {
-		const std::uint32_t rim = std::uint32_t(rim_count());
-		vertex_count_ += rim;
-		for (std::uint32_t i = 0; i < rim; ++i) {
-			const std::uint32_t next = (i + 1) % rim;
-			const std::uint32_t faded = std::uint32_t(faded_start_);
-			triangles_.push_back({ i, next, faded + next });
-			triangles_.push_back({ i, faded + next, faded + i });
-		}
+		add_ring(has_band ? band_start_ : 0);
+	}
+}
+
+void FillMesh::add_ring(std::size_t inner) {
+	const std::uint32_t rim = std::uint32_t(rim_count());
+	const std::uint32_t inside = std::uint32_t(inner);
+	const std::uint32_t outside = std::uint32_t(vertex_count_);
+	vertex_count_ += rim;
+	for (std::uint32_t i = 0; i < rim; ++i) {
+		const std::uint32_t next = (i + 1) % rim;
+		triangles_.push_back({ inside + i, inside + next, outside + next });
+		triangles_.push_back({ inside + i, outside + next, outside + i });
 	}
 }
 
@@ -105,11 +125,16 @@ void FillMesh::fill() {
 	const std::uint32_t rim = std::uint32_t(points.size());
 	const std::size_t inner = rest_.size() - hull_count_;
 	const Vec2 middle = inner == 1 ? rest_.back() : mean_of(std::span<const Vec2>(rest_).first(hull_count_));
-	if (inner <= 1 && is_star_shaped_about(middle, points)) {
+	const bool is_slim = is_slender(std::span<const Vec2>(rest_).first(hull_count_));
+	if (inner <= 1 && !is_slim && is_star_shaped_about(middle, points)) {
 		has_mean_ = inner == 0;
 		for (std::uint32_t i = 0; i < rim; ++i) {
 			triangles_.push_back({ rim, i, (i + 1) % rim });
 		}
+		return;
+	}
+	if (inner == 1 && is_slim) { // a center point may be left beside the bend
+		triangles_ = triangulate(points, rim);
 		return;
 	}
 	points.insert(points.end(), rest_.begin() + std::ptrdiff_t(hull_count_), rest_.end());
@@ -135,6 +160,10 @@ void FillMesh::place(std::span<const Vec2> points, std::span<const Vec2> rim, st
 	}
 	if (options_.soft_edge > 0) {
 		const Real half = options_.soft_edge / 2 * side_;
+		if (faded_start_ != band_start_) {
+			move_corners(rim, { options_.band * side_, half, -half }, { vertices.first(rim.size()), vertices.subspan(band_start_, rim.size()), vertices.subspan(faded_start_, rim.size()) });
+			return;
+		}
 		move_corners(rim, half, vertices.first(rim.size()));
 		move_corners(rim, -half, vertices.subspan(faded_start_, rim.size()));
 	} else if (options_.inset > 0) {

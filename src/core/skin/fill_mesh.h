@@ -15,8 +15,9 @@ namespace softbody {
 /// The mesh of a body's inside. It is made once from the rest shape; a frame only places its vertices.
 ///
 /// Vertices, in this order: the rim, which is the hull or a curve through it; the body's inner points; if there are
-/// none and the middle sees the whole hull, a middle, the mean of the hull; with a soft edge, the rim again, farther
-/// out. Triangles spread out from the middle if it sees the whole rim, and otherwise are those of `triangulate`.
+/// none and the middle sees the whole hull, a middle, the mean of the hull; with a shaded band, its outer line; with a
+/// soft edge, the rim again, farther out. Triangles spread out from the middle if it sees the whole rim of a body that is not
+/// slender, and otherwise are those of `triangulate`.
 class FillMesh {
 public:
 	/// How the mesh is made.
@@ -27,6 +28,8 @@ public:
 		Real soft_edge = 0;
 		/// Without a soft edge: how far inside the rim the triangles end [length], for an outline that hides their edge.
 		Real inset = 0;
+		/// With a soft edge: width of a band along the rim, inside it, that can have other colors than the fill [length]; 0: none.
+		Real band = 0;
 
 		friend bool operator==(const Options &, const Options &) = default;
 	};
@@ -42,6 +45,8 @@ public:
 
 	std::size_t vertex_count() const { return vertex_count_; }
 	std::size_t rim_count() const { return hull_count_ * options_.pieces; }
+	/// First vertex of the band's outer line; `faded_start()` without a band.
+	std::size_t band_start() const { return band_start_; }
 	/// First vertex of the faded rim; `vertex_count()` without a soft edge.
 	std::size_t faded_start() const { return faded_start_; }
 	const std::vector<Triangle> &triangles() const { return triangles_; }
@@ -60,6 +65,8 @@ public:
 
 private:
 	void fill();
+	/// Adds vertices along the rim again, and triangles from those that begin at `inner` to them.
+	void add_ring(std::size_t inner);
 	/// Calls `each` with the value of every rim vertex, in order.
 	template <class Value>
 	void for_rim(std::span<const Value> hull_values, const auto &each) const;
@@ -69,6 +76,7 @@ private:
 	std::size_t hull_count_ = 0;
 	bool has_mean_ = false; ///< whether the middle is a vertex of its own
 	Real side_ = 1;
+	std::size_t band_start_ = 0;
 	std::size_t faded_start_ = 0;
 	std::size_t vertex_count_ = 0;
 	std::vector<Triangle> triangles_;
@@ -105,8 +113,8 @@ std::vector<Value> FillMesh::spread(std::span<const Value> hull_values) const {
 		}
 		values.push_back(sum);
 	}
-	for (std::size_t i = 0; faded_start_ + i < vertex_count_; ++i) {
-		values.push_back(values[i]);
+	for (std::size_t i = 0; band_start_ + i < vertex_count_; ++i) {
+		values.push_back(values[i % rim_count()]);
 	}
 	return values;
 }

@@ -83,6 +83,18 @@ void move_corners(std::span<const Vec2> outline, Real distance, std::span<Vec2> 
 	}
 }
 
+void move_corners(std::span<const Vec2> outline, const std::array<Real, 3> &distances, const std::array<std::span<Vec2>, 3> &moved) {
+	const std::size_t count = outline.size();
+	Vec2 before = outline[count - 1];
+	for (std::size_t i = 0; i < count; ++i) {
+		const Corner corner = corner_of(before, outline[i], outline[i + 1 < count ? i + 1 : 0]);
+		before = outline[i];
+		for (std::size_t line = 0; line < distances.size(); ++line) {
+			moved[line][i] = mitre_point(corner, distances[line]);
+		}
+	}
+}
+
 OutlineBand::OutlineBand(std::size_t corner_count, std::span<const Rail> rails, std::span<const std::uint8_t> edges) :
 		corner_count_(corner_count), rails_(rails.begin(), rails.end()) {
 	assert(corner_count >= 3 && rails.size() >= 2 && (edges.empty() || edges.size() == corner_count));

@@ -5,6 +5,7 @@
 #include "core/base/vec2.h"
 #include "core/skin/triangulation.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,6 +16,8 @@ namespace softbody {
 /// Moves every edge of a closed outline by `distance` [length] to its left, which is into a polygon of positive
 /// winding. Corners move to where their edges meet, within a limit (see `OutlineBand`). O(n).
 void move_corners(std::span<const Vec2> outline, Real distance, std::span<Vec2> moved);
+/// The same for three distances, in one pass.
+void move_corners(std::span<const Vec2> outline, const std::array<Real, 3> &distances, const std::array<std::span<Vec2>, 3> &moved);
 
 /// Lines along an outline at fixed distances from it; the band fills the space between neighboring lines. The triangles
 /// never change, only the places of their corners: a frame computes nothing else.

@@ -11,13 +11,23 @@
 
 namespace softbody {
 
-/// Values of the node's properties; `doc_classes/SoftBody2D.xml` explains each.
-struct SkinStyle {
-	enum class OutlineTextureMode {
-		TILE,
-		STRETCH,
+/// Enumerations of the style. A base of the node, so that they have the names `SoftBody2D::…` that the class reference gives them.
+struct SkinChoices {
+	enum Look {
+		LOOK_AUTOMATIC,
+		LOOK_PLAIN,
+		LOOK_SOFT,
 	};
 
+	enum OutlineTextureMode {
+		OUTLINE_TEXTURE_TILE,
+		OUTLINE_TEXTURE_STRETCH,
+	};
+};
+
+/// Values of the node's properties; `doc_classes/SoftBody2D.xml` explains each.
+struct SkinStyle : SkinChoices {
+	Look look = LOOK_AUTOMATIC;
 	godot::Color color{ 1, 1, 1 };
 	godot::PackedColorArray vertex_colors; ///< one a hull point, in the user's order; ignored when of another size
 	bool antialiased = false;
@@ -32,7 +42,7 @@ struct SkinStyle {
 	godot::Color outline_color{ 0, 0, 0 };
 	double outline_width = 0; ///< [px of the node], 0 for none
 	godot::Ref<godot::Texture2D> outline_texture;
-	OutlineTextureMode outline_texture_mode = OutlineTextureMode::TILE;
+	OutlineTextureMode outline_texture_mode = OUTLINE_TEXTURE_TILE;
 
 	godot::Color cut_color{ 1, 1, 1 };
 	double cut_width = 0; ///< [px of the node] of the band where the body was cut; 0: the outline goes on there

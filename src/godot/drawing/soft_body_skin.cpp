@@ -129,6 +129,18 @@ void SoftBodySkin::Mesh::free() {
 	}
 }
 
+void SoftBodySkin::note_tint(bool tinted) {
+	if (!is_tinted_) {
+		is_tinted_ = tinted;
+		is_stale_ = true;
+	}
+}
+
+void SoftBodySkin::copy_look(const SoftBodySkin &other) {
+	change_style() = other.style_;
+	is_tinted_ = other.is_tinted_;
+}
+
 void SoftBodySkin::set_rest(std::vector<Vec2> rest, PointOrder order, Real pixel) {
 	rest_ = std::move(rest);
 	hull_count_ = std::size_t(order.hull_count);
@@ -201,6 +213,9 @@ std::vector<Color> SoftBodySkin::colors() const {
 	std::vector<Color> colors = fill_->spread<Color>(hull);
 	for (std::size_t i = 0; i < colors.size(); ++i) {
 		colors[i] = colors[i].clamp();
+		if (i >= fill_->band_start() && fill_->band_start() != fill_->faded_start()) {
+			colors[i] *= Color(RIM_SHADE, RIM_SHADE, RIM_SHADE);
+		}
 		if (i >= fill_->faded_start()) {
 			colors[i].a = 0;
 		}
@@ -210,10 +225,12 @@ std::vector<Color> SoftBodySkin::colors() const {
 
 void SoftBodySkin::make_fill() {
 	// A hard edge must not show through the soft one of an outline on top of it.
-	const Real soft_edge = style_.antialiased && !has_outline() ? pixel_ : 0;
-	const Real inset = style_.antialiased && has_outline() ? std::min(pixel_, Real(style_.outline_width) / 2) : 0;
-	const bool is_curved = style_.smooth && hull_count_ <= MOST_SMOOTHED_POINTS;
-	fill_ = fill_mesh_of(rest_, hull_count_, { is_curved ? SMOOTH_PIECES : 1, soft_edge, inset });
+	const Real soft_edge = drawn_.antialiased && !has_outline() ? pixel_ : 0;
+	const Real inset = drawn_.antialiased && has_outline() ? std::min(pixel_, Real(drawn_.outline_width) / 2) : 0;
+	const Real band = is_soft() ? soft_rim_width(style_, std::span<const Vec2>(rest_).first(hull_count_)) : 0;
+	const bool is_curved = drawn_.smooth && hull_count_ <= MOST_SMOOTHED_POINTS;
+	const std::size_t pieces = is_soft() ? soft_pieces(hull_count_) : SMOOTH_PIECES;
+	fill_ = fill_mesh_of(rest_, hull_count_, { is_curved ? pieces : 1, soft_edge, inset, band });
 	if (has_fill()) {
 		fill_mesh_.make(fill_->triangles(), texture_coordinates(), colors());
 	} else {
@@ -225,7 +242,7 @@ std::vector<std::uint8_t> SoftBodySkin::cut_edges() const {
 	const std::size_t pieces = fill_->rim_count() / hull_count_; // of the rim, for each edge of the hull
 	std::vector<std::uint8_t> edges(fill_->rim_count(), 0);
 	for (std::size_t i = 0; i < hull_count_; ++i) {
-		if (style_.cut_edges.has(order_.mirror_edge(int(i)))) {
+		if (drawn_.cut_edges.has(order_.mirror_edge(int(i)))) {
 			std::fill_n(edges.begin() + std::ptrdiff_t(i * pieces), pieces, std::uint8_t(1));
 		}
 	}
@@ -233,9 +250,9 @@ std::vector<std::uint8_t> SoftBodySkin::cut_edges() const {
 }
 
 OutlineBand SoftBodySkin::make_band(Mesh &r_mesh, std::span<const Vec2> rim, Real width, const Ref<Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const {
-	const std::uint32_t arc = style_.smooth ? SMOOTH_ARC_POINTS : ARC_POINTS;
+	const std::uint32_t arc = drawn_.smooth ? SMOOTH_ARC_POINTS : ARC_POINTS;
 	std::vector<OutlineBand::Rail> rails;
-	if (style_.antialiased) {
+	if (drawn_.antialiased) {
 		const Real half = std::min(pixel_, width) / 2;
 		rails = { { -half, 1 }, { half, 1 }, { width - half, arc }, { width + half, arc } };
 	} else {
@@ -252,7 +269,7 @@ OutlineBand SoftBodySkin::make_band(Mesh &r_mesh, std::span<const Vec2> rim, Rea
 	const Real tile = width * Real(part.size.x / part.size.y);
 	const Real tiles = is_tiled ? std::max(Real(1), std::round(way.back() / tile)) : Real(1);
 	std::vector<Vector2> uvs(band.vertex_count());
-	std::vector<Color> colors(style_.antialiased ? band.vertex_count() : 0, Color(1, 1, 1));
+	std::vector<Color> colors(drawn_.antialiased ? band.vertex_count() : 0, Color(1, 1, 1));
 	band.for_vertices([&](std::size_t vertex, std::size_t corner, std::size_t rail) {
 		const Vector2 uv(way[corner] / way.back() * tiles, CLAMP(rails[rail].distance / width, Real(0), Real(1)));
 		uvs[vertex] = is_tiled ? uv : part.start + uv * part.share;
@@ -279,19 +296,20 @@ void SoftBodySkin::make_outline(std::span<const Vec2> rim) {
 			edge = edge == 0 ? 1 : 0;
 		}
 	}
-	const bool is_tiled = style_.outline_texture_mode == SkinStyle::OutlineTextureMode::TILE;
-	outline_ = make_band(outline_mesh_, rim, Real(style_.outline_width), style_.outline_texture, is_tiled, edges);
+	const bool is_tiled = drawn_.outline_texture_mode == SkinStyle::OUTLINE_TEXTURE_TILE;
+	outline_ = make_band(outline_mesh_, rim, Real(drawn_.outline_width), drawn_.outline_texture, is_tiled, edges);
 }
 
 void SoftBodySkin::make_cuts(std::span<const Vec2> rim) {
 	cut_mesh_.free();
 	if (has_cuts()) {
-		cut_band_ = make_band(cut_mesh_, rim, Real(style_.cut_width), style_.cut_texture, true, cut_edges());
+		cut_band_ = make_band(cut_mesh_, rim, Real(drawn_.cut_width), drawn_.cut_texture, true, cut_edges());
 	}
 }
 
 void SoftBodySkin::make() {
 	is_stale_ = false;
+	drawn_ = is_soft() ? soften(style_) : style_;
 	make_fill();
 	const std::span<const Vec2> rim = rim_at(rest_);
 	make_outline(rim);
@@ -311,14 +329,14 @@ void SoftBodySkin::draw(const RID &item) {
 	}
 	RenderingServer *server = RenderingServer::get_singleton();
 	if (has_fill()) {
-		server->canvas_item_add_mesh(item, fill_mesh_.rid, Transform2D(), style_.color, rid_of(style_.texture));
+		server->canvas_item_add_mesh(item, fill_mesh_.rid, Transform2D(), drawn_.color, rid_of(drawn_.texture));
 	}
 	if (outline_mesh_.rid.is_valid()) {
-		server->canvas_item_add_mesh(item, outline_mesh_.rid, Transform2D(), style_.outline_color,
-				rid_of(style_.outline_texture));
+		server->canvas_item_add_mesh(item, outline_mesh_.rid, Transform2D(), drawn_.outline_color,
+				rid_of(drawn_.outline_texture));
 	}
 	if (cut_mesh_.rid.is_valid()) {
-		server->canvas_item_add_mesh(item, cut_mesh_.rid, Transform2D(), style_.cut_color, rid_of(style_.cut_texture));
+		server->canvas_item_add_mesh(item, cut_mesh_.rid, Transform2D(), drawn_.cut_color, rid_of(drawn_.cut_texture));
 	}
 }
 

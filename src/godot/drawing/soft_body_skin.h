@@ -8,6 +8,7 @@
 #include "core/skin/outline_band.h"
 #include "godot/convert.h"
 #include "godot/drawing/skin_style.h"
+#include "godot/drawing/soft_look.h"
 
 #include <godot_cpp/variant/array.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
@@ -15,6 +16,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,15 @@ public:
 		is_stale_ = true;
 		return style_;
 	}
+	/// Tells whether the node is tinted or has a canvas material as it enters the tree: LOOK_AUTOMATIC is plain then. The first
+	/// call counts, so that a body that blinks later keeps its look.
+	void note_tint(bool tinted);
+	/// Takes over the style, and whether it is drawn soft.
+	void copy_look(const SoftBodySkin &other);
+	/// Whether the body is drawn in the soft look.
+	bool is_soft() const { return is_drawn_soft(style_, is_tinted_.value_or(false)); }
+	/// The fill color, as the look has it.
+	godot::Color color_in_use() const { return color_of_look(style_, is_soft()); }
 	/// Sets all points of the body at rest, the hull first, in the order of the core, and how that order is the user's.
 	/// One pixel is `pixel` long there.
 	void set_rest(std::vector<Vec2> rest, PointOrder order, Real pixel);
@@ -70,8 +81,8 @@ private:
 		void free();
 	};
 
-	bool has_fill() const { return style_.color.a > 0; }
-	bool has_outline() const { return style_.outline_width > 0 && style_.outline_color.a > 0; }
+	bool has_fill() const { return drawn_.color.a > 0; }
+	bool has_outline() const { return drawn_.outline_width > 0 && drawn_.outline_color.a > 0; }
 	bool has_cuts() const { return style_.cut_width > 0 && !style_.cut_edges.is_empty(); }
 	void make();
 	void make_fill();
@@ -90,6 +101,8 @@ private:
 	std::vector<godot::Color> colors() const;
 
 	SkinStyle style_;
+	std::optional<bool> is_tinted_;
+	SkinStyle drawn_; ///< the style as the look has it; made with the meshes
 	std::vector<Vec2> rest_;
 	std::size_t hull_count_ = 0;
 	PointOrder order_;

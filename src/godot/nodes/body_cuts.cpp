@@ -160,7 +160,7 @@ void BodyCuts::copy_to(SoftBody2D &r_node) const {
 	r_node.has_own_mass_ = node_.has_own_mass_;
 	r_node.freeze_ = node_.freeze_;
 	r_node.enabled_ = node_.enabled_;
-	r_node.skin_.change_style() = node_.skin_.style();
+	r_node.skin_.copy_look(node_.skin_);
 	r_node.listen_to_textures(true);
 	if (node_.material_.is_shared()) {
 		r_node.set_soft_body_material(node_.material_.shared());

@@ -2,6 +2,7 @@
 // Enumerations of SoftBody2D, and its properties that are one value each.
 #pragma once
 
+#include "godot/drawing/skin_style.h"
 #include "godot/nodes/contact_reports.h"
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 namespace softbody {
 
 /// A base of the node, so that all of this has the names `SoftBody2D::…` that the class reference gives it.
-struct BodyProperties {
+struct BodyProperties : SkinChoices {
 	/// Same values as Integrator.
 	enum Integrator {
 		INTEGRATOR_AUTOMATIC,
@@ -71,11 +72,6 @@ struct BodyProperties {
 		DENT_BY_BOTH,
 		DENT_BY_COMPRESSION,
 		DENT_BY_TENSION,
-	};
-
-	enum OutlineTextureMode {
-		OUTLINE_TEXTURE_TILE,
-		OUTLINE_TEXTURE_STRETCH,
 	};
 
 	/// `SoftBody2D::bind_properties` has their ranges.

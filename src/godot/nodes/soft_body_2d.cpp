@@ -158,6 +158,7 @@ void SoftBody2D::_notification(int p_what) {
 			unfit_.tell(*this);
 			tell_network_once();
 			note_enabled();
+			skin_.note_tint(softbody::is_tinted(*this));
 			enter_space();
 		} break;
 		case NOTIFICATION_EXIT_TREE: {

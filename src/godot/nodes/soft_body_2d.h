@@ -115,8 +115,8 @@ public:
 	TypedArray<Node2D> get_collision_exceptions() const;
 
 	// Looks: soft_body_2d_drawing.cpp.
-	void set_outline_texture_mode(OutlineTextureMode p_mode);
-	OutlineTextureMode get_outline_texture_mode() const { return OutlineTextureMode(skin_.style().outline_texture_mode); }
+	Look get_look_in_use() const { return skin_.is_soft() ? LOOK_SOFT : LOOK_PLAIN; }
+	Color get_color_in_use() const { return skin_.color_in_use(); }
 	PackedVector2Array get_interpolated_polygon(double p_fraction) const;
 	Transform2D get_interpolated_transform(double p_fraction) const;
 

@@ -99,13 +99,6 @@ void SoftBody2D::listen_to_textures(bool p_listens) {
 	}
 }
 
-void SoftBody2D::set_outline_texture_mode(OutlineTextureMode p_mode) {
-	if (accept("outline_texture_mode", softbody::check_between("outline_texture_mode", p_mode, 0, 1, ""))) {
-		skin_.change_style().outline_texture_mode = SkinStyle::OutlineTextureMode(p_mode);
-		remake_skin();
-	}
-}
-
 // Frames.
 
 // Where the engine blends the canvas item's transform, drawing leaves the frame to it. Where it does not, the canvas
@@ -173,6 +166,7 @@ Transform2D SoftBody2D::get_interpolated_transform(double p_fraction) const {
 }
 
 void SoftBody2D::draw() {
+	skin_.note_tint(softbody::is_tinted(*this)); // of a node that was there before the library was loaded anew
 	skin_.draw(get_canvas_item());
 	const double fraction = is_drawn_at_tick() ? 1 : softbody::present_fraction();
 	skin_.update(local_points(fraction));

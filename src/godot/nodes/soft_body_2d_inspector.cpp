@@ -32,7 +32,8 @@ void SoftBody2D::bind_value(const ValueRule &p_rule, PropertyHint p_hint, const 
 	}
 }
 
-// Scenes store properties in this order: points come after the values that judge them, and before what counts them.
+// Scenes store properties in this order: points come before what counts them, and while a scene sets its values, no other value
+// judges them but the mass.
 void SoftBody2D::bind_properties() {
 	using softbody::bind_property;
 	using Material = softbody::MaterialValues;
@@ -42,22 +43,25 @@ void SoftBody2D::bind_properties() {
 
 	bind_property("soft_body_material", &SoftBody2D::set_soft_body_material, &SoftBody2D::get_soft_body_material, PROPERTY_HINT_RESOURCE_TYPE, "SoftBodyMaterial2D");
 	softbody::bind_preset<SoftBody2D>();
-	softbody::bind_material_value<SoftBody2D, &Material::youngs_modulus>();
+	bind_value<&Structure::polygon>({ "polygon" }, PROPERTY_HINT_NONE, "suffix:px");
+	bind_value<&Style::color>({ "color" });
+	bind_value<&Style::texture>({ "texture" }, PROPERTY_HINT_RESOURCE_TYPE, "Texture2D");
 	bind_property("mass_mode", &SoftBody2D::set_mass_mode, &SoftBody2D::get_mass_mode, PROPERTY_HINT_ENUM, "Auto,Custom");
 	bind_property("mass", &SoftBody2D::set_mass, &SoftBody2D::get_mass, PROPERTY_HINT_RANGE, "0.001,1000,0.001,or_greater,exp,suffix:kg");
-	bind_property("physics_material_override", &SoftBody2D::set_physics_material_override, &SoftBody2D::get_physics_material_override, PROPERTY_HINT_RESOURCE_TYPE, "PhysicsMaterial");
+	bind_value<&Values::collision_layer>({ "collision_layer", {}, &SoftBody2D::apply_collision_layer }, PROPERTY_HINT_LAYERS_2D_PHYSICS);
+	bind_value<&Values::collision_mask>({ "collision_mask", {}, &SoftBody2D::apply_settings }, PROPERTY_HINT_LAYERS_2D_PHYSICS);
 
 	ADD_GROUP("Material", "");
+	softbody::bind_material_value<SoftBody2D, &Material::youngs_modulus>();
 	softbody::bind_material_value<SoftBody2D, &Material::poisson_ratio>();
 	softbody::bind_material_value<SoftBody2D, &Material::damping_ratio>();
+	bind_property("physics_material_override", &SoftBody2D::set_physics_material_override, &SoftBody2D::get_physics_material_override, PROPERTY_HINT_RESOURCE_TYPE, "PhysicsMaterial");
 	softbody::bind_material_value<SoftBody2D, &Material::rolling_resistance>();
 	softbody::bind_material_value<SoftBody2D, &Material::inflation>();
 	bind_value<&Values::firm_for_weight>({ "firm_for_weight", {}, &SoftBody2D::apply_settings, true }, PROPERTY_HINT_NONE, "", "is_firm_for_weight");
 	bind_value<&Values::elastic_model>({ "elastic_model", Range::between(0, ELASTIC_MODEL_COUNT - 1), &SoftBody2D::apply_shape, true }, PROPERTY_HINT_ENUM, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes,Triangles");
 
 	ADD_GROUP("Collision", "");
-	bind_value<&Values::collision_layer>({ "collision_layer", {}, &SoftBody2D::apply_collision_layer }, PROPERTY_HINT_LAYERS_2D_PHYSICS);
-	bind_value<&Values::collision_mask>({ "collision_mask", {}, &SoftBody2D::apply_settings }, PROPERTY_HINT_LAYERS_2D_PHYSICS);
 	bind_value<&Values::self_collision>({ "self_collision", Range::between(SELF_COLLISION_OFF, SELF_COLLISION_AUTOMATIC), &SoftBody2D::apply_settings }, PROPERTY_HINT_ENUM, "Off,On,Automatic");
 	bind_value<&Values::input_pickable>({ "input_pickable", {}, &SoftBody2D::update_picker }, PROPERTY_HINT_NONE, "", "is_pickable", "set_pickable");
 	ADD_SUBGROUP("Proxy", "collision_proxy_");
@@ -68,11 +72,10 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Values::max_contacts_reported>({ "max_contacts_reported", Range::between(0, softbody::ContactReports::MOST_LIMIT) }, PROPERTY_HINT_RANGE, "0,64,1,or_greater");
 
 	ADD_GROUP("Drawing", "");
-	bind_value<&Style::color>({ "color" });
+	bind_value<&Style::look>({ "look", Range::between(LOOK_AUTOMATIC, LOOK_SOFT) }, PROPERTY_HINT_ENUM, "Automatic,Plain,Soft");
 	bind_value<&Style::antialiased>({ "antialiased" }, PROPERTY_HINT_NONE, "", "is_antialiased");
 	bind_value<&Style::smooth>({ "smooth" }, PROPERTY_HINT_NONE, "", "is_smooth");
 	ADD_SUBGROUP("Texture", "");
-	bind_value<&Style::texture>({ "texture" }, PROPERTY_HINT_RESOURCE_TYPE, "Texture2D");
 	bind_value<&Style::texture_offset>({ "texture_offset" }, PROPERTY_HINT_NONE, "suffix:px");
 	bind_value<&Style::texture_scale>({ "texture_scale" }, PROPERTY_HINT_LINK);
 	bind_value<&Style::texture_rotation>({ "texture_rotation" }, PROPERTY_HINT_RANGE, "-360,360,0.1,or_less,or_greater,radians_as_degrees");
@@ -80,7 +83,7 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Style::outline_width>({ "outline_width", Range::at_least(0, "px") }, PROPERTY_HINT_RANGE, "0,64,0.1,or_greater,suffix:px");
 	bind_value<&Style::outline_color>({ "outline_color" });
 	bind_value<&Style::outline_texture>({ "outline_texture" }, PROPERTY_HINT_RESOURCE_TYPE, "Texture2D");
-	bind_property("outline_texture_mode", &SoftBody2D::set_outline_texture_mode, &SoftBody2D::get_outline_texture_mode, PROPERTY_HINT_ENUM, "Tile,Stretch");
+	bind_value<&Style::outline_texture_mode>({ "outline_texture_mode", Range::between(OUTLINE_TEXTURE_TILE, OUTLINE_TEXTURE_STRETCH) }, PROPERTY_HINT_ENUM, "Tile,Stretch");
 	ADD_SUBGROUP("Cut Edges", "cut_");
 	bind_value<&Style::cut_width>({ "cut_width", Range::at_least(0, "px") }, PROPERTY_HINT_RANGE, "0,64,0.1,or_greater,suffix:px");
 	bind_value<&Style::cut_color>({ "cut_color" });
@@ -131,7 +134,6 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Values::substeps>({ "substeps", Range::between(0, softbody::MAX_SUBSTEPS), &SoftBody2D::apply_settings }, PROPERTY_HINT_RANGE, "0,64,1");
 
 	ADD_GROUP("Data", "");
-	bind_value<&Structure::polygon>({ "polygon" }, PROPERTY_HINT_NONE, "suffix:px");
 	bind_value<&Structure::inner_points>({ "inner_points" }, PROPERTY_HINT_NONE, "suffix:px");
 	bind_value<&Structure::springs>({ "springs" });
 	bind_value<&Structure::stiffness_scales>({ "spring_stiffness_scales" });

@@ -67,6 +67,8 @@ void SoftBody2D::bind_structure_methods() {
 	ClassDB::bind_method(D_METHOD("get_warnings"), &SoftBody2D::get_warnings);
 
 	// Drawing.
+	ClassDB::bind_method(D_METHOD("get_look_in_use"), &SoftBody2D::get_look_in_use);
+	ClassDB::bind_method(D_METHOD("get_color_in_use"), &SoftBody2D::get_color_in_use);
 	ClassDB::bind_method(D_METHOD("get_interpolated_polygon", "fraction"), &SoftBody2D::get_interpolated_polygon, DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("get_interpolated_transform", "fraction"), &SoftBody2D::get_interpolated_transform, DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("_follow_texture"), &SoftBody2D::follow_texture);
@@ -159,6 +161,7 @@ void SoftBody2D::bind_enumerations() {
 	softbody::bind_enumeration<SoftBody2D>("DampMode", { "DAMP_MODE_COMBINE", "DAMP_MODE_REPLACE" });
 	softbody::bind_enumeration<SoftBody2D>("DisableMode", { "DISABLE_MODE_REMOVE", "DISABLE_MODE_MAKE_STATIC", "DISABLE_MODE_KEEP_ACTIVE" });
 	softbody::bind_enumeration<SoftBody2D>("FailureMode", { "FAILURE_MODE_RESET", "FAILURE_MODE_FREEZE" });
+	softbody::bind_enumeration<SoftBody2D>("Look", { "LOOK_AUTOMATIC", "LOOK_PLAIN", "LOOK_SOFT" });
 	softbody::bind_enumeration<SoftBody2D>("OutlineTextureMode", { "OUTLINE_TEXTURE_TILE", "OUTLINE_TEXTURE_STRETCH" });
 	softbody::bind_enumeration<SoftBody2D>("ElasticModel", { "ELASTIC_MODEL_AUTOMATIC", "ELASTIC_MODEL_NETWORK", "ELASTIC_MODEL_SPRINGS", "ELASTIC_MODEL_SPRINGS_AND_SHAPE", "ELASTIC_MODEL_SPRINGS_SHAPE_AND_AREA", "ELASTIC_MODEL_MODES", "ELASTIC_MODEL_TRIANGLES" });
 }

@@ -64,8 +64,8 @@ void SoftBody2D::set_style(softbody::ValueOf<VALUE> p_value) {
 	softbody::Status status;
 	if constexpr (IS_ARRAY) {
 		status = softbody::check_all_finite(rule.name, p_value);
-	} else if constexpr (std::is_same_v<Value, double>) {
-		status = rule.range.check(rule.name, p_value);
+	} else if constexpr (std::is_same_v<Value, double> || std::is_enum_v<Value>) {
+		status = rule.range.check(rule.name, double(p_value));
 	}
 	if (!accept(rule.name, status)) {
 		return;
@@ -90,6 +90,7 @@ softbody::ValueOf<VALUE> SoftBody2D::get_contact_value(int p_index) const {
 VARIANT_ENUM_CAST(SoftBody2D::Integrator);
 VARIANT_ENUM_CAST(SoftBody2D::ElasticModel);
 VARIANT_ENUM_CAST(SoftBody2D::OutlineTextureMode);
+VARIANT_ENUM_CAST(SoftBody2D::Look);
 VARIANT_ENUM_CAST(SoftBody2D::MassMode);
 VARIANT_ENUM_CAST(SoftBody2D::DampMode);
 VARIANT_ENUM_CAST(SoftBody2D::FailureMode);

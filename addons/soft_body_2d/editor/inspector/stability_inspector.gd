@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: MIT
 @tool
 extends EditorInspectorPlugin
-## Puts the stability panel at the top of a SoftBody2D's properties, and of several that are selected together.
+## Puts the stability panel and the materials at the top of a SoftBody2D's properties, and of several that are selected together.
 
 const BodyCanvas := preload("../canvas/body_canvas.gd")
 const EditedBodies := preload("../ui/edited_bodies.gd")
+const MaterialPicker := preload("material_picker.gd")
 const StabilityPanel := preload("stability_panel.gd")
 
 var canvas: BodyCanvas
-## The one that was made last, for tests.
+## Those that were made last, for tests.
 var panel: StabilityPanel
+var picker: MaterialPicker
 
 
 func _can_handle(object: Object) -> bool:
@@ -20,3 +22,12 @@ func _parse_begin(object: Object) -> void:
 	panel = StabilityPanel.new()
 	panel.set_up(canvas, EditedBodies.of(object))
 	add_custom_control(panel)
+
+
+# Above the material itself.
+func _parse_property(object: Object, _type: Variant.Type, name: String, _hint: PropertyHint, _hint_text: String, _usage: int, _wide: bool) -> bool:
+	if name == "soft_body_material":
+		picker = MaterialPicker.new()
+		picker.set_up(canvas, EditedBodies.of(object))
+		add_custom_control(picker)
+	return false

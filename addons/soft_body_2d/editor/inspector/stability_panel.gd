@@ -14,7 +14,11 @@ const LOOK_AGAIN := 0.4
 ## A measurement of what it would take to do it every time that something moves [ms].
 const TIME_LIMIT := 20.0
 
+## Whether the figures are unfolded, in this and later panels.
+static var shows_figures := false
+
 ## For tests: what is shown.
+var headline: Advice.Row
 var report := {}
 var shown_rows: Array[Advice.Row] = []
 var shown_advice: Array[Advice.Advice] = []
@@ -26,6 +30,9 @@ var _known := 0
 var _grid := GridContainer.new()
 var _list := VBoxContainer.new()
 var _title := Label.new()
+var _light := ColorRect.new()
+var _headline := Label.new()
+var _fold := Button.new()
 
 
 func set_up(canvas: RefCounted, bodies: Array[SoftBody2D]) -> void:
@@ -37,6 +44,21 @@ func _ready() -> void:
 	name = "SoftBodyStability"
 	_title.theme_type_variation = &"HeaderSmall"
 	add_child(_title)
+	var line := HBoxContainer.new()
+	_light.custom_minimum_size = Vector2.ONE * 12 * EditorInterface.get_editor_scale()
+	_light.size_flags_vertical = Control.SIZE_SHRINK_CENTER
+	_headline.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	_headline.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	_fold.text = Words.say("Figures")
+	_fold.tooltip_text = Words.say("Shows what the line is made of: frequency, substeps, sag, cost and more.")
+	_fold.toggle_mode = true
+	_fold.set_pressed_no_signal(shows_figures)
+	_fold.size_flags_vertical = Control.SIZE_SHRINK_CENTER
+	_fold.toggled.connect(_show_figures)
+	for part: Control in [_light, _headline, _fold]:
+		line.add_child(part)
+	add_child(line)
+	_grid.visible = shows_figures
 	_grid.columns = 3
 	_grid.add_theme_constant_override(&"h_separation", roundi(8 * EditorInterface.get_editor_scale()))
 	add_child(_grid)
@@ -98,6 +120,15 @@ func refresh() -> void:
 	shown_advice = Advice.advice(report, own_values(worst), say)
 	for advice in shown_advice:
 		_add_advice(advice)
+	headline = Advice.headline(shown_rows, shown_advice, say)
+	_headline.text = headline.text
+	_headline.tooltip_text = headline.hint
+	_light.color = COLORS[headline.level]
+
+
+func _show_figures(shown: bool) -> void:
+	shows_figures = shown
+	_grid.visible = shown
 
 
 func _badness(of: Dictionary) -> int:

@@ -11,13 +11,13 @@ const PolygonEdit := preload("polygon_edit.gd")
 static func values_of(body: SoftBody2D, outline: PackedVector2Array) -> Dictionary:
 	var values := Conversion.node_values(body)
 	values[&"polygon"] = outline
-	values[&"color"] = body.color
-	values[&"antialiased"] = body.antialiased
+	values[&"color"] = body.get_color_in_use()
+	values[&"antialiased"] = body.antialiased or body.get_look_in_use() == SoftBody2D.LOOK_SOFT
 	if body.vertex_colors.size() == body.polygon.size():
 		# They multiply a body's color, and take the place of that of a Polygon2D.
 		var colors := body.vertex_colors
 		for i in colors.size():
-			colors[i] *= body.color
+			colors[i] *= body.get_color_in_use()
 		values[&"vertex_colors"] = colors
 	if body.texture != null:
 		values[&"texture"] = body.texture

@@ -116,6 +116,7 @@ func _take_polygon(source: Polygon2D) -> void:
 	var kept := distinct(outline)
 	if not _accept(source, _picked(outline, kept)):
 		return
+	values[&"look"] = SoftBody2D.LOOK_PLAIN # as it was
 	values[&"antialiased"] = source.antialiased
 	values[&"color"] = source.color
 	if source.texture != null:

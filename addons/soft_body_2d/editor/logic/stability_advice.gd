@@ -133,6 +133,26 @@ static func advice(report: Dictionary, own: Dictionary, say: Callable) -> Array[
 	return found
 
 
+## What to do, in one line: the first advice, or the worst figure and where to change it, or that there is nothing to do.
+static func headline(figures: Array[Row], advices: Array[Advice], say: Callable) -> Row:
+	var worst: Row = null
+	for row in figures:
+		if row.level != Level.GOOD and (worst == null or row.level > worst.level):
+			worst = row
+	var level := Level.GOOD if worst == null else worst.level
+	if not advices.is_empty():
+		# What is not stable comes first, then what folds or sags.
+		var first := advices[0]
+		for advice in advices:
+			if figures[0].level != Level.BAD and (advice.changes.has(&"youngs_modulus") or advice.changes.has(&"stiffness")):
+				first = advice
+		return Row.new("", say.call("To do: %s.") % first.text, maxi(level, Level.FAIR) as Level, "")
+	if worst == null:
+		return Row.new("", say.call("It holds: nothing to do."), Level.GOOD, "")
+	return Row.new("", say.call("It works. %s: %s.") % [worst.title, worst.text] if level == Level.FAIR
+			else say.call("To do: see %s: %s.") % [worst.title, worst.text], level, worst.hint)
+
+
 static func drop_text(height: float, say: Callable) -> String:
 	if height == 0:
 		return say.call("under its own weight")

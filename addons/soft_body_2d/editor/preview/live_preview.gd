@@ -166,7 +166,7 @@ func draw(overlay: Control) -> void:
 		if not _triangles[i].is_empty():
 			var texture := body.texture.get_rid() if body.texture != null else RID()
 			RenderingServer.canvas_item_add_triangle_array(overlay.get_canvas_item(), _triangles[i], polygon,
-					PackedColorArray([body.color * body.modulate]),
+					PackedColorArray([body.get_color_in_use() * body.modulate]),
 					world.carry(i, _uvs[source]) if not _uvs[source].is_empty() else PackedVector2Array(), PackedInt32Array(), PackedFloat32Array(), texture)
 		canvas.draw_outline(overlay, polygon, BodyCanvas.LINE)
 	if world.is_grabbing():

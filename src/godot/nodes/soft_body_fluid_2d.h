@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The node that makes an area of water or wind.
+#pragma once
+
+#include "core/dynamics/fluid_forces.h"
+#include "godot/resources/unfit_values.h"
+
+#include <godot_cpp/classes/area2d.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+
+namespace godot {
+
+class SoftBody2D;
+
+/// An Area2D whose shapes are filled with a fluid. After each step of the soft bodies it adds forces to those that overlap it, for
+/// the next one. See doc_classes/SoftBodyFluid2D.xml.
+class SoftBodyFluid2D : public Area2D {
+	GDCLASS(SoftBodyFluid2D, Area2D)
+
+public:
+	void set_density(double p_density) { set_checked("density", density_, p_density, "kg/m²"); }
+	double get_density() const { return density_; }
+	void set_buoyancy_enabled(bool p_enabled) { buoyancy_enabled_ = p_enabled; }
+	bool is_buoyancy_enabled() const { return buoyancy_enabled_; }
+	void set_drag(double p_drag) { set_checked("drag", drag_, p_drag, ""); }
+	double get_drag() const { return drag_; }
+	void set_viscosity(double p_viscosity) { set_checked("viscosity", viscosity_, p_viscosity, "1/s"); }
+	double get_viscosity() const { return viscosity_; }
+	void set_flow(const Vector2 &p_flow);
+	Vector2 get_flow() const { return flow_; }
+
+	PackedStringArray get_warnings() const;
+	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+	bool _set(const StringName &p_name, const Variant &p_value) { return unfit_.set(*this, get_class_static(), p_name, p_value); }
+	bool _get(const StringName &p_name, Variant &r_value) const { return unfit_.get(p_name, r_value); }
+	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
+
+private:
+	void set_checked(const char *p_name, double &r_value, double p_value, const char *p_unit);
+	String describe() const;
+	void push_bodies();
+	void push(SoftBody2D &r_body, const std::vector<std::vector<softbody::Vec2>> &p_region) const;
+
+	softbody::UnfitValues unfit_;
+	double density_ = 2; ///< [kg/m²]
+	bool buoyancy_enabled_ = true;
+	double drag_ = 1; ///< [1]
+	double viscosity_ = 2; ///< [1/s]
+	Vector2 flow_; ///< in the area's own directions [px/s]
+};
+
+} // namespace godot
