@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/base/value_range.h"
 #include "core/model/body_frame.h"
 #include "core/model/firmness.h"
 #include "core/model/soft_body_data.h"
@@ -23,6 +22,7 @@
 #include "godot/nodes/contact_reports.h"
 #include "godot/nodes/cut_history.h"
 #include "godot/nodes/fall_memory.h"
+#include "godot/nodes/value_rule.h"
 #include "godot/resources/property_binding.h"
 #include "godot/resources/soft_body_material_2d.h"
 #include "godot/resources/unfit_values.h"
@@ -297,15 +297,7 @@ private:
 	void set_former_surface(const StringName &p_name, const Variant &p_value);
 
 	/// What `set_value` does with a property.
-	struct ValueRule {
-		using Effect = void (SoftBody2D::*)();
-		ValueRule(const char *p_name = "", const softbody::ValueRange &p_range = {}, Effect p_effect = nullptr, bool p_is_judged = false) :
-				name(p_name), range(p_range), effect(p_effect), is_judged(p_is_judged) {}
-		const char *name;
-		softbody::ValueRange range;
-		Effect effect; ///< called when the value was accepted
-		bool is_judged; ///< whether the value is refused where the body as a whole cannot have it
-	};
+	using ValueRule = softbody::ValueRule<SoftBody2D>;
 	/// One for each member of `Values`, `BodyStructure::Values` and `SkinStyle` that is a property; `bind_value` fills it.
 	template <auto VALUE>
 	static inline ValueRule rule_of;
