@@ -73,6 +73,13 @@ struct BodyProperties {
 		DENT_BY_TENSION,
 	};
 
+	/// Which points are simulated for the polygon that is drawn.
+	enum DetailMode {
+		DETAIL_MODE_AS_DRAWN,
+		DETAIL_MODE_AUTOMATIC,
+		DETAIL_MODE_POINT_COUNT,
+	};
+
 	enum OutlineTextureMode {
 		OUTLINE_TEXTURE_TILE,
 		OUTLINE_TEXTURE_STRETCH,

@@ -75,6 +75,10 @@ public:
 	template <auto VALUE>
 	softbody::ValueOf<VALUE> get_structure() const { return structure_.values().*VALUE; }
 	template <auto VALUE>
+	void set_detail(softbody::ValueOf<VALUE> p_value);
+	template <auto VALUE>
+	softbody::ValueOf<VALUE> get_detail() const { return structure_.detail().*VALUE; }
+	template <auto VALUE>
 	void set_style(softbody::ValueOf<VALUE> p_value);
 	template <auto VALUE>
 	softbody::ValueOf<VALUE> get_style() const { return skin_.style().*VALUE; }
@@ -127,6 +131,8 @@ public:
 	static PackedVector2Array make_circle_polygon(double p_radius, int p_point_count);
 	static PackedVector2Array make_box_polygon(const Vector2 &p_size, double p_spacing);
 	static PackedVector2Array make_capsule_polygon(double p_radius, double p_height, double p_spacing);
+	PackedVector2Array get_simulated_polygon() const { return structure_.hull(); }
+	Dictionary get_detail_report() const;
 	int get_spring_count() const;
 	Vector2i get_spring_points(int p_index) const;
 	PackedInt32Array get_all_springs() const;
@@ -236,7 +242,7 @@ public:
 	/// Another number whenever the rest shape is another.
 	uint64_t get_rest_version() const { return rest_version_; }
 	/// All points at rest in the node's frame, in the core's order.
-	std::span<const softbody::Vec2> get_rest_positions() const { return skin_.rest(); }
+	std::span<const softbody::Vec2> get_rest_positions() const { return rest_points_; }
 	/// The body's points in the node's frame at that fraction, in the core's order; at rest without a body. Valid until the next call.
 	std::span<const softbody::Vec2> local_points(double p_fraction) const;
 	/// Whether it is drawn where the last tick left it, not between two.
@@ -422,6 +428,7 @@ private:
 	void remake_skin();
 	void note_look();
 	void note_move_by_user(const Transform2D &p_from, const Transform2D &p_to);
+	std::span<const softbody::Vec2> drawn_points(double p_fraction) const; ///< as `local_points`, for the skin
 	bool check_fraction(double &r_fraction) const;
 	void draw();
 	void place_canvas_item(double p_fraction);
@@ -452,6 +459,7 @@ private:
 	softbody::UnfitValues unfit_;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
 	uint64_t rest_version_ = 0;
+	std::vector<softbody::Vec2> rest_points_; ///< in the core's order
 
 	softbody::SoftBodySpace2D *space_ = nullptr;
 	softbody::BodyId body_id_;
