@@ -2,6 +2,7 @@
 // Outlines of hundreds of points, simulated as drawn and by the few points that keep them within a tolerance: error and time.
 #include "bench.h"
 #include "elastic_bodies.h"
+#include "soft_pile.h"
 
 #include "core/creator/hulls.h"
 #include "core/creator/simplify_outline.h"

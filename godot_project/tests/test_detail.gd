@@ -132,6 +132,49 @@ func test_points_of_the_interface_are_those_that_are_simulated() -> void:
 	check_below(FineOutlines.distance(PackedVector2Array([place]), body.get_interpolated_polygon(1)), 2.5, "outline at the pin")
 
 
+func test_a_body_whose_detail_changes_goes_on_as_it_was_drawn() -> void:
+	var body := _character(Vector2.ZERO, {"gravity_scale": 0.0, "detail_mode": SoftBody2D.DETAIL_MODE_AS_DRAWN})
+	body.linear_velocity = Vector2(80, 50)
+	body.angular_velocity = 1.5
+	await ticks(1)
+	var velocities := body.get_point_velocities()
+	for k in velocities.size(): # squashed
+		var arm := body.get_point_positions()[k] - body.global_position
+		velocities[k] += Vector2(-arm.x, arm.y) * 4
+	body.set_point_velocities(velocities)
+	await ticks(2)
+	check_above(largest_distance(body.get_interpolated_polygon(1), body.global_transform * body.polygon), 3.0, "how far it is squashed")
+	for mode: int in [SoftBody2D.DETAIL_MODE_AUTOMATIC, SoftBody2D.DETAIL_MODE_POINT_COUNT, SoftBody2D.DETAIL_MODE_AS_DRAWN, SoftBody2D.DETAIL_MODE_AUTOMATIC]:
+		var drawn := body.get_interpolated_polygon(1)
+		var velocity := body.linear_velocity
+		var spin := body.angular_velocity
+		var area := body.get_area()
+		body.detail_mode = mode
+		check_below(largest_distance(body.get_interpolated_polygon(1), drawn), 1.6, "jump of a drawn point, mode %d" % mode)
+		check_near(body.linear_velocity, velocity, 0.5, "velocity, mode %d" % mode)
+		check_near(body.angular_velocity, spin, 0.02, "spin, mode %d" % mode)
+		check_near(body.get_area() / area, 1.0, 0.01, "area, mode %d" % mode)
+		await ticks(2)
+	await seconds(3)
+	check_near(body.get_area() / body.get_rest_area(), 1.0, 0.02, "area once it has calmed down")
+
+
+func test_a_body_of_less_detail_is_cut_once_it_is_as_drawn_where_it_is_seen() -> void:
+	var body := _character(Vector2.ZERO, {"gravity_scale": 0.0})
+	for i in 6:
+		for k in body.get_point_count():
+			var arm := body.get_point_positions()[k] - body.global_position
+			body.apply_point_impulse(k, Vector2(-arm.x, arm.y) * 0.05)
+		await ticks(1)
+	var drawn := body.get_interpolated_polygon(1)
+	body.detail_mode = SoftBody2D.DETAIL_MODE_AS_DRAWN
+	check_points_near(body.get_interpolated_polygon(1), drawn, 0.05, "outline as drawn")
+	var pieces := body.cut(Vector2(-200, 0), Vector2(200, 0))
+	check_equal(pieces.size(), 2, "pieces")
+	for piece in pieces:
+		check_below(FineOutlines.distance(piece.get_interpolated_polygon(1), drawn + PackedVector2Array([drawn[0]])), 60.0, "a piece lies where the whole was")
+
+
 func test_a_scene_keeps_its_detail() -> void:
 	var body := _character(Vector2.ZERO, {"detail_tolerance": 0.05})
 	var scene := PackedScene.new()

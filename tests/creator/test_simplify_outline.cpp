@@ -111,7 +111,7 @@ TEST_CASE("480 random outlines are simplified within the tolerance in both direc
 		SimplifyOptions options;
 		options.tolerance = random.chance(0.5) ? 0.03 : double(random.real(0.002, 0.1));
 		options.fewest_points = random.chance(0.5) ? 16 : 3;
-		options.least_edge = random.chance(0.5) ? 0 : random.real(0, 3);
+		options.least_edge = random.chance(0.5) ? 0 : random.real(0, 15);
 		const SimplifiedOutline made = simplified(outline, options);
 		const double radius = radius_of_area(outline);
 		const double rounding = 1e-5 * (radius + 500);
@@ -181,6 +181,44 @@ TEST_CASE("outlines of few points and outlines without points to spare are left 
 	const SimplifiedOutline kept = simplified(star);
 	CHECK(kept.is_outline);
 	CHECK(kept.hull == star);
+}
+
+// A ring that is open by a slit much narrower than the tolerance: simplified without care, one lip crosses the other.
+TEST_CASE("an outline with a narrow slit is simplified, and its lips do not cross") {
+	std::vector<Vec2> ring;
+	constexpr int COUNT = 120;
+	for (int i = 0; i <= COUNT; ++i) {
+		const SineCosine direction = sine_cosine(0.02 + (6.283185307179586 - 0.04) * i / COUNT);
+		ring.push_back({ Real(60 * direction.cosine), Real(60 * direction.sine) });
+	}
+	for (int i = COUNT; i >= 0; --i) {
+		const SineCosine direction = sine_cosine(0.01 + (6.283185307179586 - 0.02) * i / COUNT);
+		ring.push_back({ Real(30 * direction.cosine), Real(30 * direction.sine) });
+	}
+	REQUIRE(!check_hull(ring));
+	for (const double tolerance : { 0.03, 0.06, 0.1, 0.2 }) {
+		CAPTURE(tolerance);
+		const SimplifiedOutline made = simplified(ring, { .tolerance = tolerance });
+		CHECK(made.hull.size() <= 40);
+		CHECK(is_simple(made.hull));
+		CHECK(made.error <= tolerance);
+	}
+}
+
+TEST_CASE("points that are too close together go first, though others cost less") {
+	std::vector<Vec2> outline = circle_hull(50, 100).value();
+	// Small teeth in one place: points 0.4 apart.
+	std::vector<Vec2> teeth;
+	for (int i = 0; i < 20; ++i) {
+		teeth.push_back({ 50 + Real(0.35) * Real(i % 2), Real(-4) + Real(0.2) * Real(i) });
+	}
+	outline.erase(outline.begin(), outline.begin() + 2);
+	outline.pop_back();
+	outline.insert(outline.begin(), teeth.begin(), teeth.end());
+	REQUIRE(!check_hull(outline));
+	const SimplifiedOutline made = simplified(outline, { .most_points = 94 });
+	CHECK(shortest_edge(outline) < 0.5);
+	CHECK(shortest_edge(made.hull) > 1.2);
 }
 
 TEST_CASE("a number of points is kept, whatever the error") {

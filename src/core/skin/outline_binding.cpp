@@ -41,10 +41,7 @@ public:
 		perimeter_ = way;
 	}
 
-	double projection(Vec2d p, std::size_t edge) const {
-		const Vec2d along = hull_[next(edge)] - hull_[edge];
-		return std::clamp(dot(p - hull_[edge], along) / dot(along, along), 0.0, 1.0);
-	}
+	double edge_length(std::size_t edge) const { return lengths_[edge]; }
 
 	// Weights of a cubic curve through the hull's points in the length along the hull at rest, continuously differentiable and
 	// exact on straight lines however the points are spaced (Catmull and Rom 1974). Its tangents are the chords between the
@@ -116,23 +113,44 @@ private:
 	double perimeter_ = 0;
 };
 
-// Each point of the outline lies on the stretch of one edge. Within it, places follow one another as the points do.
+// The place of the hull for every point of the outline. Lengths along the outline are carried to lengths along the hull by a
+// monotone cubic through the places that hull points stand for (Fritsch and Butland 1984: the slope at a place is the harmonic mean of
+// those beside it). So no place of the hull is skipped or passed twice, and there is no jump in how fast the places follow one another.
 std::vector<HullPlace> places_on_hull(std::span<const Vec2> outline, std::span<const double> places, const Binder &binder) {
 	const std::size_t count = places.size();
-	std::vector<HullPlace> on_hull(outline.size());
-	std::vector<double> ends(places.begin(), places.end());
-	for (std::size_t i = 1; i < count; ++i) {
-		if (ends[i] < ends[i - 1]) {
-			ends[i] += double(outline.size());
-		}
+	const std::size_t drawn = outline.size();
+	std::vector<double> ways{ 0 }; // along the outline to each point
+	for (std::size_t i = 0; i < drawn; ++i) {
+		ways.push_back(ways.back() + distance_between(Vec2d(outline[i]), Vec2d(outline[(i + 1) % drawn])));
 	}
-	ends.push_back(ends[0] + double(outline.size()));
+	const auto way_to = [&](double place) {
+		const std::size_t i = std::size_t(place);
+		return ways[i] + (ways[i + 1] - ways[i]) * (place - double(i));
+	};
+	std::vector<double> starts; // along the outline to the place of each hull point, rising
+	for (std::size_t i = 0; i <= count; ++i) {
+		const double way = i < count ? way_to(places[i]) : starts[0] + ways.back();
+		starts.push_back(i > 0 && way < starts.back() ? way + ways.back() : way);
+	}
+	const auto slope = [&](std::size_t edge) { // of the hull's length over the outline's
+		return binder.edge_length(edge) / std::max(starts[edge + 1] - starts[edge], 1e-12 * ways.back());
+	};
+	std::vector<HullPlace> on_hull(drawn);
 	for (std::size_t edge = 0; edge < count; ++edge) {
-		double most = 0;
-		for (double k = std::ceil(ends[edge]); k < ends[edge + 1]; k += 1) {
-			const std::size_t index = std::size_t(k) % outline.size();
-			most = std::max(most, binder.projection(Vec2d(outline[index]), edge));
-			on_hull[index] = { edge, most };
+		const double own = slope(edge);
+		const double before = slope(edge > 0 ? edge - 1 : count - 1);
+		const double after = slope(edge + 1 < count ? edge + 1 : 0);
+		// Slopes at the ends over the own one.
+		const double first = 2 * before / (before + own);
+		const double last = 2 * after / (after + own);
+		const double end = edge + 1 < count ? places[edge + 1] : places[0];
+		const double next = end > places[edge] ? end : end + double(drawn);
+		for (double k = std::ceil(places[edge]); k < next; k += 1) {
+			const std::size_t index = std::size_t(k) % drawn;
+			const double way = ways[index] < starts[edge] ? ways[index] + ways.back() : ways[index];
+			const double x = std::clamp((way - starts[edge]) / (starts[edge + 1] - starts[edge]), 0.0, 1.0);
+			const double t = x * x * (3 - 2 * x) + first * x * (1 - x) * (1 - x) - last * x * x * (1 - x);
+			on_hull[index] = { edge, std::clamp(t, 0.0, 1.0) };
 		}
 	}
 	return on_hull;
@@ -170,6 +188,50 @@ void OutlineBinding::place(std::span<const Vec2> hull, std::span<Vec2> outline) 
 			sum += hull[j] * *weight++;
 		}
 		outline[i] = sum;
+	}
+}
+
+// The normal equations W^T W x = W^T d, by Cholesky's factors. Weights sum to 1 and each hull point has most of the weight of the
+// drawn points beside it, so the matrix is positive definite, and well conditioned; the little that is added to its diagonal
+// decides only for a hull point that no drawn point follows.
+void OutlineBinding::fit(std::span<const Vec2> outline, std::span<Vec2> hull) const {
+	constexpr double LEAST_WEIGHT = 1e-9;
+	const std::size_t count = hull_.size();
+	std::vector<double> matrix(count * count, 0.0);
+	std::vector<Vec2d> right(count);
+	const auto at = [&](std::size_t row, std::size_t column) -> double & { return matrix[row * count + column]; };
+	for (std::size_t k = 0; k < outline_.size(); ++k) {
+		const std::span<const Real> weights = weights_of(k);
+		for (std::size_t i = 0; i < count; ++i) {
+			right[i] += Vec2d(outline[k]) * double(weights[i]);
+			for (std::size_t j = 0; j <= i; ++j) {
+				at(i, j) += double(weights[i]) * double(weights[j]);
+			}
+		}
+	}
+	for (std::size_t i = 0; i < count; ++i) {
+		at(i, i) += LEAST_WEIGHT;
+		right[i] += Vec2d(hull_[i]) * LEAST_WEIGHT;
+		for (std::size_t j = 0; j <= i; ++j) {
+			double sum = at(i, j);
+			for (std::size_t k = 0; k < j; ++k) {
+				sum -= at(i, k) * at(j, k);
+			}
+			at(i, j) = i == j ? std::sqrt(sum) : sum / at(j, j);
+		}
+	}
+	for (std::size_t i = 0; i < count; ++i) {
+		for (std::size_t k = 0; k < i; ++k) {
+			right[i] -= right[k] * at(i, k);
+		}
+		right[i] *= 1 / at(i, i);
+	}
+	for (std::size_t i = count; i-- > 0;) {
+		for (std::size_t k = i + 1; k < count; ++k) {
+			right[i] -= right[k] * at(k, i);
+		}
+		right[i] *= 1 / at(i, i);
+		hull[i] = Vec2(right[i]);
 	}
 }
 

@@ -31,6 +31,10 @@ public:
 	/// Writes the places of the outline for a hull that is now at `hull`, in the order of the constructor.
 	/// O(outline · hull), no allocation.
 	void place(std::span<const Vec2> hull, std::span<Vec2> outline) const;
+	/// Writes the places of the hull whose outline is nearest to this one in the mean square: the reverse of `place`, as far
+	/// as the hull can show the outline. Values of the same kind, such as velocities, are carried alike.
+	/// O(outline · hull² + hull³); allocates.
+	void fit(std::span<const Vec2> outline, std::span<Vec2> hull) const;
 
 private:
 	std::vector<Vec2> outline_;

@@ -70,4 +70,10 @@ std::span<const Vec2> DrawnOutline::follow(std::span<const Vec2> p_points, Point
 	return drawn;
 }
 
+std::vector<Vec2> DrawnOutline::fit(std::span<const Vec2> p_drawn) const {
+	std::vector<Vec2> fitted(std::size_t(hull_.size()));
+	binding_.fit(p_drawn, fitted);
+	return fitted;
+}
+
 } // namespace softbody

@@ -14,6 +14,16 @@
 
 namespace softbody {
 
+/// Where the points of a body are drawn, and how fast they move, in global coordinates: for a body of another hull.
+struct DrawnMotion {
+	std::vector<Vec2> outline; ///< in the user's order, as long as the polygon; empty without a body
+	std::vector<Vec2> outline_velocities;
+	std::vector<Vec2> inner; ///< inner points and the center point
+	std::vector<Vec2> inner_velocities;
+	Vec2 velocity; ///< of the center of mass
+	Real angular_velocity = 0;
+};
+
 /// Made once for like polygons, and never changed. All in the node's coordinates and the user's order of points.
 class DrawnOutline {
 public:
@@ -30,6 +40,8 @@ public:
 	/// The outline for a body whose points, in the core's order, are now at `p_points`, and then its inner points.
 	/// Valid until the next call for any body. O(drawn · hull).
 	std::span<const Vec2> follow(std::span<const Vec2> p_points, PointOrder p_order) const;
+	/// The hull whose outline is nearest to these values of the drawn points. O(drawn · hull²).
+	std::vector<Vec2> fit(std::span<const Vec2> p_drawn) const;
 
 private:
 	std::vector<Vec2> drawn_;

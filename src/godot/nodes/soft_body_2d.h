@@ -56,8 +56,8 @@ namespace godot {
 /// those that are one value each, and `set_value` judges them all.
 ///
 /// The body itself (`softbody::SoftBodyData`) lives in the world of the node's space while the node is in the tree, and in
-/// `stored_body_` while it is not, so that re-parenting keeps its motion. Point indices of the public interface follow
-/// `polygon`; the core may hold the hull reversed (`polygon_reversed_`), and `core_index` translates.
+/// `stored_body_` while it is not, so that re-parenting keeps its motion. Point indices of the public interface follow the
+/// simulated polygon; the core may hold it reversed (`polygon_reversed_`), and `core_index` translates.
 class SoftBody2D : public Node2D, public softbody::SteppedNode, public softbody::BodyProperties {
 	GDCLASS(SoftBody2D, Node2D)
 
@@ -237,10 +237,8 @@ public:
 
 	// For nodes that hold on to this one.
 	softbody::SoftBodySpace2D *get_space() const { return space_; }
-	/// Null before it has entered the tree.
-	const softbody::SoftBodyData *get_body() const { return body(); }
-	/// Another number whenever the rest shape is another.
-	uint64_t get_rest_version() const { return rest_version_; }
+	const softbody::SoftBodyData *get_body() const { return body(); } ///< null before it has entered the tree
+	uint64_t get_rest_version() const { return rest_version_; } ///< another whenever the rest shape is another
 	/// All points at rest in the node's frame, in the core's order.
 	std::span<const softbody::Vec2> get_rest_positions() const { return rest_points_; }
 	/// The body's points in the node's frame at that fraction, in the core's order; at rest without a body. Valid until the next call.
@@ -354,6 +352,8 @@ private:
 	Transform2D design_transform() const;
 	/// Takes over a structure in which a value has changed. False if it was refused.
 	bool take_over_structure(const StringName &p_property, bool p_has_other_points);
+	softbody::DrawnMotion drawn_motion() const;
+	void take_over_motion(const softbody::DrawnMotion &p_motion);
 	const softbody::Spring2D *find_spring(int p_index) const;
 	std::pair<double, double> spring_scales() const;
 	void tell_structure_problems();

@@ -42,15 +42,18 @@ void SoftBody2D::set_structure(softbody::ValueOf<VALUE> p_value) {
 	}
 }
 
-/// Another hull makes another body.
+/// Another hull makes another body, which lies and moves as the old one is drawn.
 template <auto VALUE>
 void SoftBody2D::set_detail(softbody::ValueOf<VALUE> p_value) {
 	const ValueRule &rule = rule_of<VALUE>;
 	if (p_value == get_detail<VALUE>() || !accept(rule.name, rule.range.check(rule.name, double(p_value)))) {
 		return;
 	}
+	const softbody::DrawnMotion before = drawn_motion();
 	const softbody::ValueOf<VALUE> old = structure_.exchange_detail<VALUE>(p_value);
-	if (!take_over_structure(rule.name, true)) {
+	if (take_over_structure(rule.name, true)) {
+		take_over_motion(before);
+	} else {
 		structure_.exchange_detail<VALUE>(old);
 	}
 	notify_property_list_changed();
