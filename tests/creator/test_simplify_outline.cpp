@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <utility>
 #include <vector>
 
 using namespace softbody;
@@ -188,18 +189,19 @@ TEST_CASE("an outline with a narrow slit is simplified, and its lips do not cros
 	std::vector<Vec2> ring;
 	constexpr int COUNT = 120;
 	for (int i = 0; i <= COUNT; ++i) {
-		const SineCosine direction = sine_cosine(0.02 + (6.283185307179586 - 0.04) * i / COUNT);
+		const SineCosine direction = sine_cosine(0.005 + (6.283185307179586 - 0.01) * i / COUNT);
 		ring.push_back({ Real(60 * direction.cosine), Real(60 * direction.sine) });
 	}
 	for (int i = COUNT; i >= 0; --i) {
-		const SineCosine direction = sine_cosine(0.01 + (6.283185307179586 - 0.02) * i / COUNT);
+		const SineCosine direction = sine_cosine(0.0025 + (6.283185307179586 - 0.005) * i / COUNT);
 		ring.push_back({ Real(30 * direction.cosine), Real(30 * direction.sine) });
 	}
 	REQUIRE(!check_hull(ring));
-	for (const double tolerance : { 0.03, 0.06, 0.1, 0.2 }) {
+	// Where lips cross, all is done again for a smaller tolerance, which leaves more points.
+	for (const auto &[tolerance, most] : { std::pair(0.03, 30), std::pair(0.06, 22), std::pair(0.1, 18), std::pair(0.2, 16) }) {
 		CAPTURE(tolerance);
 		const SimplifiedOutline made = simplified(ring, { .tolerance = tolerance });
-		CHECK(made.hull.size() <= 40);
+		CHECK(int(made.hull.size()) <= most);
 		CHECK(is_simple(made.hull));
 		CHECK(made.error <= tolerance);
 	}
