@@ -107,6 +107,7 @@ StructureOptions BodyStructure::options(const Transform2D &p_scale) const {
 	options.damping = 1;
 	options.triangle_points = std::min(TRIANGLE_POINTS_A_PAIR * hull_count() / 2, MAX_HULL_POINTS);
 	options.center_point = values_.center_point;
+	options.balanced_mass = outline() != nullptr;
 	options.inner_points = to_core(p_scale.xform(values_.inner_points));
 	for (int64_t i = 0; i + 1 < values_.springs.size(); i += 2) {
 		options.springs.push_back({ uint32_t(values_.springs[i]), uint32_t(values_.springs[i + 1]) });
