@@ -33,6 +33,7 @@ nlohmann::json stress(const Options &options);
 nlohmann::json soak(const Options &options);
 nlohmann::json model(const Options &options);
 nlohmann::json heap(const Options &options);
+nlohmann::json detail(const Options &options);
 nlohmann::json dents(const Options &options);
 nlohmann::json rollback(const Options &options);
 /// A part of `dents`.

@@ -16,6 +16,7 @@ import tables_b
 import tables_books
 import tables_c
 import tables_dents
+import tables_detail
 import tables_editor
 import tables_engine
 import tables_heap
@@ -66,6 +67,7 @@ BENCHES = {
     "model": Bench(("float",), per_precision(tables_model.summarize), tables_model.print_table, timed=True),
     "heap": Bench(("float",), per_precision(tables_heap.summarize), tables_heap.print_table, timed=True),
     "dents": Bench(("float",), per_precision(tables_dents.summarize), tables_dents.print_table, timed=True),
+    "detail": Bench(("float",), per_precision(tables_detail.summarize), tables_detail.print_table, timed=True),
     "rollback": Bench(("float",), per_precision(tables_rollback.summarize), tables_rollback.print_table, timed=True),
     "peers": Bench(
         ("float",), tables_peers.summarize, tables_peers.print_table, timed=True, program="softbody_peers"

@@ -25,6 +25,7 @@ const std::map<std::string, bench::Bench> BENCHES = {
 	{ "model", bench::model },
 	{ "heap", bench::heap },
 	{ "dents", bench::dents },
+	{ "detail", bench::detail },
 	{ "rollback", bench::rollback },
 };
 

@@ -17,6 +17,7 @@ const StartShapes := preload(LOGIC + "start_shapes.gd")
 const StiffnessColors := preload(LOGIC + "stiffness_colors.gd")
 const StructureRemap := preload(LOGIC + "structure_remap.gd")
 const Words := preload(LOGIC + "words.gd")
+const FineOutlines := preload("res://tests/support/fine_outlines.gd")
 
 const SQUARE: PackedVector2Array = [Vector2(0, 0), Vector2(10, 0), Vector2(10, 10), Vector2(0, 10)]
 
@@ -170,6 +171,28 @@ func test_another_outline_takes_nothing_along_that_would_mean_nothing_and_says_s
 	check_equal(resampled[&"pinned_points"], PackedInt32Array([4]), "the pin is at the nearest point")
 	check_equal(resampled[&"pin_targets"], [^"../A"] as Array[NodePath], "and follows what it followed")
 	check_equal(values[&"pinned_points"], PackedInt32Array([2]), "the values that it was made of")
+
+
+func test_a_body_of_less_detail_is_edited_by_the_points_that_it_simulates() -> void:
+	var polygon := FineOutlines.character()
+	var values := _values(polygon, {"detail_mode": SoftBody2D.DETAIL_MODE_AUTOMATIC, "pinned_points": [0, 4]})
+	var hull := BodyValues.hull(values)
+	check_below(hull.size(), 24.5, "points of the hull")
+	check_equal(BodyValues.point_count(values), hull.size() + 1, "points")
+	check_equal(BodyValues.points(values).slice(0, hull.size()), hull, "places")
+	check_equal(BodyValues.springs(values).size(), 4 * hull.size(), "springs of the hull and to its middle")
+	# A dent that is drawn anew makes another hull: pins go to the points that are nearest.
+	var old := PackedInt32Array(range(polygon.size()))
+	var other := polygon.duplicate()
+	for i in range(60, 80):
+		other[i] = polygon[i].lerp(Vector2.ZERO, 0.2)
+	var after := StructureRemap.with_polygon(values, other, old)
+	check(BodyValues.hull(after) != hull, "the hull is another")
+	for i in 2:
+		var place := BodyValues.points(after)[after[&"pinned_points"][i]]
+		check_near(place, hull[values[&"pinned_points"][i]], 12.0, "place of pin %d" % i)
+	_check_fits(after, "another outline of a body of less detail")
+	check_equal(BodyValues.hull(_values(polygon)), polygon, "hull of a body as drawn")
 
 
 func test_springs_are_added_and_taken_out_with_their_factors() -> void:

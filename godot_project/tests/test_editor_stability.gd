@@ -4,6 +4,7 @@ extends "res://tests/support/suite.gd"
 
 const LOGIC := "res://addons/soft_body_2d/editor/logic/"
 const Advice := preload(LOGIC + "stability_advice.gd")
+const FineOutlines := preload("res://tests/support/fine_outlines.gd")
 const MaterialAccess := preload(LOGIC + "material_access.gd")
 const Words := preload(LOGIC + "words.gd")
 ## Long enough for every body here to settle.
@@ -89,7 +90,7 @@ func test_a_good_body_is_green_and_needs_no_advice() -> void:
 	var body := add_body()
 	var report := body.get_stability_report(LONG)
 	var rows := Advice.rows(report, 1.0 / 60, Words.say)
-	check_equal(rows.size(), 6, "figures")
+	check_equal(rows.size(), 7, "figures")
 	for row in rows:
 		check_equal(row.level, Advice.Level.GOOD, "light of %s (%s)" % [row.title, row.text])
 	check_equal(_advice_for(body), {}, "advice")
@@ -97,14 +98,29 @@ func test_a_good_body_is_green_and_needs_no_advice() -> void:
 	check_equal(soft[3].level, Advice.Level.BAD, "light of the sag of a soft body")
 
 
+func test_a_fine_outline_has_a_line_of_its_points_and_advice_to_simulate_fewer() -> void:
+	var body := add_body(Vector2.ZERO, {"polygon": FineOutlines.character()})
+	var line := Advice.rows(body.get_stability_report(LONG), 1.0 / 60, Words.say)[5]
+	check_equal([line.title, line.text, line.level], ["Points", "200, as drawn", Advice.Level.FAIR], "line as drawn")
+	var changes := _advice_for(body)
+	check_equal(changes.get(&"detail_mode"), SoftBody2D.DETAIL_MODE_AUTOMATIC, "advice")
+	body.detail_mode = changes[&"detail_mode"]
+	var report := body.get_stability_report(LONG)
+	line = Advice.rows(report, 1.0 / 60, Words.say)[5]
+	check_equal([line.text, line.level], ["%d of 200, error %s %%" % [report.points_simulated, Advice.number(100 * report.outline_error)],
+			Advice.Level.GOOD], "line with less detail")
+	check(not _advice_for(body).has(&"detail_mode"), "no more advice")
+	check(not _advice_for(add_body()).has(&"detail_mode"), "none for the default body")
+
+
 func test_a_body_made_firmer_for_its_weight_has_a_line_that_says_how_much() -> void:
 	var body := add_body(Vector2.ZERO, {"mass": 5.0})
-	var line := Advice.rows(body.get_stability_report(LONG), 1.0 / 60, Words.say)[6]
+	var line := Advice.rows(body.get_stability_report(LONG), 1.0 / 60, Words.say)[7]
 	check_equal([line.title, line.text, line.level], ["Firmness", "4.96 × for its weight", Advice.Level.GOOD], "line")
 	check("%s is used" % Advice.number(body.get_youngs_modulus_in_use()) in line.hint, "the hint names the value: " + line.hint)
 	check_equal(_advice_for(body), {}, "advice")
 	body.youngs_modulus = 5
-	line = Advice.rows(body.get_stability_report(LONG), 1.0 / 60, Words.say)[6]
+	line = Advice.rows(body.get_stability_report(LONG), 1.0 / 60, Words.say)[7]
 	check_equal(line.level, Advice.Level.FAIR, "light of a Young's modulus without effect")
 	check("no effect" in line.hint, "the hint says so: " + line.hint)
 	var changes := _advice_for(body)

@@ -51,6 +51,21 @@ func test_pinned_points_follow_their_targets() -> void:
 		check_near(polygon_of(body)[pin] - hook.global_position, offset, 5, "place of the pin beside its hook")
 
 
+func test_few_points_stand_for_two_hundred_and_lie_as_they_do() -> void:
+	_open("detail")
+	await seconds(4)
+	var as_drawn := _body("AsDrawn")
+	var automatic := _body("Automatic")
+	check_equal(as_drawn.get_detail_report().points_simulated, 200, "points as drawn")
+	check_below(automatic.get_detail_report().points_simulated, 24.5, "points within 3 %")
+	check_equal(_body("PointCount").get_detail_report().points_simulated, 12, "a number of points")
+	var box := bounds_of(as_drawn.get_interpolated_polygon(1))
+	for body: SoftBody2D in [automatic, _body("PointCount")]:
+		var other := bounds_of(body.get_interpolated_polygon(1))
+		check_near(other.size, box.size, 10.0, "size of what is drawn of %s" % body.name)
+		check_near(other.end.y, box.end.y, 9.0, "lowest place of %s" % body.name)
+
+
 func test_a_drawn_line_cuts_what_it_goes_through() -> void:
 	_open("cuts")
 	await seconds(1.5)

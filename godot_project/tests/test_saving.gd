@@ -7,6 +7,7 @@ const PROPERTIES := {
 	"polygon": [Vector2(-50, -30), Vector2(0, -42), Vector2(50, -30), Vector2(58, 10), Vector2(30, 40),
 		Vector2(-30, 40), Vector2(-58, 10)],
 	"mass_mode": SoftBody2D.MASS_MODE_CUSTOM, "mass": 2.5, "firm_for_weight": false, "youngs_modulus": 480.0, "poisson_ratio": 0.25, "damping_ratio": 0.5,
+	"detail_mode": SoftBody2D.DETAIL_MODE_AUTOMATIC, "detail_tolerance": 0.0625, "detail_point_count": 20,
 	"elastic_model": SoftBody2D.ELASTIC_MODEL_NETWORK, "least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0, "smallest_piece": 0.125, "yield_strain": 0.0625, "flow_rate": 12.0, "max_dent": 0.25, "tear_stretch": 0.75, "dent_by": SoftBody2D.DENT_BY_TENSION, "stiffness": 640.0, "damping": 0.5, 
 	"rolling_resistance": 0.0625, "shape_matching": 0.75, "shape_damping_ratio": 0.5, "gravity_scale": 1.25,
 	"substeps": 9, "collision_layer": 5, "collision_mask": 3, "color": Color(0.25, 0.5, 0.75, 1.0),

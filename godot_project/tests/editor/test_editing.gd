@@ -157,7 +157,7 @@ func test_the_panel_advises_a_material_on_youngs_modulus() -> void:
 	var panel: Control = plugin.inspector.panel
 	panel.refresh()
 	await frames(2)
-	check_equal(panel.shown_rows[5].text, "elastic modes", "what makes it elastic")
+	check_equal(panel.shown_rows[6].text, "elastic modes", "what makes it elastic")
 	check_equal(panel.shown_advice.size(), 1, "advice")
 	panel.apply(panel.shown_advice[0])
 	check(body.youngs_modulus > 40, "Young's modulus after the advice: %s" % body.youngs_modulus)
@@ -241,7 +241,7 @@ func test_the_stability_panel_tells_and_its_advice_is_applied_in_one_step() -> v
 	await frames(2)
 	await shot("stability")
 	check(panel.report.get("folds", false), "a body of 5 N/m folds: %s" % panel.report)
-	check_equal(panel.shown_rows.size(), 6, "figures")
+	check_equal(panel.shown_rows.size(), 7, "figures")
 	check(panel.headline.text.begins_with("To do: ") and "will fold" in panel.headline.text, "the line: " + panel.headline.text)
 	var texts: Array = panel.shown_advice.map(func(advice: RefCounted) -> String: return advice.text)
 	check("substeps are enough" in "\n".join(texts), "advice on substeps: %s" % [texts])

@@ -2,6 +2,7 @@
 // Finds the elastic modes of an outline, and the masses with which they swing as the solid does.
 #include "core/creator/elastic_modes.h"
 
+#include "core/creator/balanced_masses.h"
 #include "core/creator/lattice_solid.h"
 #include "core/creator/point_loads.h"
 #include "core/creator/ritz.h"
@@ -46,7 +47,7 @@ std::vector<PointVector> rigid_motions(const PointVector &arms, std::span<const 
 // The solid as its points see it: loads on them in, displacements of them out.
 class Reduction {
 public:
-	Reduction(std::span<const Vec2> points, std::size_t hull_count);
+	Reduction(std::span<const Vec2> points, std::size_t hull_count, bool is_balanced);
 
 	/// Share of the mass on the hull. Updates everything that depends on masses.
 	void set_hull_share(double share);
@@ -65,6 +66,7 @@ private:
 
 	std::vector<Vec2> points_;
 	std::size_t hull_count_;
+	bool is_balanced_;
 	LatticeSolid solid_;
 	PointLoads loads_;
 	std::vector<double> masses_;
@@ -76,8 +78,8 @@ private:
 	std::vector<double> compliances_; ///< descending
 };
 
-Reduction::Reduction(std::span<const Vec2> points, std::size_t hull_count) :
-		points_(points.begin(), points.end()), hull_count_(hull_count), solid_(points.first(hull_count), LATTICE_CELLS),
+Reduction::Reduction(std::span<const Vec2> points, std::size_t hull_count, bool is_balanced) :
+		points_(points.begin(), points.end()), hull_count_(hull_count), is_balanced_(is_balanced), solid_(points.first(hull_count), LATTICE_CELLS),
 		loads_(solid_, points, hull_count) {
 	const std::span<const Vec2> hull = points.first(hull_count);
 	area_gradient_.assign(points.size(), {});
@@ -94,6 +96,9 @@ void Reduction::set_hull_share(double share) {
 	masses_.clear();
 	for (std::size_t i = 0; i < points_.size(); ++i) {
 		masses_.push_back(i < hull_count_ ? share * loads_.hull_shares()[i] : (1 - share) / double(inner));
+	}
+	if (is_balanced_) {
+		balance_masses(points_, Vec2d(area_centroid(std::span(points_).first(hull_count_))), masses_);
 	}
 	Vec2d center;
 	for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -284,8 +289,8 @@ ElasticReduction Reduction::result() {
 
 } // namespace
 
-ElasticReduction reduce_solid(std::span<const Vec2> points, std::size_t hull_count) {
-	Reduction reduction(points, hull_count);
+ElasticReduction reduce_solid(std::span<const Vec2> points, std::size_t hull_count, bool is_balanced) {
+	Reduction reduction(points, hull_count, is_balanced);
 	double wanted = 0;
 	double share = 1;
 	for (int iteration = 0; iteration < MASS_ITERATIONS; ++iteration) {

@@ -20,7 +20,8 @@ struct ElasticReduction {
 /// Reduces the solid inside an outline (`LatticeSolid`) to the softest modes of its points (static condensation, Guyan
 /// 1965, truncated). The mass is divided between hull and inner points so that the lowest frequency is the solid's;
 /// without inner points frequencies are up to a third too low. `points` are the hull, of positive area, then the inner
-/// points. Allocates; takes some milliseconds for up to a few hundred points.
-ElasticReduction reduce_solid(std::span<const Vec2> points, std::size_t hull_count);
+/// points. With `is_balanced` their center is the outline's area centroid (`balance_masses`). Allocates; takes some
+/// milliseconds for up to a few hundred points.
+ElasticReduction reduce_solid(std::span<const Vec2> points, std::size_t hull_count, bool is_balanced = false);
 
 } // namespace softbody

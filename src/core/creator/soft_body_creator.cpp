@@ -2,6 +2,7 @@
 // Turns an outline and a few material values into the structure of a soft body.
 #include "core/creator/soft_body_creator.h"
 
+#include "core/creator/balanced_masses.h"
 #include "core/creator/elastic_modes.h"
 #include "core/creator/triangle_mesh.h"
 #include "core/geometry/polygon.h"
@@ -142,6 +143,11 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 		std::reverse(points.begin() + 1, points.begin() + std::ptrdiff_t(count));
 	}
 	description.masses.assign(points.size(), options.mass / Real(points.size()));
+	if (options.balanced_mass) {
+		std::vector<double> masses(description.masses.begin(), description.masses.end());
+		balance_masses(points, Vec2d(area_centroid(std::span(points).first(count))), masses);
+		std::ranges::transform(masses, description.masses.begin(), [](double mass) { return Real(mass); });
+	}
 	description.points = std::move(points);
 	if (!options.elastic && !options.elastic_triangles) {
 		return SoftBodyShape::create(std::move(description));
@@ -161,7 +167,7 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 		mass_shares = std::move(mesh.value().mass_shares);
 		description.triangles = std::move(mesh.value().triangles);
 	} else {
-		ElasticReduction reduction = reduce_solid(plain.value()->rest_positions(), count);
+		ElasticReduction reduction = reduce_solid(plain.value()->rest_positions(), count, options.balanced_mass);
 		mass_shares = std::move(reduction.mass_shares);
 		description.modes = std::move(reduction.modes);
 	}

@@ -29,6 +29,9 @@ struct StructureOptions {
 	std::vector<Real> spring_stiffness_scales = {}; ///< [1], >= 0
 	std::vector<Real> spring_damping_scales = {}; ///< [1], >= 0
 	std::vector<Real> spring_length_scales = {}; ///< [1], > 0
+	/// Whether masses are changed a little so that their center is the outline's area centroid (`balance_masses`), where they
+	/// would be divided for other reasons: for a hull that stands for an outline of more points.
+	bool balanced_mass = false;
 	/// Whether the body can deform as an elastic solid (BodySettings::shear_modulus). `reduce_solid` then divides its
 	/// mass, instead of equal shares.
 	bool elastic = false;

@@ -34,6 +34,9 @@ const char *const SHARED_PROPERTIES[] = { "process_mode", "process_priority", "p
 } // namespace
 
 Result<BodyCut> BodyCuts::plan(const SoftBody2D &p_node, const PackedVector2Array &p_points) {
+	if (Status refused = p_node.structure_.check_as_drawn()) {
+		return *refused;
+	}
 	const SoftBodyData *body = whole_of(p_node);
 	if (body == nullptr) {
 		return Error{ "body", "none", "must be in the scene tree of a running game", "add the node to the tree first" };
@@ -42,6 +45,9 @@ Result<BodyCut> BodyCuts::plan(const SoftBody2D &p_node, const PackedVector2Arra
 }
 
 Result<BodyCut> BodyCuts::plan_tear(const SoftBody2D &p_node, double p_stretch) {
+	if (Status refused = p_node.structure_.check_as_drawn()) {
+		return *refused;
+	}
 	const SoftBodyData *body = whole_of(p_node);
 	if (body == nullptr) {
 		return Error{ "body", "none", "must be in the scene tree of a running game", "add the node to the tree first" };
@@ -57,7 +63,7 @@ const SoftBodyData *BodyCuts::whole_of(const SoftBody2D &p_node) {
 TearRules BodyCuts::tear_rules(const SoftBody2D &p_node, const SoftBodyData &p_copy) {
 	const Transform2D transform = p_node.is_inside_tree() ? p_node.get_global_transform() : p_node.get_transform();
 	return { options_of(p_node, p_copy, scale_and_skew(transform)), { Real(p_node.most_bearable_strain()), limits_of(p_node) },
-		p_node.material_.values().tear_stretch > 0 };
+		p_node.material_.values().tear_stretch > 0 && !p_node.structure_.check_as_drawn() };
 }
 
 StructureOptions BodyCuts::options_of(const SoftBody2D &p_node, const SoftBodyData &p_body, const Transform2D &p_scale) {

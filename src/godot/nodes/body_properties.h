@@ -74,6 +74,13 @@ struct BodyProperties : SkinChoices {
 		DENT_BY_TENSION,
 	};
 
+	/// Which points are simulated for the polygon that is drawn.
+	enum DetailMode {
+		DETAIL_MODE_AS_DRAWN,
+		DETAIL_MODE_AUTOMATIC,
+		DETAIL_MODE_POINT_COUNT,
+	};
+
 	/// `SoftBody2D::bind_properties` has their ranges.
 	struct Values {
 		MassMode mass_mode = MASS_MODE_AUTO;

@@ -47,7 +47,7 @@ Status BodyStructure::check(const std::string &p_name, const PackedFloat32Array 
 }
 
 std::vector<Vec2> BodyStructure::rest_points(bool p_reversed) const {
-	std::vector<Vec2> points = to_core(values_.polygon);
+	std::vector<Vec2> points = to_core(hull());
 	if (p_reversed) {
 		std::reverse(points.begin() + 1, points.end());
 	}
@@ -65,6 +65,38 @@ std::vector<Vec2> BodyStructure::rest_points(bool p_reversed) const {
 	return points;
 }
 
+std::shared_ptr<const DrawnOutline> BodyStructure::make_outline(BodyProperties::DetailMode p_mode) const {
+	if (p_mode == BodyProperties::DETAIL_MODE_AS_DRAWN) {
+		return nullptr;
+	}
+	SimplifyOptions options;
+	options.tolerance = detail_.tolerance;
+	options.least_edge = LINEAR_SLOP * PIXELS_PER_METER;
+	if (p_mode == BodyProperties::DETAIL_MODE_POINT_COUNT) {
+		options.most_points = detail_.point_count;
+	}
+	return DrawnOutline::find_or_make(values_.polygon, options);
+}
+
+const DrawnOutline *BodyStructure::outline() const {
+	if (!is_outline_known_) {
+		outline_ = make_outline(detail_.mode);
+		is_outline_known_ = true;
+	}
+	return outline_.get();
+}
+
+std::shared_ptr<const DrawnOutline> BodyStructure::outline_at_tolerance() const {
+	return make_outline(BodyProperties::DETAIL_MODE_AUTOMATIC);
+}
+
+Status BodyStructure::check_as_drawn() const {
+	if (outline() == nullptr) {
+		return {};
+	}
+	return Error{ "detail_mode", std::to_string(hull_count()) + " points simulated of " + std::to_string(polygon_count()) + " drawn", "must be As Drawn for cuts and tears", "set detail_mode to As Drawn" };
+}
+
 bool BodyStructure::is_painted() const {
 	return !values_.stiffness_scales.is_empty() || !values_.damping_scales.is_empty() || !values_.length_scales.is_empty();
 }
@@ -73,8 +105,9 @@ StructureOptions BodyStructure::options(const Transform2D &p_scale) const {
 	StructureOptions options;
 	options.stiffness = 1;
 	options.damping = 1;
-	options.triangle_points = std::min(TRIANGLE_POINTS_A_PAIR * polygon_count() / 2, MAX_HULL_POINTS);
+	options.triangle_points = std::min(TRIANGLE_POINTS_A_PAIR * hull_count() / 2, MAX_HULL_POINTS);
 	options.center_point = values_.center_point;
+	options.balanced_mass = outline() != nullptr;
 	options.inner_points = to_core(p_scale.xform(values_.inner_points));
 	for (int64_t i = 0; i + 1 < values_.springs.size(); i += 2) {
 		options.springs.push_back({ uint32_t(values_.springs[i]), uint32_t(values_.springs[i + 1]) });

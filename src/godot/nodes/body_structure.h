@@ -5,6 +5,8 @@
 #include "core/base/error.h"
 #include "core/creator/soft_body_creator.h"
 #include "godot/convert.h"
+#include "godot/drawing/drawn_outline.h"
+#include "godot/nodes/body_properties.h"
 
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
@@ -28,7 +30,10 @@ struct SizedHull {
 	bool is_reversed = false; ///< whether the core holds the points in reverse
 };
 
-/// Polygon, inner points, which points springs join, and how strong these are.
+/// Polygon, inner points, which points springs join, and how strong these are; and which points stand for the polygon.
+///
+/// The hull is what is simulated: the polygon itself, or fewer points that stand for it. Springs and pins count the points of
+/// the hull, then the inner points, then the center point.
 ///
 /// A scene file sets these values one after the other, so whether they fit each other can be judged only by them all. `check`
 /// refuses a value that can never be right. A value that does not fit the others is kept, and `make_shape` leaves it out.
@@ -44,15 +49,31 @@ public:
 		bool center_point = true;
 	};
 
+	struct DetailValues {
+		BodyProperties::DetailMode mode = BodyProperties::DETAIL_MODE_AS_DRAWN;
+		double tolerance = 0.03; ///< see SimplifyOptions
+		int point_count = 24; ///< in DETAIL_MODE_POINT_COUNT
+	};
+
 	/// Least width of a body that has been scaled down [px].
 	static constexpr real_t LEAST_WIDTH = 4;
 
 	const Values &values() const { return values_; }
-	void exchange_all(const Values &p_values) { values_ = p_values; }
+	const DetailValues &detail() const { return detail_; }
+	void exchange_all(const Values &p_values) {
+		values_ = p_values;
+		is_outline_known_ = false;
+	}
 	/// Sets one of the values, of any kind, and returns its old one.
 	template <auto VALUE, class Value>
 	Value exchange(const Value &p_value) {
+		is_outline_known_ = false;
 		return std::exchange(values_.*VALUE, p_value);
+	}
+	template <auto VALUE, class Value>
+	Value exchange_detail(const Value &p_value) {
+		is_outline_known_ = false;
+		return std::exchange(detail_.*VALUE, p_value);
 	}
 
 	// What can never be right, by the name and type of the property.
@@ -63,10 +84,20 @@ public:
 	static Status check(const std::string &p_name, const godot::PackedFloat32Array &p_scales);
 	static Status check(const std::string &, bool) { return {}; }
 
+	/// Points that are drawn.
 	int polygon_count() const { return int(values_.polygon.size()); }
+	/// How the polygon follows the hull; null where the polygon is the hull.
+	const DrawnOutline *outline() const;
+	/// The outline that DETAIL_MODE_AUTOMATIC would have; null where it would simulate the polygon as drawn.
+	std::shared_ptr<const DrawnOutline> outline_at_tolerance() const;
+	/// Refuses a hull that is not the polygon itself.
+	Status check_as_drawn() const;
+	/// What is simulated, in the user's order.
+	const godot::PackedVector2Array &hull() const { return outline() != nullptr ? outline_->hull() : values_.polygon; }
+	int hull_count() const { return int(hull().size()); }
 	/// Points of a body that gets none besides these.
-	int point_count() const { return int(values_.polygon.size() + values_.inner_points.size()) + (values_.center_point ? 1 : 0); }
-	PointOrder order(bool p_reversed) const { return { polygon_count(), p_reversed }; }
+	int point_count() const { return hull_count() + int(values_.inner_points.size()) + (values_.center_point ? 1 : 0); }
+	PointOrder order(bool p_reversed) const { return { hull_count(), p_reversed }; }
 	/// All points in the core's order: hull, inner points, middle.
 	std::vector<Vec2> rest_points(bool p_reversed) const;
 	bool has_springs() const { return !values_.springs.is_empty(); }
@@ -86,7 +117,12 @@ public:
 	void append_warnings(godot::PackedStringArray &r_warnings) const;
 
 private:
+	std::shared_ptr<const DrawnOutline> make_outline(BodyProperties::DetailMode p_mode) const;
+
 	Values values_;
+	DetailValues detail_;
+	mutable std::shared_ptr<const DrawnOutline> outline_;
+	mutable bool is_outline_known_ = true; ///< whether `outline_` is that of the present values; the empty polygon has none
 };
 
 } // namespace softbody

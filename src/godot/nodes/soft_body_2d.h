@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/base/value_range.h"
 #include "core/model/body_frame.h"
 #include "core/model/firmness.h"
 #include "core/model/soft_body_data.h"
@@ -23,6 +22,7 @@
 #include "godot/nodes/contact_reports.h"
 #include "godot/nodes/cut_history.h"
 #include "godot/nodes/fall_memory.h"
+#include "godot/nodes/value_rule.h"
 #include "godot/resources/property_binding.h"
 #include "godot/resources/soft_body_material_2d.h"
 #include "godot/resources/unfit_values.h"
@@ -56,8 +56,8 @@ namespace godot {
 /// those that are one value each, and `set_value` judges them all.
 ///
 /// The body itself (`softbody::SoftBodyData`) lives in the world of the node's space while the node is in the tree, and in
-/// `stored_body_` while it is not, so that re-parenting keeps its motion. Point indices of the public interface follow
-/// `polygon`; the core may hold the hull reversed (`polygon_reversed_`), and `core_index` translates.
+/// `stored_body_` while it is not, so that re-parenting keeps its motion. Point indices of the public interface follow the
+/// simulated polygon; the core may hold it reversed (`polygon_reversed_`), and `core_index` translates.
 class SoftBody2D : public Node2D, public softbody::SteppedNode, public softbody::BodyProperties {
 	GDCLASS(SoftBody2D, Node2D)
 
@@ -74,6 +74,10 @@ public:
 	void set_structure(softbody::ValueOf<VALUE> p_value);
 	template <auto VALUE>
 	softbody::ValueOf<VALUE> get_structure() const { return structure_.values().*VALUE; }
+	template <auto VALUE>
+	void set_detail(softbody::ValueOf<VALUE> p_value);
+	template <auto VALUE>
+	softbody::ValueOf<VALUE> get_detail() const { return structure_.detail().*VALUE; }
 	template <auto VALUE>
 	void set_style(softbody::ValueOf<VALUE> p_value);
 	template <auto VALUE>
@@ -127,6 +131,8 @@ public:
 	static PackedVector2Array make_circle_polygon(double p_radius, int p_point_count);
 	static PackedVector2Array make_box_polygon(const Vector2 &p_size, double p_spacing);
 	static PackedVector2Array make_capsule_polygon(double p_radius, double p_height, double p_spacing);
+	PackedVector2Array get_simulated_polygon() const { return structure_.hull(); }
+	Dictionary get_detail_report() const;
 	int get_spring_count() const;
 	Vector2i get_spring_points(int p_index) const;
 	PackedInt32Array get_all_springs() const;
@@ -231,12 +237,10 @@ public:
 
 	// For nodes that hold on to this one.
 	softbody::SoftBodySpace2D *get_space() const { return space_; }
-	/// Null before it has entered the tree.
-	const softbody::SoftBodyData *get_body() const { return body(); }
-	/// Another number whenever the rest shape is another.
-	uint64_t get_rest_version() const { return rest_version_; }
+	const softbody::SoftBodyData *get_body() const { return body(); } ///< null before it has entered the tree
+	uint64_t get_rest_version() const { return rest_version_; } ///< another whenever the rest shape is another
 	/// All points at rest in the node's frame, in the core's order.
-	std::span<const softbody::Vec2> get_rest_positions() const { return skin_.rest(); }
+	std::span<const softbody::Vec2> get_rest_positions() const { return rest_points_; }
 	/// The body's points in the node's frame at that fraction, in the core's order; at rest without a body. Valid until the next call.
 	std::span<const softbody::Vec2> local_points(double p_fraction) const;
 	/// Whether it is drawn where the last tick left it, not between two.
@@ -297,15 +301,7 @@ private:
 	void set_former_surface(const StringName &p_name, const Variant &p_value);
 
 	/// What `set_value` does with a property.
-	struct ValueRule {
-		using Effect = void (SoftBody2D::*)();
-		ValueRule(const char *p_name = "", const softbody::ValueRange &p_range = {}, Effect p_effect = nullptr, bool p_is_judged = false) :
-				name(p_name), range(p_range), effect(p_effect), is_judged(p_is_judged) {}
-		const char *name;
-		softbody::ValueRange range;
-		Effect effect; ///< called when the value was accepted
-		bool is_judged; ///< whether the value is refused where the body as a whole cannot have it
-	};
+	using ValueRule = softbody::ValueRule<SoftBody2D>;
 	/// One for each member of `Values`, `BodyStructure::Values` and `SkinStyle` that is a property; `bind_value` fills it.
 	template <auto VALUE>
 	static inline ValueRule rule_of;
@@ -356,6 +352,8 @@ private:
 	Transform2D design_transform() const;
 	/// Takes over a structure in which a value has changed. False if it was refused.
 	bool take_over_structure(const StringName &p_property, bool p_has_other_points);
+	softbody::DrawnMotion drawn_motion() const;
+	void take_over_motion(const softbody::DrawnMotion &p_motion);
 	const softbody::Spring2D *find_spring(int p_index) const;
 	std::pair<double, double> spring_scales() const;
 	void tell_structure_problems();
@@ -430,6 +428,7 @@ private:
 	void remake_skin();
 	void note_look();
 	void note_move_by_user(const Transform2D &p_from, const Transform2D &p_to);
+	std::span<const softbody::Vec2> drawn_points(double p_fraction) const; ///< as `local_points`, for the skin
 	bool check_fraction(double &r_fraction) const;
 	void draw();
 	void place_canvas_item(double p_fraction);
@@ -460,6 +459,7 @@ private:
 	softbody::UnfitValues unfit_;
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
 	uint64_t rest_version_ = 0;
+	std::vector<softbody::Vec2> rest_points_; ///< in the core's order
 
 	softbody::SoftBodySpace2D *space_ = nullptr;
 	softbody::BodyId body_id_;

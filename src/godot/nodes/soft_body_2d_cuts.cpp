@@ -14,7 +14,7 @@ namespace {
 
 // Whether the caller is to blame, not where the body happens to be.
 bool is_bad_input(const softbody::Error &p_error) {
-	return p_error.name.starts_with("blade") || p_error.name == "body";
+	return p_error.name.starts_with("blade") || p_error.name == "body" || p_error.name == "detail_mode";
 }
 
 } // namespace

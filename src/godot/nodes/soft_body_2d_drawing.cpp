@@ -42,7 +42,12 @@ void SoftBody2D::update_topology() {
 	// Of the node's scale one pixel is this part; the parent's and the camera's are left out, as Godot's own lines do.
 	const Vector2 scale = built_scale_.get_scale().abs();
 	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);
-	skin_.set_rest(structure_.rest_points(polygon_reversed_), order(), softbody::Real(pixel));
+	rest_points_ = structure_.rest_points(polygon_reversed_);
+	if (const softbody::DrawnOutline *outline = structure_.outline()) {
+		skin_.set_rest(outline->drawn_rest(rest_points_), { structure_.polygon_count(), false }, softbody::Real(pixel));
+	} else {
+		skin_.set_rest(rest_points_, order(), softbody::Real(pixel));
+	}
 	remake_skin();
 }
 
@@ -120,7 +125,7 @@ bool SoftBody2D::is_drawn_at_tick() const {
 std::span<const Vec2> SoftBody2D::local_points(double p_fraction) const {
 	static std::vector<Vec2> points;
 	if (space_ == nullptr || body() == nullptr) {
-		return skin_.rest();
+		return rest_points_;
 	}
 	const softbody::SoftBodyData &data = *body();
 	points.resize(data.point_count());
@@ -133,6 +138,11 @@ std::span<const Vec2> SoftBody2D::local_points(double p_fraction) const {
 		}
 	}
 	return points;
+}
+
+std::span<const Vec2> SoftBody2D::drawn_points(double p_fraction) const {
+	const softbody::DrawnOutline *outline = structure_.outline();
+	return outline != nullptr ? outline->follow(local_points(p_fraction), order()) : local_points(p_fraction);
 }
 
 bool SoftBody2D::check_fraction(double &r_fraction) const {
@@ -149,11 +159,12 @@ PackedVector2Array SoftBody2D::get_interpolated_polygon(double p_fraction) const
 		return polygon;
 	}
 	const Transform2D frame = interpolation_.frame(known_transform_, p_fraction);
-	const std::span<const Vec2> points = local_points(p_fraction);
+	const std::span<const Vec2> points = drawn_points(p_fraction);
+	const bool is_drawn_in_order = structure_.outline() != nullptr;
 	polygon.resize(structure_.polygon_count());
 	Vector2 *write = polygon.ptrw();
 	for (int i = 0; i < structure_.polygon_count(); i++) {
-		write[i] = frame.xform(softbody::to_godot(points[core_index(i)]));
+		write[i] = frame.xform(softbody::to_godot(points[is_drawn_in_order ? std::size_t(i) : core_index(i)]));
 	}
 	return polygon;
 }
@@ -169,7 +180,7 @@ void SoftBody2D::draw() {
 	skin_.note_tint(softbody::is_tinted(*this)); // of a node that was there before the library was loaded anew
 	skin_.draw(get_canvas_item());
 	const double fraction = is_drawn_at_tick() ? 1 : softbody::present_fraction();
-	skin_.update(local_points(fraction));
+	skin_.update(drawn_points(fraction));
 	update_seen_area();
 }
 
@@ -183,7 +194,7 @@ bool SoftBody2D::draw_frame(const softbody::DrawingFrame &p_frame) {
 	const double fraction = is_drawn_at_tick() ? 1 : p_frame.fraction();
 	place_canvas_item(fraction);
 	if (on_screen_ || view_->is_unsteady() || !interpolation_.is_moving()) {
-		skin_.update(local_points(fraction));
+		skin_.update(drawn_points(fraction));
 		update_seen_area();
 		if (debug_drawing_) {
 			draw_debug(fraction);
@@ -195,7 +206,7 @@ bool SoftBody2D::draw_frame(const softbody::DrawingFrame &p_frame) {
 		area_checked_ = true;
 		const std::span<const Vec2> points = local_points(1);
 		if (!skin_area_.encloses(rect_of(softbody::bounding_box(points)))) {
-			skin_.update(points);
+			skin_.update(drawn_points(1));
 			update_seen_area();
 			return true;
 		}

@@ -25,6 +25,8 @@ void SoftBody2D::bind_value(const ValueRule &p_rule, PropertyHint p_hint, const 
 	};
 	if constexpr (std::is_same_v<Owner, Values>) {
 		bind_methods(&SoftBody2D::set_value<VALUE>, &SoftBody2D::get_value<VALUE>);
+	} else if constexpr (std::is_same_v<Owner, softbody::BodyStructure::DetailValues>) {
+		bind_methods(&SoftBody2D::set_detail<VALUE>, &SoftBody2D::get_detail<VALUE>);
 	} else if constexpr (std::is_same_v<Owner, softbody::SkinStyle>) {
 		bind_methods(&SoftBody2D::set_style<VALUE>, &SoftBody2D::get_style<VALUE>);
 	} else {
@@ -60,6 +62,12 @@ void SoftBody2D::bind_properties() {
 	softbody::bind_material_value<SoftBody2D, &Material::inflation>();
 	bind_value<&Values::firm_for_weight>({ "firm_for_weight", {}, &SoftBody2D::apply_settings, true }, PROPERTY_HINT_NONE, "", "is_firm_for_weight");
 	bind_value<&Values::elastic_model>({ "elastic_model", Range::between(0, ELASTIC_MODEL_COUNT - 1), &SoftBody2D::apply_shape, true }, PROPERTY_HINT_ENUM, "Automatic,Network,Springs,Springs and Shape,Springs Shape and Area,Modes,Triangles");
+
+	ADD_GROUP("Detail", "detail_");
+	using Detail = softbody::BodyStructure::DetailValues;
+	bind_value<&Detail::mode>({ "detail_mode", Range::between(DETAIL_MODE_AS_DRAWN, DETAIL_MODE_POINT_COUNT) }, PROPERTY_HINT_ENUM, "As Drawn,Automatic,Point Count");
+	bind_value<&Detail::tolerance>({ "detail_tolerance", Range::between(softbody::LEAST_DETAIL_TOLERANCE, softbody::MOST_DETAIL_TOLERANCE) }, PROPERTY_HINT_RANGE, "0.001,0.5,0.001");
+	bind_value<&Detail::point_count>({ "detail_point_count", Range::between(softbody::MIN_HULL_POINTS, softbody::MAX_HULL_POINTS) }, PROPERTY_HINT_RANGE, "3,64,1,or_greater");
 
 	ADD_GROUP("Collision", "");
 	bind_value<&Values::self_collision>({ "self_collision", Range::between(SELF_COLLISION_OFF, SELF_COLLISION_AUTOMATIC), &SoftBody2D::apply_settings }, PROPERTY_HINT_ENUM, "Off,On,Automatic");

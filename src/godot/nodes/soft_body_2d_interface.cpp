@@ -34,6 +34,8 @@ void SoftBody2D::bind_structure_methods() {
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_circle_polygon", "radius", "point_count"), &SoftBody2D::make_circle_polygon);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_box_polygon", "size", "spacing"), &SoftBody2D::make_box_polygon);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_capsule_polygon", "radius", "height", "spacing"), &SoftBody2D::make_capsule_polygon);
+	ClassDB::bind_method(D_METHOD("get_simulated_polygon"), &SoftBody2D::get_simulated_polygon);
+	ClassDB::bind_method(D_METHOD("get_detail_report"), &SoftBody2D::get_detail_report);
 	ClassDB::bind_method(D_METHOD("get_spring_count"), &SoftBody2D::get_spring_count);
 	ClassDB::bind_method(D_METHOD("get_spring_points", "index"), &SoftBody2D::get_spring_points);
 	ClassDB::bind_method(D_METHOD("get_all_springs"), &SoftBody2D::get_all_springs);
@@ -154,6 +156,7 @@ void SoftBody2D::bind_body_methods() {
 }
 
 void SoftBody2D::bind_enumerations() {
+	softbody::bind_enumeration<SoftBody2D>("DetailMode", { "DETAIL_MODE_AS_DRAWN", "DETAIL_MODE_AUTOMATIC", "DETAIL_MODE_POINT_COUNT" });
 	softbody::bind_enumeration<SoftBody2D>("DentBy", { "DENT_BY_BOTH", "DENT_BY_COMPRESSION", "DENT_BY_TENSION" });
 	softbody::bind_enumeration<SoftBody2D>("SelfCollision", { "SELF_COLLISION_OFF", "SELF_COLLISION_ON", "SELF_COLLISION_AUTOMATIC" });
 	softbody::bind_enumeration<SoftBody2D>("Integrator", { "INTEGRATOR_AUTOMATIC", "INTEGRATOR_EXPLICIT_EULER", "INTEGRATOR_SEMI_IMPLICIT_EULER", "INTEGRATOR_MIDPOINT", "INTEGRATOR_HEUN", "INTEGRATOR_RUNGE_KUTTA_4", "INTEGRATOR_VELOCITY_VERLET", "INTEGRATOR_XPBD" });

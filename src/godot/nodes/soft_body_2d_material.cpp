@@ -111,7 +111,7 @@ SoftBody2D::ModelChoice SoftBody2D::choose_model() const {
 	if (material_.values().has_network_values) {
 		return { ELASTIC_MODEL_NETWORK, REASON_NETWORK_VALUES };
 	}
-	return modes_or_stand_in(ElasticModel(ELASTIC_MODEL_SPRINGS + int(softbody::choose_elastic_model(std::size_t(structure_.polygon_count())))), REASON_MATERIAL);
+	return modes_or_stand_in(ElasticModel(ELASTIC_MODEL_SPRINGS + int(softbody::choose_elastic_model(std::size_t(structure_.hull_count())))), REASON_MATERIAL);
 }
 
 SoftBody2D::ElasticModel SoftBody2D::get_elastic_model_in_use() const {
@@ -216,6 +216,11 @@ void SoftBody2D::_validate_property(PropertyInfo &p_property) const {
 			p_property.usage |= PROPERTY_USAGE_READ_ONLY;
 			p_property.usage &= ~uint32_t(PROPERTY_USAGE_STORAGE);
 		}
+		return;
+	}
+	const DetailMode detail = structure_.detail().mode;
+	if ((is_named("detail_tolerance") && detail != DETAIL_MODE_AUTOMATIC) || (is_named("detail_point_count") && detail != DETAIL_MODE_POINT_COUNT)) {
+		p_property.usage &= ~uint32_t(PROPERTY_USAGE_EDITOR); // it does nothing, and is kept
 		return;
 	}
 	if (!material_.is_shared()) {

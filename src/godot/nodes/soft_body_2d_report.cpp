@@ -116,7 +116,7 @@ Dictionary SoftBody2D::get_substep_plan() const {
 		result["elastic_model"] = int(found->used.model);
 		result["elastic_reason"] = found->used.reason;
 		const bool is_network = found->used.model == ELASTIC_MODEL_NETWORK;
-		result["elastic_error"] = is_network ? 0.0 : softbody::expected_error(softbody::ElasticModel(found->used.model - ELASTIC_MODEL_SPRINGS), std::size_t(structure_.polygon_count()));
+		result["elastic_error"] = is_network ? 0.0 : softbody::expected_error(softbody::ElasticModel(found->used.model - ELASTIC_MODEL_SPRINGS), std::size_t(structure_.hull_count()));
 	}
 	return result;
 }
@@ -128,6 +128,7 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 	if (result.is_empty()) {
 		return result;
 	}
+	result.merge(get_detail_report());
 	const softbody::StabilityReport report =
 			softbody::report_stability(*found->shape, *present_settings(), project_gravity(), tick_length(), values_.collision_mask != 0);
 	const softbody::MaterialValues &material = material_.values();
@@ -281,6 +282,9 @@ PackedStringArray SoftBody2D::get_warnings() const {
 		}
 	}
 	structure_.append_warnings(warnings);
+	if (const softbody::Status as_drawn = structure_.check_as_drawn(); as_drawn && material_.values().tear_stretch > 0) {
+		warnings.push_back("tear_stretch does nothing: " + to_godot(*as_drawn) + ".");
+	}
 	if (found != nullptr) {
 		append_stability_warnings(*found, warnings);
 	}

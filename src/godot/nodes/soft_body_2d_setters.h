@@ -42,6 +42,23 @@ void SoftBody2D::set_structure(softbody::ValueOf<VALUE> p_value) {
 	}
 }
 
+/// Another hull makes another body, which lies and moves as the old one is drawn.
+template <auto VALUE>
+void SoftBody2D::set_detail(softbody::ValueOf<VALUE> p_value) {
+	const ValueRule &rule = rule_of<VALUE>;
+	if (p_value == get_detail<VALUE>() || !accept(rule.name, rule.range.check(rule.name, double(p_value)))) {
+		return;
+	}
+	const softbody::DrawnMotion before = drawn_motion();
+	const softbody::ValueOf<VALUE> old = structure_.exchange_detail<VALUE>(p_value);
+	if (take_over_structure(rule.name, true)) {
+		take_over_motion(before);
+	} else {
+		structure_.exchange_detail<VALUE>(old);
+	}
+	notify_property_list_changed();
+}
+
 template <auto VALUE>
 void SoftBody2D::set_scale_of_spring(int p_index, double p_scale) {
 	if (find_spring(p_index) == nullptr) {
@@ -97,3 +114,4 @@ VARIANT_ENUM_CAST(SoftBody2D::FailureMode);
 VARIANT_ENUM_CAST(SoftBody2D::DisableMode);
 VARIANT_ENUM_CAST(SoftBody2D::SelfCollision);
 VARIANT_ENUM_CAST(SoftBody2D::DentBy);
+VARIANT_ENUM_CAST(SoftBody2D::DetailMode);

@@ -78,10 +78,13 @@ bool SoftBody2D::take_over_structure(const StringName &p_property, bool p_has_ot
 
 softbody::SizedHull SoftBody2D::sized_hull(const Transform2D &p_transform) const {
 	const softbody::SizedScale sized(structure_.simulated_scale(softbody::scale_and_skew(p_transform)));
-	softbody::SizedHull made{ sized, to_core(sized.rest.xform(get_polygon())) };
+	softbody::SizedHull made{ sized, to_core(sized.rest.xform(structure_.hull())) };
 	const double area = softbody::signed_area(made.points) * double(sized.size) * double(sized.size);
 	made.area = std::abs(area);
 	made.is_reversed = area < 0;
+	if (structure_.outline() != nullptr) { // the drawn area decides the mass, to the bit
+		made.area = std::abs(double(softbody::signed_area(to_core(sized.rest.xform(get_polygon()))))) * double(sized.size) * double(sized.size);
+	}
 	return made;
 }
 

@@ -54,7 +54,7 @@ func cancel() -> void:
 func select_kind(kind: int) -> void:
 	selection.clear()
 	for body in canvas.bodies:
-		selection.add(body, SpringEdit.of_kind(body.get_all_springs(), body.polygon.size(), kind))
+		selection.add(body, SpringEdit.of_kind(body.get_all_springs(), body.get_simulated_polygon().size(), kind))
 	canvas.redraw()
 	canvas.changed.emit()
 
@@ -213,7 +213,7 @@ func _erase(place: Vector2) -> void:
 	var point := find_point(place)
 	if not point.is_empty() and tool == Tool.ADD:
 		var body: SoftBody2D = point[0]
-		var inner: int = point[1] - body.polygon.size()
+		var inner: int = point[1] - body.get_simulated_polygon().size()
 		if inner >= 0 and inner < body.inner_points.size():
 			var before := {body: BodyValues.take(body)}
 			canvas.commit(Words.say("Remove Inner Point"), before, {body: SpringEdit.without_inner_point(before[body], inner)})
@@ -279,8 +279,9 @@ func _draw_body(overlay: Control, body: SoftBody2D) -> void:
 					halo.append_array([lines[2 * index], lines[2 * index + 1]])
 			overlay.draw_multiline(halo, BodyCanvas.SELECTED, 6 * canvas.scale(), true)
 		overlay.draw_multiline_colors(lines, colors, 2.5 * canvas.scale(), true)
+	var hull_count := body.get_simulated_polygon().size()
 	for i in points.size():
-		canvas.draw_point(overlay, points[i], BodyCanvas.LINE if i < body.polygon.size() else Color("b8c4d0"))
+		canvas.draw_point(overlay, points[i], BodyCanvas.LINE if i < hull_count else Color("b8c4d0"))
 	if not _join_from.is_empty() and _join_from[0] == body:
 		overlay.draw_line(points[_join_from[1]], _mouse, BodyCanvas.SELECTED, 2 * canvas.scale(), true)
 

@@ -84,7 +84,7 @@ func _look() -> void:
 				body.spring_damping_scales, body.spring_length_scales, body.pinned_points, body.get_total_mass(),
 				body.gravity_scale, body.integrator, body.substeps, body.collision_mask, body.global_transform.x,
 				body.global_transform.y, body.elastic_model, body.least_area, body.least_stretch, body.most_stretch,
-				body.firm_for_weight])
+				body.firm_for_weight, body.detail_mode, body.detail_tolerance, body.detail_point_count])
 		for property: StringName in [&"youngs_modulus", &"poisson_ratio", &"damping_ratio", &"stiffness", &"damping",
 				&"shape_matching", &"shape_damping_ratio", &"pressure", &"inflation", &"yield_strain", &"flow_rate", &"max_dent",
 				&"tear_stretch", &"dent_by"]:

@@ -4,7 +4,8 @@ extends RefCounted
 ## The shape and structure of a body as plain values: what an edit starts from, what it makes, and what undo restores.
 
 ## In the order in which they are set: entries of the later ones count points of the earlier ones.
-const PROPERTIES: Array[StringName] = [&"polygon", &"inner_points", &"center_point", &"springs",
+const PROPERTIES: Array[StringName] = [&"polygon", &"detail_mode", &"detail_tolerance",
+		&"detail_point_count", &"inner_points", &"center_point", &"springs",
 		&"spring_stiffness_scales", &"spring_damping_scales", &"spring_length_scales", &"texture", &"uv",
 		&"vertex_colors", &"pinned_points", &"pin_targets"]
 const SCALES: Array[StringName] = [&"spring_stiffness_scales", &"spring_damping_scales", &"spring_length_scales"]
@@ -51,13 +52,30 @@ static func changed(before: Dictionary, after: Dictionary) -> Array[StringName]:
 	return names
 
 
+## Whether fewer points than those of the polygon may be simulated.
+static func has_less_detail(values: Dictionary) -> bool:
+	return values.get(&"detail_mode", SoftBody2D.DETAIL_MODE_AS_DRAWN) != SoftBody2D.DETAIL_MODE_AS_DRAWN
+
+
+## What a body with these values simulates: its polygon, or fewer points that stand for it. Pins and springs count these.
+static func hull(values: Dictionary) -> PackedVector2Array:
+	if not has_less_detail(values):
+		return values[&"polygon"]
+	var scratch := SoftBody2D.new()
+	for property: StringName in [&"polygon", &"detail_mode", &"detail_tolerance", &"detail_point_count"]:
+		scratch.set(property, values[property])
+	var simulated := scratch.get_simulated_polygon()
+	scratch.free()
+	return simulated
+
+
 static func point_count(values: Dictionary) -> int:
-	return values[&"polygon"].size() + values[&"inner_points"].size() + int(values[&"center_point"])
+	return hull(values).size() + values[&"inner_points"].size() + int(values[&"center_point"])
 
 
-## All points in the node's coordinates: polygon, inner points, center point.
+## All points that are simulated, in the node's coordinates: hull, inner points, center point.
 static func points(values: Dictionary) -> PackedVector2Array:
-	var all := PackedVector2Array(values[&"polygon"])
+	var all := PackedVector2Array(hull(values))
 	if values[&"center_point"]:
 		var sum := Vector2.ZERO
 		for point in all:
@@ -75,7 +93,7 @@ static func springs(values: Dictionary) -> PackedInt32Array:
 	if not values[&"springs"].is_empty():
 		return values[&"springs"]
 	var scratch := SoftBody2D.new()
-	scratch.polygon = values[&"polygon"]
+	scratch.polygon = hull(values)
 	scratch.center_point = values[&"center_point"]
 	scratch.inner_points = values[&"inner_points"]
 	var all := scratch.get_all_springs()

@@ -110,7 +110,7 @@ static func with_inner_point(values: Dictionary, place: Vector2) -> Dictionary:
 	inner.append(place)
 	after[&"inner_points"] = inner
 	# The center point comes last: what names it names the next place now.
-	var center: int = values[&"polygon"].size() + inner.size() - 1
+	var center: int = BodyValues.hull(values).size() + inner.size() - 1
 	if values[&"center_point"]:
 		after[&"springs"] = _renamed(values[&"springs"], center, center + 1)
 		after[&"pinned_points"] = _renamed(values[&"pinned_points"], center, center + 1)
@@ -130,7 +130,7 @@ static func with_inner_point(values: Dictionary, place: Vector2) -> Dictionary:
 
 
 static func without_inner_point(values: Dictionary, index: int) -> Dictionary:
-	var point: int = values[&"polygon"].size() + index
+	var point: int = BodyValues.hull(values).size() + index
 	var springs := BodyValues.springs(values)
 	var gone := PackedInt32Array()
 	for i in springs.size() / 2:

@@ -84,6 +84,15 @@ static func rows(report: Dictionary, tick: float, say: Callable) -> Array[Row]:
 		if not is_nan(height):
 			found.append(Row.new(say.call(of[1]), drop_text(height, say), Level.BAD if height == 0 else Level.GOOD,
 					say.call("The fall onto flat ground from which on the body %s, as it is turned now, found by letting copies of it land.") % say.call(of[2])))
+	if report.has("points_drawn"):
+		var drawn: int = report["points_drawn"]
+		var simulated: int = report["points_simulated"]
+		var saves: bool = could_save_points(report)
+		found.append(Row.new(say.call("Points"), say.call("%d, as drawn") % drawn if simulated == drawn
+				else say.call("%d of %d, error %s %%") % [simulated, drawn, number(100 * report["outline_error"])],
+				Level.FAIR if saves else Level.GOOD,
+				(say.call("Every point that is drawn is simulated. %d points would keep the outline within its tolerance: set Detail to Automatic.") % report["points_at_tolerance"]) if saves
+				else say.call("How many points are simulated of those that are drawn. Contacts are those of the simulated outline, up to %s px from what is drawn.") % number(report["outline_error_px"])))
 	var unfit: bool = report["elastic_reason"] == "unfit"
 	found.append(Row.new(say.call("Elasticity"), say.call(MODEL_NAMES[report["elastic_model"]]),
 			Level.BAD if unfit else Level.GOOD, elastic_text(report, say)))
@@ -123,6 +132,9 @@ static func advice(report: Dictionary, own: Dictionary, say: Callable) -> Array[
 			var text: String = say.call("%s %s will fold under its own weight: use ≥ %s") if report["folds"] \
 					else say.call("%s %s sags visibly: use ≥ %s to hold the shape")
 			found.append(Advice.new(text % [name, number(present), number(firm)], {property: firm}))
+	if could_save_points(report):
+		found.append(Advice.new(say.call("%d points are simulated: %d look the same within the tolerance") % [report["points_drawn"], report["points_at_tolerance"]],
+				{&"detail_mode": SoftBody2D.DETAIL_MODE_AUTOMATIC}))
 	if report["damping"] < report["least_damping"]:
 		var damping: float = own["damping"]
 		# What is painted on single springs stays: the node's own value makes up for it.
@@ -151,6 +163,12 @@ static func headline(figures: Array[Row], advices: Array[Advice], say: Callable)
 		return Row.new("", say.call("It holds: nothing to do."), Level.GOOD, "")
 	return Row.new("", say.call("It works. %s: %s.") % [worst.title, worst.text] if level == Level.FAIR
 			else say.call("To do: see %s: %s.") % [worst.title, worst.text], level, worst.hint)
+
+
+## Whether a body that is simulated as drawn would need less than half of its points.
+static func could_save_points(report: Dictionary) -> bool:
+	return report.has("points_drawn") and report["points_simulated"] == report["points_drawn"] \
+			and 2 * report["points_at_tolerance"] < report["points_drawn"]
 
 
 static func drop_text(height: float, say: Callable) -> String:

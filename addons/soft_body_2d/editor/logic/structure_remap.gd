@@ -12,6 +12,10 @@ const NEW := -1
 static func with_polygon(values: Dictionary, polygon: PackedVector2Array, old_points: PackedInt32Array) -> Dictionary:
 	var after := BodyValues.copy(values)
 	after[&"polygon"] = polygon.duplicate() # packed arrays are shared, and this one goes into the undo history
+	if BodyValues.has_less_detail(values):
+		_remap_skin(values, after, old_points)
+		_remap_to_other_hull(values, after)
+		return after
 	var new_points := _new_points(values, old_points)
 	_remap_pins(after, new_points)
 	_remap_skin(values, after, old_points)
@@ -20,6 +24,24 @@ static func with_polygon(values: Dictionary, polygon: PackedVector2Array, old_po
 	else:
 		_remap_springs(values, after, new_points, old_points)
 	return after
+
+
+# Of a body that simulates fewer points than are drawn, one point more or less may make all others new: pins go to the points
+# that are nearest, and what was said of single springs means nothing there.
+static func _remap_to_other_hull(values: Dictionary, after: Dictionary) -> void:
+	if BodyValues.hull(values) == BodyValues.hull(after):
+		return
+	var before := BodyValues.points(values)
+	var points := BodyValues.points(after)
+	var pins := {}
+	for i in values[&"pinned_points"].size():
+		var point: int = values[&"pinned_points"][i]
+		if point < before.size():
+			pins[_nearest(points, before[point])] = values[&"pin_targets"][i] if i < values[&"pin_targets"].size() else NodePath()
+	_set_pins(after, pins)
+	after[&"springs"] = PackedInt32Array()
+	for scales in BodyValues.SCALES:
+		after[scales] = PackedFloat32Array()
 
 
 ## The values of a body whose points become others altogether: what was said of single points and springs would mean
@@ -36,10 +58,11 @@ static func with_other_outline(values: Dictionary, polygon: PackedVector2Array, 
 	var pins := {}
 	if keeps_pins:
 		var before := BodyValues.points(values)
+		var hull := BodyValues.hull(after)
 		for i in values[&"pinned_points"].size():
 			var point: int = values[&"pinned_points"][i]
 			if point < before.size():
-				pins[_nearest(polygon, before[point])] = values[&"pin_targets"][i] if i < values[&"pin_targets"].size() else NodePath()
+				pins[_nearest(hull, before[point])] = values[&"pin_targets"][i] if i < values[&"pin_targets"].size() else NodePath()
 	_set_pins(after, pins)
 	return after
 

@@ -35,7 +35,7 @@ func start() -> void:
 		var box := PolygonEdit.bounds(polygon)
 		bounds = box if _played_bodies.is_empty() else bounds.merge(box)
 		_played_bodies.append(body)
-		_triangles.append(Geometry2D.triangulate_polygon(body.polygon))
+		_triangles.append(Geometry2D.triangulate_polygon(body.get_simulated_polygon()))
 		_uvs.append(_uv_of(body))
 	if _played_bodies.is_empty():
 		canvas.warn(Words.say("There is nothing to play: select a SoftBody2D whose scale is not 0."))
@@ -127,18 +127,21 @@ func _in_scene(place: Vector2) -> Vector2:
 	return canvas.scene_to_screen(_played_bodies[0]).affine_inverse() * place
 
 
-# As the node itself shows its texture; [0, 1] over the polygon's box where nothing else is said.
+# As the node itself shows its texture; [0, 1] over the polygon's box where nothing else is said. What plays is the hull that
+# is simulated; where that has fewer points than the polygon, each shows what the polygon's nearest point does.
 func _uv_of(body: SoftBody2D) -> PackedVector2Array:
 	var uvs := PackedVector2Array()
 	if body.texture == null:
 		return uvs
 	var box := PolygonEdit.bounds(body.polygon)
 	var size := body.texture.get_size()
-	for i in body.polygon.size():
+	var hull := body.get_simulated_polygon()
+	for i in hull.size():
 		if body.uv.size() == body.polygon.size():
-			uvs.append((body.uv[i] + body.texture_offset) / size)
+			var nearest := i if hull.size() == body.polygon.size() else PolygonEdit.nearest_point(body.polygon, hull[i], INF)
+			uvs.append((body.uv[nearest] + body.texture_offset) / size)
 		else:
-			uvs.append((body.polygon[i] - box.position) / box.size)
+			uvs.append((hull[i] - box.position) / box.size)
 	return uvs
 
 
