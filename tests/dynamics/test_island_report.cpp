@@ -94,7 +94,7 @@ TEST_CASE("the overlap of two hulls is that of a search by brute force") {
 }
 
 TEST_CASE("islands are reported with their bodies, substeps and contact error, and reporting moves nothing") {
-	for (const std::uint64_t seed : { 1, 2, 3, 4, 5, 6 }) {
+	for (const std::uint64_t seed : { 1, 2, 3, 4 }) {
 		CAPTURE(seed);
 		WorldData world = heaps(seed, seed % 2 == 0 ? 10 * JELLY_STIFFNESS : 30 * JELLY_STIFFNESS);
 		WorldData twin = heaps(seed, seed % 2 == 0 ? 10 * JELLY_STIFFNESS : 30 * JELLY_STIFFNESS);
