@@ -83,16 +83,17 @@ private:
 		}
 	}
 
-	// Like bodies share their shape.
+	// Bodies share their shape, as nodes of one outline and mass do, whatever their stiffness.
 	Handle add_soft(const PileScene::Place &place) {
-		const double k = stiffness_ * place.firmness;
-		if (!shape_ || place.firmness != firmness_) {
-			shape_ = circle_shape(scene_.hull_points, true, k, softbody::DEFAULT_DAMPING_RATIO);
-			firmness_ = place.firmness;
-			set_shape_matching(settings_, *shape_, softbody::DEFAULT_SHAPE_MATCHING * k);
+		if (!shape_) {
+			shape_ = circle_shape(scene_.hull_points, true, stiffness_, softbody::DEFAULT_DAMPING_RATIO);
 		}
+		softbody::BodySettings settings = settings_;
+		settings.spring_stiffness_scale = Real(place.firmness);
+		settings.spring_damping_scale = Real(std::sqrt(place.firmness)); // of one damping ratio
+		set_shape_matching(settings, *shape_, softbody::DEFAULT_SHAPE_MATCHING * stiffness_ * place.firmness);
 		const softbody::Pose pose{ place.center, softbody::Rotation::from_angle(Real(place.angle)) };
-		return { false, 0, world_.add_soft_body(take(softbody::SoftBodyData::create(shape_, settings_, pose))) };
+		return { false, 0, world_.add_soft_body(take(softbody::SoftBodyData::create(shape_, settings, pose))) };
 	}
 
 	Handle add_rigid(const PileScene::Place &place) {
@@ -118,7 +119,6 @@ private:
 	softbody::Simulator simulator_;
 	softbody::BodySettings settings_;
 	double stiffness_;
-	double firmness_ = 1; // of the last shape
 	Shape shape_;
 	std::vector<Handle> handles_;
 };
