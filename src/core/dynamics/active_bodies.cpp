@@ -55,9 +55,8 @@ private:
 	static std::uint64_t key_of(const SoftBodyData &body) {
 		Hash hash;
 		hash.add(std::uint64_t(reinterpret_cast<std::uintptr_t>(&body.shape())));
-		for (const auto coefficient : COEFFICIENT_SETTINGS) {
-			hash.add(body.settings().*coefficient);
-		}
+		ForceCoefficients<Real> coefficients;
+		for_each_coefficient(coefficients, [&](Real &, Real BodySettings::*setting) { hash.add(body.settings().*setting); });
 		return hash.value();
 	}
 	std::uint32_t family_of(const SoftBodyData &body, std::uint32_t kind) {

@@ -5,7 +5,7 @@
 #include "core/base/pack.h"
 #include "core/model/body_settings.h"
 
-#include <array>
+#include <cstddef>
 
 namespace softbody {
 
@@ -21,22 +21,23 @@ struct ForceCoefficients {
 	T shape_damping = T(0);
 };
 
-/// Each coefficient with the setting that it is the value of.
-inline constexpr std::array<Real BodySettings::*, 7> COEFFICIENT_SETTINGS = { &BodySettings::spring_stiffness_scale,
-	&BodySettings::spring_damping_scale, &BodySettings::shear_modulus, &BodySettings::area_stiffness, &BodySettings::elastic_damping_time,
-	&BodySettings::shape_stiffness, &BodySettings::shape_damping };
-template <class T>
-inline constexpr std::array<T ForceCoefficients<T>::*, 7> COEFFICIENTS = { &ForceCoefficients<T>::spring_stiffness_scale,
-	&ForceCoefficients<T>::spring_damping_scale, &ForceCoefficients<T>::shear_modulus, &ForceCoefficients<T>::area_stiffness,
-	&ForceCoefficients<T>::elastic_damping_time, &ForceCoefficients<T>::shape_stiffness, &ForceCoefficients<T>::shape_damping };
+/// Calls `visit(coefficient, setting)` for each coefficient and the member of `BodySettings` that it is the value of.
+template <class T, class Visit>
+void for_each_coefficient(ForceCoefficients<T> &coefficients, const Visit &visit) {
+	visit(coefficients.spring_stiffness_scale, &BodySettings::spring_stiffness_scale);
+	visit(coefficients.spring_damping_scale, &BodySettings::spring_damping_scale);
+	visit(coefficients.shear_modulus, &BodySettings::shear_modulus);
+	visit(coefficients.area_stiffness, &BodySettings::area_stiffness);
+	visit(coefficients.elastic_damping_time, &BodySettings::elastic_damping_time);
+	visit(coefficients.shape_stiffness, &BodySettings::shape_stiffness);
+	visit(coefficients.shape_damping, &BodySettings::shape_damping);
+}
 
 /// The coefficients of a body, equal in all lanes.
 template <class T>
 ForceCoefficients<T> coefficients_of(const BodySettings &settings) {
 	ForceCoefficients<T> coefficients;
-	for (std::size_t i = 0; i < COEFFICIENT_SETTINGS.size(); ++i) {
-		coefficients.*COEFFICIENTS<T>[i] = T(settings.*COEFFICIENT_SETTINGS[i]);
-	}
+	for_each_coefficient(coefficients, [&](T &value, Real BodySettings::*setting) { value = T(settings.*setting); });
 	return coefficients;
 }
 
@@ -44,11 +45,11 @@ ForceCoefficients<T> coefficients_of(const BodySettings &settings) {
 template <class T>
 ForceCoefficients<T> coefficients_of(const BodySettings *const *settings) {
 	ForceCoefficients<T> coefficients;
-	for (std::size_t i = 0; i < COEFFICIENT_SETTINGS.size(); ++i) {
+	for_each_coefficient(coefficients, [&](T &value, Real BodySettings::*setting) {
 		for (std::size_t lane = 0; lane < LANES<T>; ++lane) {
-			(coefficients.*COEFFICIENTS<T>[i]).set(lane, settings[lane]->*COEFFICIENT_SETTINGS[i]);
+			value.set(lane, settings[lane]->*setting);
 		}
-	}
+	});
 	return coefficients;
 }
 
@@ -56,13 +57,13 @@ ForceCoefficients<T> coefficients_of(const BodySettings *const *settings) {
 /// same terms are off.
 inline bool can_stand_side_by_side(const BodySettings &a, const BodySettings &b) {
 	BodySettings alike = a;
-	for (const auto coefficient : COEFFICIENT_SETTINGS) {
-		if ((a.*coefficient > 0) != (b.*coefficient > 0)) {
-			return false;
-		}
-		alike.*coefficient = b.*coefficient;
-	}
-	return alike == b;
+	bool are_same_off = true;
+	ForceCoefficients<Real> of_b;
+	for_each_coefficient(of_b, [&](Real &, Real BodySettings::*setting) {
+		are_same_off = are_same_off && (a.*setting > 0) == (b.*setting > 0);
+		alike.*setting = b.*setting;
+	});
+	return are_same_off && alike == b;
 }
 
 } // namespace softbody
