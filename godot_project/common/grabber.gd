@@ -60,7 +60,7 @@ func grab(place: Vector2) -> bool:
 	if _body == null:
 		return false
 	# The polygon only: points inside touch nothing, and could be pulled through a wall.
-	var polygon := _body.get_point_positions().slice(0, _body.polygon.size())
+	var polygon := _body.get_point_positions().slice(0, _body.get_simulated_polygon().size())
 	var first := INF
 	for point in polygon:
 		first = minf(first, point.distance_to(place))

@@ -48,6 +48,27 @@ func test_a_disk_floats_as_deep_as_the_weight_of_the_water_that_it_displaces_say
 		body.free()
 
 
+func test_a_body_that_simulates_few_points_of_many_floats_as_deep() -> void:
+	_add_fluid(Vector2(0, 500), Vector2(4000, 1000), {"density": 2.0}) # the surface is at 0
+	var body := add_body(Vector2(0, -20), {"polygon": SoftBody2D.make_circle_polygon(50, 200), "youngs_modulus": 2000.0,
+			"detail_mode": SoftBody2D.DETAIL_MODE_AUTOMATIC})
+	check_below(body.get_simulated_polygon().size(), 30, "points simulated")
+	await seconds(10)
+	var share := body.mass / (2.0 * body.get_rest_area() / PIXELS)
+	check_near(body.get_center_of_mass_position().y, 50 * _depth_of(share), 1.5, "depth")
+
+
+func test_in_fast_time_a_body_in_thick_water_comes_to_rest() -> void:
+	_add_fluid(Vector2.ZERO, Vector2(4000, 4000), {"density": 2.0, "viscosity": 200.0, "buoyancy_enabled": false})
+	var body := add_weightless_body(Vector2.ZERO, {"linear_velocity": Vector2(400, 0)})
+	Engine.time_scale = 3
+	await ticks(30)
+	Engine.time_scale = 1
+	check_below(body.get_linear_velocity().length(), 1.0, "speed after a second and a half")
+	# 20 px in each tick until the engine tells of the overlap and the first force acts.
+	check_below(absf(body.get_center_of_mass_position().x), 80, "way")
+
+
 func test_a_body_that_is_denser_sinks_and_one_that_is_lighter_rises() -> void:
 	_add_fluid(Vector2.ZERO, Vector2(4000, 4000), {"density": 2.0})
 	var heavy := add_body(Vector2(-300, 0), {"mass": 3.0})

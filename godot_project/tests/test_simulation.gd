@@ -163,7 +163,6 @@ func test_islands_tell_their_bodies_substeps_and_contact_error() -> void:
 	heap[0].free()
 	check_equal(SoftBodySimulation2D.get_islands()[0].first, null, "first body that is gone")
 	SoftBodySimulation2D.set_reporting_islands(false)
-	await ticks(1)
 	check_equal(SoftBodySimulation2D.get_islands(), [], "islands once nobody asks for them")
 
 

@@ -33,7 +33,7 @@ BodySettings random_firmness(ElasticModel model, const SoftBodyShape &shape, dou
 	return settings;
 }
 
-// A heap of them in a shaft. With `layers` no two bodies share a batch, as each is in a layer of its own.
+// A heap of them in a shaft. With `has_layers` no two bodies share a batch, as each is in a layer of its own.
 WorldData heap(std::uint64_t seed, ElasticModel model, double span, Integrator integrator, bool has_layers) {
 	Random random(seed);
 	StructureOptions options;

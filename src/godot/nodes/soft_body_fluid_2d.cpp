@@ -67,7 +67,7 @@ void SoftBodyFluid2D::_notification(int p_what) {
 }
 
 void SoftBodyFluid2D::push_bodies() {
-	if (!is_monitoring() || density_ == 0) {
+	if (!is_monitoring() || density_ == 0 || !(get_physics_process_delta_time() > 0)) { // Engine.time_scale may be 0
 		return;
 	}
 	std::vector<std::vector<softbody::Vec2>> region;
@@ -87,7 +87,7 @@ void SoftBodyFluid2D::push_bodies() {
 void SoftBodyFluid2D::push(SoftBody2D &r_body, const std::vector<std::vector<softbody::Vec2>> &p_region) const {
 	const PackedVector2Array places = r_body.get_point_positions();
 	const PackedVector2Array velocities = r_body.get_point_velocities();
-	const std::size_t hull_count = std::size_t(r_body.get_polygon().size());
+	const std::size_t hull_count = std::size_t(r_body.get_simulated_polygon().size());
 	if (places.size() < int64_t(hull_count) || velocities.size() != places.size()) {
 		return;
 	}
@@ -111,7 +111,7 @@ void SoftBodyFluid2D::push(SoftBody2D &r_body, const std::vector<std::vector<sof
 		return;
 	}
 	const softbody::Real point_mass = softbody::Real(r_body.get_mass() / double(places.size()));
-	const softbody::Real time_step = softbody::Real(1.0 / Engine::get_singleton()->get_physics_ticks_per_second());
+	const softbody::Real time_step = softbody::Real(get_physics_process_delta_time()); // as long as the step that the forces act in
 	std::vector<softbody::Vec2> forces(hull_count);
 	for (const std::vector<softbody::Vec2> &part : p_region) {
 		softbody::add_fluid_forces(fluid, part, hull, speeds, point_mass, time_step, forces);

@@ -247,6 +247,9 @@ void SoftBodySimulation2D::set_reporting_islands(bool p_reports) {
 
 TypedArray<Dictionary> SoftBodySimulation2D::get_islands() const {
 	TypedArray<Dictionary> islands;
+	if (!reports_islands_) {
+		return islands; // those of the last step may be from before
+	}
 	for (const Space &space : spaces_) {
 		space.content->list_islands(islands);
 	}
