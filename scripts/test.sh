@@ -12,7 +12,9 @@
 #   editor       only the tests of the editor addon in a real editor, which no one sees if there is no screen
 #   game         only the scripted player, who has to win the game; leaves pictures in build/game
 #   export       the exported demo, and the tests of the nodes in an exported release
-#   package      only a newcomer's path: the packed addon in an empty project, and every example of the documentation
+#   package      what judges a release; a newcomer's path: the packed addon in an empty project and its editor, and every example of
+#                the documentation
+#   csharp       the addon's C# classes: as the class reference has them, compiled and run against a stand-in for Godot
 #   quick        sanitize and determinism, each without what takes longest; says what it leaves out
 #   portable     whether scenes end in the same bits on arm64 and Windows, by emulators; whether the extension would load in a
 #                Godot 4.3 and with an old glibc
@@ -27,6 +29,7 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 . "$REPO_DIR/scripts/lib/godot.sh"
 . "$REPO_DIR/scripts/lib/build.sh"
+. "$REPO_DIR/scripts/lib/csharp.sh"
 . "$REPO_DIR/scripts/lib/editor.sh"
 . "$REPO_DIR/scripts/lib/export.sh"
 . "$REPO_DIR/scripts/lib/package.sh"
@@ -429,17 +432,17 @@ count_engine() {
 after_change=
 case ${1:-} in
 	'') after_change=yes QUICK=1 parts=(core engine editor game) ;;
-	core | engine | editor | game | export | package | quick | portable | sanitize | determinism | leaks | platforms) parts=("$1") ;;
+	core | engine | editor | game | export | package | csharp | quick | portable | sanitize | determinism | leaks | platforms) parts=("$1") ;;
 	--sanitize | --determinism) parts=("${1#--}") ;;
-	all) parts=(core engine editor game export package quick portable) ;;
-	*) problem "usage: scripts/test.sh [all|core|engine|editor|game|export|package|quick|portable|sanitize|determinism|leaks|platforms]" || exit 2 ;;
+	all) parts=(core engine editor game export package csharp quick portable) ;;
+	*) problem "usage: scripts/test.sh [all|core|engine|editor|game|export|package|csharp|quick|portable|sanitize|determinism|leaks|platforms]" || exit 2 ;;
 esac
 shift $(($# > 0))
 for part in "${parts[@]}"; do
 	"test_$part" "$@" || failed=$((failed + 1))
 done
 if [[ -n $after_change ]]; then
-	echo "note: left out are the core in double precision and its slow tests, export, package, sanitizers, determinism" \
+	echo "note: left out are the core in double precision and its slow tests, export, package, C#, sanitizers, determinism" \
 		"and other platforms; scripts/test.sh all has them"
 fi
 result="$passed passed, $failed failed"

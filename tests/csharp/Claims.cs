@@ -83,6 +83,16 @@ static class Claims
 
 	private static string Text(object value) { return value is NodePath ? value.ToString() : Convert.ToString(value) + value.GetHashCode(); }
 
+	/// What the compiler passes for an argument that is left out.
+	private static object Default(ParameterInfo parameter)
+	{
+		Type type = parameter.ParameterType;
+		bool isStruct = type.IsValueType && !type.IsPrimitive && Nullable.GetUnderlyingType(type) == null;
+		return isStruct ? Activator.CreateInstance(type) : parameter.DefaultValue;
+	}
+
+	private static bool IsOfEngine(Type type) { return typeof(GodotObject).IsAssignableFrom(type); }
+
 	private static GodotObject EngineObject(object wrapper, Type type)
 	{
 		PropertyInfo held = type.GetProperty("Node") ?? type.GetProperty("Resource") ?? type.GetProperty("Instance");
@@ -140,8 +150,9 @@ static class Claims
 		Check(asked.Asked.SequenceEqual(new[] { "call " + name }), type.Name + "." + found.Name + " calls " + name);
 		Check(asked.LastArguments.Length == taken.Length && asked.LastArguments.All(one => one.Held != null), type.Name + "." + found.Name + " hands over its arguments");
 		Check(!isStatic || asked.IsFreed, type.Name + "." + found.Name + " frees what it made for the call");
-		object[] least = taken.Select(one => one.IsOptional ? Type.Missing : Sample(one.ParameterType)).ToArray();
-		found.Invoke(wrapper, BindingFlags.OptionalParamBinding | BindingFlags.InvokeMethod, null, least, null);
+		found.Invoke(wrapper, taken.Select(one => one.IsOptional ? Default(one) : Sample(one.ParameterType)).ToArray());
+		Check(asked.LastArguments.Zip(taken, (one, other) => one.Held != null || IsOfEngine(other.ParameterType)).All(fits => fits),
+			type.Name + "." + found.Name + " fills what is left out");
 	}
 
 	private static void CheckSignal(object wrapper, Type type, GodotObject engine, XElement signal)

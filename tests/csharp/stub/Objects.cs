@@ -44,6 +44,7 @@ namespace Godot
 		public readonly List<Node> Children = new List<Node>();
 		public Node GetNode(NodePath path) { return Children.Find(child => child.Name == path.ToString()); }
 		public T GetNode<T>(NodePath path) where T : class { return GetNode(path) as T; }
+		public void QueueFree() { IsFreed = true; }
 		public void AddChild(Node node, bool forceReadableName = false, long @internal = 0) { Children.Add(node); }
 		public string Name;
 		public virtual void _Ready() { }
