@@ -4,18 +4,21 @@
 #
 # Needs common.sh, godot.sh and build.sh, and `count` and `count_doctest` of scripts/test.sh. docs/platforms.md says what was run.
 
+OWN_HASHES=$LOG_DIR/platform_own.log
 PLATFORMS=(linux-arm64 windows web macos linux-old)
 ARM64_CXX=aarch64-linux-gnu-g++
 WINDOWS_CXX=x86_64-w64-mingw32-g++-posix
 LARGEST_GLIBC=2.28 # that of Godot's own builds
 FOREIGN_INCLUDE=$REPO_DIR/build/foreign_include
+WEB_ROOT=$CACHE_DIR/web-root
+WEB_BIN=$REPO_DIR/build/web-bin
 
 # need_platform NAME: installs the compiler and the emulator of that platform.
 need_platform() {
 	case $1 in
 		linux-arm64) need_packages scons g++ g++-aarch64-linux-gnu qemu-user doctest-dev ;;
 		windows) need_packages scons g++ g++-mingw-w64-x86-64-posix wine doctest-dev ;;
-		web) need_packages scons g++ emscripten nodejs doctest-dev ;;
+		web) need_packages scons g++ doctest-dev && need_emscripten ;;
 		*) need_packages scons g++ ;;
 	esac || return 1
 	# The headers of this machine's system are of no use for another one, except doctest's.
@@ -32,17 +35,52 @@ compiler_of() {
 	esac
 }
 
+# need_emscripten: the em++ on the PATH if its library knows C++20, else that of Debian 13 in a folder of its own, which is the root
+# directory for what runs in it. Debian 12's (3.1.6) is too old.
+need_emscripten() {
+	local part=$WEB_ROOT.part name
+	if command -v em++ >/dev/null && command -v node >/dev/null && em++ --version | grep -qE ' 3\.1\.[6-9][0-9]| [4-9]\.[0-9]+\.'; then
+		return 0
+	fi
+	need_packages mmdebstrap debian-archive-keyring bubblewrap || return 1
+	if [[ ! -x $WEB_ROOT/usr/bin/em++ ]]; then
+		step "Installing Debian 13's emscripten into $WEB_ROOT (2.3 GB)"
+		rm -rf "$part" "$WEB_ROOT"
+		mkdir -p "$part/tmp"
+		TMPDIR=$part/tmp mmdebstrap --variant=extract --mode=chrootless --format=tar --include=emscripten,nodejs,dash,coreutils trixie - \
+			2>"$LOG_DIR/emscripten_install.log" </dev/null | tar -x --no-same-owner --exclude=./dev --exclude=./tmp -C "$part" ||
+			{ problem "could not install emscripten (see $LOG_DIR/emscripten_install.log)"; return 1; }
+		for name in bin sbin lib lib64; do
+			[[ -e $part/$name ]] || ln -s "usr/$name" "$part/$name"
+		done
+		[[ -e $part/usr/bin/sh ]] || ln -s dash "$part/usr/bin/sh"
+		rm -rf "$part/tmp"
+		mv "$part" "$WEB_ROOT"
+	fi
+	# Its own libraries are in a folder that nobody may write to, and its settings say so.
+	mkdir -p "$WEB_BIN" "$CACHE_DIR/emscripten" "$WEB_ROOT"{/tmp,/dev,/proc}
+	sed 's/^FROZEN_CACHE.*/FROZEN_CACHE = False/' "$WEB_ROOT/usr/share/emscripten/.emscripten" >"$CACHE_DIR/emscripten/config"
+	for name in em++ node; do
+		cat >"$WEB_BIN/$name" <<-END
+			#!/usr/bin/env bash
+			exec bwrap --bind "$WEB_ROOT" / --dev /dev --proc /proc --bind "$REPO_DIR" "$REPO_DIR" --bind /tmp /tmp \\
+				--bind "$CACHE_DIR/emscripten" "$CACHE_DIR/emscripten" --ro-bind-try /usr/include/doctest /usr/include/doctest \\
+				--clearenv --setenv PATH /usr/bin --setenv HOME /tmp \${CPATH:+--setenv CPATH "\$CPATH"} --setenv EM_CONFIG "$CACHE_DIR/emscripten/config" --setenv EM_CACHE "$CACHE_DIR/emscripten/cache" \\
+				--chdir "\$PWD" $name "\$@"
+		END
+		chmod +x "$WEB_BIN/$name"
+	done
+	export PATH=$WEB_BIN:$PATH
+	em++ --version >"$LOG_DIR/emscripten.log" 2>&1 ||
+		{ problem "Debian 13's emscripten does not run in $WEB_ROOT (see $LOG_DIR/emscripten.log)"; return 1; }
+}
+
 # with_foreign NAME COMMAND…: runs it with the settings of that platform's compiler.
 with_foreign() {
-	local name=$1 variables=()
+	local name=$1
 	shift
-	if [[ $name == web && -e /usr/share/emscripten/.emscripten ]]; then
-		# Debian's emscripten keeps its own libraries in a folder that nobody may write to, and says so in its settings.
-		sed 's/^FROZEN_CACHE.*/FROZEN_CACHE = False/' /usr/share/emscripten/.emscripten >"$CACHE_DIR/emscripten.config"
-		variables=("EM_CONFIG=$CACHE_DIR/emscripten.config" "EM_CACHE=$CACHE_DIR/emscripten")
-	fi
 	(
-		export "CXX=$(compiler_of "$name")" "CPATH=$FOREIGN_INCLUDE" ${variables[@]+"${variables[@]}"}
+		export "CXX=$(compiler_of "$name")" "CPATH=$FOREIGN_INCLUDE"
 		"$@"
 	)
 }
@@ -50,11 +88,6 @@ with_foreign() {
 # foreign_scons NAME TARGET…: builds programs of the core for that platform.
 foreign_scons() {
 	with_foreign "$1" run_scons "${@:2}"
-}
-
-# foreign_compiler NAME ARGS…: its compiler.
-foreign_compiler() {
-	with_foreign "$1" "$(compiler_of "$1")" "${@:2}"
 }
 
 # foreign_program NAME PROGRAM: the path of what foreign_scons made, relative to the repository.
@@ -80,19 +113,18 @@ run_foreign() {
 	(cd "$REPO_DIR" && set -o pipefail && limited "$limit" "${emulator[@]}" "$@" | tr -d '\r')
 }
 
-# own_hashes LEVEL TICKS: what this machine makes of the hashed scenes by g++, in OWN_HASHES.
+# own_hashes LEVEL TICKS [_double]: what this machine makes of the hashed scenes by g++, in OWN_HASHES and that.
 own_hashes() {
-	local log=$LOG_DIR/platform_own.log
-	run_scons "hashes_g++_$1" >"$log.build" 2>&1 || { problem "the core does not compile (see $log.build)"; return 1; }
-	limited "$TIME_LIMIT" "$REPO_DIR/build/determinism/hashes_g++_$1" 1 "$2" >"$log" ||
+	local log=$OWN_HASHES${3:-}
+	run_scons "hashes_g++_$1${3:-}" >"$log.build" 2>&1 || { problem "the core does not compile (see $log.build)"; return 1; }
+	limited "$TIME_LIMIT" "$REPO_DIR/build/determinism/hashes_g++_$1${3:-}" 1 "$2" >"$log" ||
 		{ problem "the scenes do not end on this machine (see $log)"; return 1; }
-	OWN_HASHES=$log
 }
 
-# test_hashes NAME LEVEL TICKS: whether the scenes end there in the bits of own_hashes. Says so, with the hash of all hashes.
+# test_hashes NAME LEVEL TICKS [_double]: whether the scenes end there in the bits of own_hashes. Says so, with the hash of all hashes.
 test_hashes() {
-	local name=$1 program log=$LOG_DIR/platform_$1.log start=$SECONDS built
-	program=hashes_$(compiler_of "$name")_$2
+	local name=$1 program log=$LOG_DIR/platform_$1${4:-}.log start=$SECONDS built
+	program=hashes_$(compiler_of "$name")_$2${4:-}
 	if ! foreign_scons "$name" "$program" >"$log.build" 2>&1; then
 		tail -n 5 "$log.build" >&2
 		problem "the core does not compile for $name (see $log.build)"
@@ -101,14 +133,14 @@ test_hashes() {
 	fi
 	built=$((SECONDS - start))
 	if run_foreign "$name" $((3 * TIME_LIMIT)) "$(foreign_program "$name" "determinism/$program")" 1 "$3" >"$log" &&
-		cmp -s "$OWN_HASHES" "$log"; then
+		cmp -s "$OWN_HASHES${4:-}" "$log"; then
 		count 0 1 0
 	else
-		diff "$OWN_HASHES" "$log" || true
+		diff "$OWN_HASHES${4:-}" "$log" || true
 		echo "FAILED: $name computes other bits"
 		count 0 0 1
 	fi
-	PLATFORM_LINE="$name: hash $(sed -n 's/^all //p' "$log"), built in $built s, run in $((SECONDS - start - built)) s"
+	PLATFORM_LINE+="${4:+,} ${4:+double }hash $(sed -n 's/^all //p' "$log"), built in $built s, run in $((SECONDS - start - built)) s"
 	echo "$PLATFORM_LINE"
 }
 
@@ -193,6 +225,7 @@ test_portable() {
 	own_hashes O0 120 || return 1
 	for name in linux-arm64 windows; do
 		step "Hashing scenes: $name"
+		PLATFORM_LINE="$name:"
 		need_platform "$name" || return 1
 		test_hashes "$name" O1 120
 	done
@@ -215,6 +248,7 @@ test_platforms() {
 	done
 	need_packages scons g++ doctest-dev || return 1
 	own_hashes O2 240 || return 1
+	own_hashes O2 240 _double || return 1
 	for name in "$@"; do
 		step "Platform $name"
 		PLATFORM_LINE="$name:"
@@ -227,13 +261,14 @@ test_platforms() {
 		lines+=("$PLATFORM_LINE")
 	done
 	step "Platforms"
-	echo "this machine: hash $(sed -n 's/^all //p' "$OWN_HASHES")"
+	echo "this machine: hash $(sed -n 's/^all //p' "$OWN_HASHES"), double hash $(sed -n 's/^all //p' "${OWN_HASHES}_double")"
 	printf '%s\n' "${lines[@]}"
 }
 
 # User emulation loses memory with every thread that ends, so nothing of the suites with threads.
 test_on_linux_arm64() {
 	test_hashes linux-arm64 O2 240
+	test_hashes linux-arm64 O2 240 _double
 	test_foreign_core linux-arm64 '--test-suite-exclude=*threads*'
 }
 
@@ -241,6 +276,7 @@ test_on_linux_arm64() {
 test_on_windows() {
 	local start library status=passed
 	test_hashes windows O2 240
+	test_hashes windows O2 240 _double
 	test_foreign_core windows
 	start=$SECONDS
 	CXX=$WINDOWS_CXX build_extension platform=windows use_mingw=yes target=template_release >"$LOG_DIR/platform_dll.log" 2>&1 ||
@@ -256,21 +292,11 @@ test_on_windows() {
 	PLATFORM_LINE+=", library in a stub host: $status, $((SECONDS - start)) s"
 }
 
-# The core, under Node, by the system's emscripten. That of Debian 12 (3.1.6) has no library for C++20; that of Debian 13 (3.1.69) has.
+# The core, under Node.
 test_on_web() {
-	local version
-	version=$(em++ --version | sed -nE '1s/.* ([0-9]+\.[0-9]+\.[0-9]+).*/\1/p')
-	PLATFORM_LINE+=" emscripten ${version:-of no version}"
-	if ! echo '#include <ranges>
-		#ifndef __cpp_lib_ranges
-		#error
-		#endif' | foreign_compiler web -std=c++20 -x c++ -fsyntax-only - 2>/dev/null; then
-		PLATFORM_LINE+=" is too old for C++20"
-		echo "note: $PLATFORM_LINE"
-		count 0 0 0 1
-		return
-	fi
+	PLATFORM_LINE+=" emscripten $(em++ --version 2>/dev/null | sed -nE 's/.* ([0-9]+\.[0-9]+\.[0-9]+) .*/\1/p' | head -n 1),"
 	test_hashes web O2 240
+	test_hashes web O2 240 _double
 	test_foreign_core web
 }
 
