@@ -37,6 +37,11 @@ def library_name(key):
     return f"libsoft_body_2d.{system}.template_{build}.{'.'.join(arch)}{nothreads}{ENDINGS[system]}"
 
 
+def counterpart(key):
+    """The release key of a debug key, and the other way round."""
+    return key.replace(".debug", ".release") if ".debug" in key else key.replace(".release", ".debug")
+
+
 def sections_of(text):
     """The entries of a `.gdextension`, by section and key, with the quotes taken off. A key that stands twice is kept twice."""
     sections, section = {}, None

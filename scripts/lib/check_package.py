@@ -11,7 +11,7 @@ import sys
 import zipfile
 from pathlib import Path, PurePosixPath
 
-from addon_files import ADDON, ENTRY, EXTENSION, LIBRARIES, keys_of, library_name, sections_of
+from addon_files import ADDON, ENTRY, EXTENSION, LIBRARIES, counterpart, keys_of, library_name, sections_of
 from binaries import fault_of_library
 
 # Ours, below the 100 MB that hosts of repositories take in one file without complaint.
@@ -114,9 +114,8 @@ def check_libraries(package, partial):
             package.fault(f"{EXTENSION} lists {name}, which is not in the package: build it")
         elif fault := fault_of_library(package.read(LIBRARIES / name), key):
             package.fault(f"{name} {fault}")
-        other = key.replace(".debug", ".release") if ".debug" in key else key.replace(".release", ".debug")
-        if other not in keys:
-            package.fault(f"{EXTENSION} lists {key} and not {other}: an editor loads the one, an exported game the other")
+        if counterpart(key) not in keys:
+            package.fault(f"{EXTENSION} lists {key} and not {counterpart(key)}: an editor loads the one, an exported game the other")
     listed = {place for _, place in entries}
     for name in package.names:
         if PurePosixPath(name).parent == LIBRARIES and f"res://{name}" not in listed:

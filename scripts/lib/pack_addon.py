@@ -3,8 +3,8 @@
 
 Usage: pack_addon.py [--partial] REPOSITORY FOLDER
 Makes FOLDER/soft_body_2d-VERSION.zip and prints its path. Below `addons/soft_body_2d`, as Godot's asset store wants it. The same files make the same bytes. Every library that the
-`.gdextension` lists must have been built; with --partial those that were built are packed, and the packed `.gdextension` lists
-these alone; the name then ends with -partial.zip."""
+`.gdextension` lists must have been built; with --partial the platforms are packed of which debug and release were built, and the
+packed `.gdextension` lists these alone; the name then ends with -partial.zip."""
 
 import argparse
 import re
@@ -12,7 +12,7 @@ import sys
 import zipfile
 from pathlib import Path, PurePosixPath
 
-from addon_files import ADDON, EXTENSION, LIBRARIES, only_listed, sections_of
+from addon_files import ADDON, EXTENSION, LIBRARIES, counterpart, only_listed, sections_of
 from markdown import linked_files
 
 # Of the documentation, what is about using the addon.
@@ -52,15 +52,16 @@ def pack(repository, folder, partial=False):
     if missing:
         sys.exit("the manual links what is not there: " + ", ".join(missing))
     extension = (repository / EXTENSION).read_text(encoding="utf-8")
-    listed = [path.rpartition("/")[2] for _, path in sections_of(extension).get("libraries", [])]
-    absent = [name for name in listed if LIBRARIES / name not in files]
+    listed = {key: path.rpartition("/")[2] for key, path in sections_of(extension).get("libraries", [])}
+    built = [key for key, name in listed.items() if LIBRARIES / name in files]
+    absent = [name for key, name in listed.items() if key not in built or counterpart(key) not in built]
     if len(absent) == len(listed):
-        sys.exit("the addon has no libraries: build it first, with scripts/build.sh")
+        sys.exit("the addon has no platform with a debug and a release library: build both, with scripts/build.sh")
     if absent and not partial:
         sys.exit(f"{EXTENSION} lists libraries that have not been built: {', '.join(absent)}. Build them, or pack with --partial")
-    contents = {name: source.read_bytes() for name, source in files.items()}
+    contents = {name: source.read_bytes() for name, source in files.items() if name.parent != LIBRARIES or name.name not in absent}
     if absent:
-        contents[EXTENSION] = only_listed(extension, set(listed) - set(absent)).encode()
+        contents[EXTENSION] = only_listed(extension, set(listed.values()) - set(absent)).encode()
     output = folder / f"soft_body_2d-{version_of(repository)}{'-partial' if absent else ''}.zip"
     folder.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(output, "w", zipfile.ZIP_DEFLATED) as archive:

@@ -8,6 +8,7 @@ OWN_HASHES=$LOG_DIR/platform_own.log
 PLATFORMS=(linux-arm64 windows web macos linux-old)
 ARM64_CXX=aarch64-linux-gnu-g++
 WINDOWS_CXX=x86_64-w64-mingw32-g++-posix
+OBJDUMP=objdump # one that knows the library's processor
 LARGEST_GLIBC=2.28 # that of Godot's own builds
 FOREIGN_INCLUDE=$REPO_DIR/build/foreign_include
 WEB_ROOT=$CACHE_DIR/web-root
@@ -106,7 +107,7 @@ run_foreign() {
 	local name=$1 limit=$2 emulator=()
 	shift 2
 	case $name in
-		linux-arm64) emulator=(qemu-aarch64) ;;
+		linux-arm64) emulator=(env QEMU_LD_PREFIX=/usr/aarch64-linux-gnu qemu-aarch64) ;;
 		windows) emulator=(env "WINEPREFIX=$CACHE_DIR/wine" WINEDEBUG=-all wine) ;;
 		web) emulator=(node) ;;
 	esac
@@ -162,11 +163,14 @@ test_foreign_core() {
 	echo "$PLATFORM_LINE"
 }
 
-# need_stub_host [NAME]: the program that loads the extension as Godot 4.3 would, for this machine or for Windows, and the list of
+# need_stub_host [NAME]: the program that loads the extension as Godot 4.3 would, for this machine or that platform, and the list of
 # the functions that Godot 4.3 has. Sets STUB_HOST and STUB_FUNCTIONS.
 need_stub_host() {
-	local compiler=gcc ending=
-	[[ ${1:-} != windows ]] || { compiler=${WINDOWS_CXX/g++/gcc}; ending=.exe; }
+	local compiler=gcc ending= libraries=(-ldl)
+	case ${1:-} in
+		windows) compiler=${WINDOWS_CXX/g++/gcc} ending=.exe libraries=() ;;
+		linux-arm64) compiler=${ARM64_CXX/g++/gcc} ending=.arm64 ;;
+	esac
 	need_packages python3 g++ || return 1
 	need_godot_cpp || return 1
 	STUB_HOST=$REPO_DIR/build/stub_host$ending
@@ -178,16 +182,13 @@ need_stub_host() {
 		        print(function["name"])
 	END
 	[[ -s $STUB_FUNCTIONS ]] || { problem "godot-cpp does not list the functions of Godot 4.3"; return 1; }
-	if [[ -n $ending ]]; then
-		"$compiler" -std=c99 -Wall -Wextra -O1 "$REPO_DIR/scripts/lib/stub_host.c" -o "$STUB_HOST"
-	else
-		"$compiler" -std=c99 -Wall -Wextra -O1 "$REPO_DIR/scripts/lib/stub_host.c" -o "$STUB_HOST" -ldl
-	fi || problem "the stub host does not compile"
+	"$compiler" -std=c99 -Wall -Wextra -O1 "$REPO_DIR/scripts/lib/stub_host.c" -o "$STUB_HOST" ${libraries[@]+"${libraries[@]}"} ||
+		problem "the stub host does not compile"
 }
 
 # newest_glibc LIBRARY: the newest version of glibc that it asks for.
 newest_glibc() {
-	objdump -T "$1" | grep -oE 'GLIBC_[0-9.]+' | sed 's/GLIBC_//' | sort -uV | tail -n 1
+	"$OBJDUMP" -T "$1" | grep -oE 'GLIBC_[0-9.]+' | sed 's/GLIBC_//' | sort -uV | tail -n 1
 }
 
 # test_old_glibc LIBRARY: whether it loads with the glibc that Godot's own builds ask for, by the versions of its symbols. Other
@@ -195,12 +196,12 @@ newest_glibc() {
 test_old_glibc() {
 	local newest others
 	newest=$(newest_glibc "$1")
-	others=$(objdump -p "$1" | sed -nE 's/^ *NEEDED +//p' | grep -vxE '(libc|libm|libpthread|libdl)\.so\.6|libgcc_s\.so\.1|ld-linux.*' || true)
+	others=$("$OBJDUMP" -p "$1" | sed -nE 's/^ *NEEDED +//p' | grep -vxE '(libc|libm|libpthread|libdl)\.so\.6|libgcc_s\.so\.1|ld-linux.*' || true)
 	echo "$(basename "$1") asks for glibc $newest"
 	if [[ -n $newest && -z $others && $(printf '%s\n' "$newest" $LARGEST_GLIBC | sort -V | tail -n 1) == "$LARGEST_GLIBC" ]]; then
 		count 0 1 0
 	else
-		objdump -T "$1" | grep -E "GLIBC_$newest\)" || true
+		"$OBJDUMP" -T "$1" | grep -E "GLIBC_$newest\)" || true
 		echo "FAILED: it needs glibc $newest, and above $LARGEST_GLIBC it would not load where Godot does${others:+; and $others}"
 		count 0 0 1
 	fi
@@ -265,31 +266,40 @@ test_platforms() {
 	printf '%s\n' "${lines[@]}"
 }
 
-# User emulation loses memory with every thread that ends, so nothing of the suites with threads.
-test_on_linux_arm64() {
-	test_hashes linux-arm64 O2 240
-	test_hashes linux-arm64 O2 240 _double
-	test_foreign_core linux-arm64 '--test-suite-exclude=*threads*'
-}
-
-# The core, and the library: its entry is called by the stub host.
-test_on_windows() {
-	local start library status=passed
-	test_hashes windows O2 240
-	test_hashes windows O2 240 _double
-	test_foreign_core windows
-	start=$SECONDS
-	CXX=$WINDOWS_CXX build_extension platform=windows use_mingw=yes target=template_release >"$LOG_DIR/platform_dll.log" 2>&1 ||
-		{ problem "the library does not link for Windows (see $LOG_DIR/platform_dll.log)"; return 1; }
-	need_stub_host windows || return 1
-	library=addons/soft_body_2d/bin/libsoft_body_2d.windows.template_release.x86_64.dll
-	if run_foreign windows 120 "$STUB_HOST" "$library" "${STUB_FUNCTIONS#"$REPO_DIR/"}"; then
+# test_foreign_library NAME LIBRARY [SCONS ARGUMENTS…]: whether the release library links for that platform, and a stub host that
+# answers as Godot 4.3 gets through its entry.
+test_foreign_library() {
+	local name=$1 library=addons/soft_body_2d/bin/$2 start=$SECONDS status=passed log=$LOG_DIR/platform_library_$1.log
+	if ! CXX=$(compiler_of "$name") build_extension "${@:3}" target=template_release >"$log" 2>&1; then
+		problem "the library does not link for $name (see $log)" || true
+		count 0 0 1
+		return
+	fi
+	need_stub_host "$name" || return 1
+	if run_foreign "$name" 120 "$STUB_HOST" "$library" "${STUB_FUNCTIONS#"$REPO_DIR/"}"; then
 		count 0 1 0
 	else
 		status=FAILED
 		count 0 0 1
 	fi
 	PLATFORM_LINE+=", library in a stub host: $status, $((SECONDS - start)) s"
+}
+
+# User emulation loses memory with every thread that ends, so nothing of the suites with threads.
+test_on_linux_arm64() {
+	local library=libsoft_body_2d.linux.template_release.arm64.so
+	test_hashes linux-arm64 O2 240
+	test_hashes linux-arm64 O2 240 _double
+	test_foreign_core linux-arm64 '--test-suite-exclude=*threads*'
+	test_foreign_library linux-arm64 "$library" platform=linux arch=arm64
+	OBJDUMP=aarch64-linux-gnu-objdump test_old_glibc "$REPO_DIR/addons/soft_body_2d/bin/$library"
+}
+
+test_on_windows() {
+	test_hashes windows O2 240
+	test_hashes windows O2 240 _double
+	test_foreign_core windows
+	test_foreign_library windows libsoft_body_2d.windows.template_release.x86_64.dll platform=windows use_mingw=yes
 }
 
 # The core, under Node.

@@ -213,9 +213,14 @@ class PackingTest(unittest.TestCase):
         self.assertEqual(check_package.check(self.package, partial=True), [])
         self.assertIn("does not list windows", check_package.check(self.package)[0])
 
+    def test_a_platform_of_one_library_is_left_out_of_a_partial_package(self):
+        (self.repository / LINUX).unlink()
+        self.assertEqual(set(self.pack(True)), {library_name(key) for key in keys_of(["linux.x86_64"])})
+        self.assertEqual(check_package.check(self.package, partial=True), [])
+
     def test_no_library_at_all_is_no_package(self):
         shutil.rmtree(self.repository / LIBRARIES)
-        with self.assertRaisesRegex(SystemExit, "no libraries"):
+        with self.assertRaisesRegex(SystemExit, "no platform"):
             self.pack(True)
 
     def test_what_a_build_leaves_beside_libraries_is_not_packed(self):
