@@ -321,7 +321,7 @@ write_zig_tool() {
 			if [[ \$1 == -arch ]]; then shift; else arguments+=("\$1"); fi
 			shift
 		done
-		exec "$1/bin/python-zig" $2 $target "\${arguments[@]}"
+		exec "$1/bin/python" -m ziglang $2 $target "\${arguments[@]}"
 	END
 	chmod +x "$3"
 }
@@ -330,7 +330,7 @@ write_zig_tool() {
 test_on_macos() {
 	local start=$SECONDS venv=$CACHE_DIR/ziglang wrappers=$REPO_DIR/build/zig tool
 	need_packages python3-venv || return 1
-	[[ -x $venv/bin/python-zig ]] || { python3 -m venv "$venv" && "$venv/bin/pip" install -q ziglang==0.13.0.post1; } ||
+	"$venv/bin/python" -m ziglang version >/dev/null 2>&1 || { python3 -m venv "$venv" && "$venv/bin/pip" install -q ziglang==0.13.0.post1; } ||
 		{ problem "could not install ziglang"; return 1; }
 	# godot-cpp looks for the tools of OSXCross by these names.
 	mkdir -p "$wrappers/target/bin"
