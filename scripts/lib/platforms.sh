@@ -66,7 +66,8 @@ need_emscripten() {
 			#!/usr/bin/env bash
 			exec bwrap --bind "$WEB_ROOT" / --dev /dev --proc /proc --bind "$REPO_DIR" "$REPO_DIR" --bind /tmp /tmp \\
 				--bind "$CACHE_DIR/emscripten" "$CACHE_DIR/emscripten" --ro-bind-try /usr/include/doctest /usr/include/doctest \\
-				--clearenv --setenv PATH /usr/bin --setenv HOME /tmp \${CPATH:+--setenv CPATH "\$CPATH"} --setenv EM_CONFIG "$CACHE_DIR/emscripten/config" --setenv EM_CACHE "$CACHE_DIR/emscripten/cache" \\
+				--clearenv --setenv PATH /usr/bin --setenv HOME /tmp \${CPATH:+--setenv CPATH "\$CPATH"} \\
+				--setenv EM_CONFIG "$CACHE_DIR/emscripten/config" --setenv EM_CACHE "$CACHE_DIR/emscripten/cache" \\
 				--chdir "\$PWD" $name "\$@"
 		END
 		chmod +x "$WEB_BIN/$name"
@@ -363,7 +364,7 @@ test_on_linux_old() {
 			{ problem "could not install an old Debian (see $LOG_DIR/platform_old.log)"; return 1; }
 	fi
 	# Linked with the old libraries, and with the threads that every Godot has. A compiler given a sysroot would still find the new ones.
-	gcc -O1 -fno-pie -no-pie -nostdlib "$REPO_DIR/scripts/lib/stub_host.c" "$usr"/crt[1i].o -Wl,--no-as-needed "$lib"/lib{dl.so.2,pthread.so.0,c.so.6} \
+	gcc -O1 -fno-pie -no-pie -nostdlib "$REPO_DIR/scripts/lib/stub_host.c" "$usr"/crt[1i].o -Wl,--allow-shlib-undefined,--no-as-needed "$lib"/lib{dl.so.2,pthread.so.0,c.so.6} \
 		"$usr/libc_nonshared.a" "$usr/crtn.o" -o "$STUB_HOST.old" || { problem "the stub host does not link with an old glibc"; return 1; }
 	if limited 60 "$lib/ld-2.31.so" --library-path "$lib:$usr" "$STUB_HOST.old" "$library" "$STUB_FUNCTIONS"; then
 		count 0 1 0
