@@ -22,7 +22,7 @@ inline constexpr std::size_t MOST_CONDENSED_POINTS = 128;
 /// of the displacement of the hole's point. The sum over the hull is where the solid between them has its inner side, for small
 /// displacements and Poisson's ratio 0.45 (static condensation, Guyan 1965): a thin wall keeps its width as it bends. Above
 /// MOST_CONDENSED_POINTS hull points, the best affine map of those around is followed instead (moving least squares, Schaefer, McPhail and Warren
-/// 2006). Rigid motion and uniform growth are followed in both cases. Preconditions: as for `LatticeSolid`, but for either winding of the hull.
+/// 2006). Rigid motion is followed in both cases. Preconditions: as for `LatticeSolid`, but for either winding of the hull.
 std::vector<WeightMatrix> hole_weights(std::span<const Vec2> hull, const Holes &holes);
 
 } // namespace softbody

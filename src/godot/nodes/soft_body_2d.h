@@ -129,6 +129,7 @@ public:
 	PackedVector2Array get_polygon() const { return structure_.values().polygon; }
 	void set_holes(const TypedArray<PackedVector2Array> &p_holes);
 	TypedArray<PackedVector2Array> get_holes() const;
+	static String get_holes_problem(const TypedArray<PackedVector2Array> &p_holes, const PackedVector2Array &p_polygon);
 	/// What keeps these points from being a polygon of a body, as the setter would say it; empty when nothing does.
 	static String get_polygon_problem(const PackedVector2Array &p_polygon);
 	static PackedVector2Array make_circle_polygon(double p_radius, int p_point_count);
@@ -429,7 +430,6 @@ private:
 	void note_move_by_user(const Transform2D &p_from, const Transform2D &p_to);
 	std::span<const softbody::Vec2> drawn_points(double p_fraction) const; ///< as `local_points`, for the skin
 	double area_of_holes() const;
-	double rest_area_of_holes() const;
 	std::span<const softbody::Vec2> with_holes(std::span<const softbody::Vec2> p_outline, std::span<const softbody::Vec2> p_points) const;
 	bool check_fraction(double &r_fraction) const;
 	void draw();

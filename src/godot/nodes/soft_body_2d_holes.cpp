@@ -30,6 +30,11 @@ void SoftBody2D::set_holes(const TypedArray<PackedVector2Array> &p_holes) {
 	}
 }
 
+String SoftBody2D::get_holes_problem(const TypedArray<PackedVector2Array> &p_holes, const PackedVector2Array &p_polygon) {
+	const softbody::Status status = softbody::check_holes("holes", to_core(p_holes), to_core(p_polygon));
+	return status ? to_godot(*status) : String();
+}
+
 TypedArray<PackedVector2Array> SoftBody2D::get_holes() const {
 	return to_godot(structure_.values().holes);
 }
@@ -77,14 +82,6 @@ double SoftBody2D::area_of_holes() const {
 	return structure_.holes() != nullptr ? structure_.holes()->area(local_points(1), order()) * std::abs(double(built_scale_.determinant())) : 0.0;
 }
 
-double SoftBody2D::rest_area_of_holes() const {
-	const Transform2D to_node = structure_.simulated_scale(built_scale_).affine_inverse();
-	std::vector<Vec2> rest; // dented, it may be
-	for (const Vec2 place : body()->shape().rest_positions()) {
-		rest.push_back(to_core(to_node.xform(to_godot(place))));
-	}
-	return structure_.holes()->area(rest, order()) / std::abs(double(to_node.determinant()));
-}
 
 double SoftBody2D::get_area() const {
 	const softbody::SoftBodyData *found = followed_body();
@@ -99,7 +96,16 @@ double SoftBody2D::get_rest_area() const {
 	if (found == nullptr) {
 		return softbody::area_moments(to_core(get_polygon()), structure_.holes_in_use()).area;
 	}
-	return double(found->shape().rest_area()) - (structure_.holes() != nullptr ? rest_area_of_holes() : 0.0);
+	const double inside = double(found->shape().rest_area());
+	if (structure_.holes() == nullptr) {
+		return inside;
+	}
+	const Transform2D to_node = structure_.simulated_scale(built_scale_).affine_inverse();
+	std::vector<Vec2> rest; // dented, it may be
+	for (const Vec2 place : found->shape().rest_positions()) {
+		rest.push_back(to_core(to_node.xform(to_godot(place))));
+	}
+	return inside - structure_.holes()->area(rest, order()) / std::abs(double(to_node.determinant()));
 }
 
 } // namespace godot

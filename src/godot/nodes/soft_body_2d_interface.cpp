@@ -34,6 +34,7 @@ void SoftBody2D::bind_structure_methods() {
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_circle_polygon", "radius", "point_count"), &SoftBody2D::make_circle_polygon);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_box_polygon", "size", "spacing"), &SoftBody2D::make_box_polygon);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_capsule_polygon", "radius", "height", "spacing"), &SoftBody2D::make_capsule_polygon);
+	ClassDB::bind_static_method("SoftBody2D", D_METHOD("get_holes_problem", "holes", "polygon"), &SoftBody2D::get_holes_problem);
 	ClassDB::bind_method(D_METHOD("set_holes", "holes"), &SoftBody2D::set_holes);
 	ClassDB::bind_method(D_METHOD("get_holes"), &SoftBody2D::get_holes);
 	ClassDB::bind_method(D_METHOD("get_simulated_polygon"), &SoftBody2D::get_simulated_polygon);
