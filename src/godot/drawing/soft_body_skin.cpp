@@ -2,6 +2,8 @@
 // The looks of a body: two meshes whose vertices follow its points.
 #include "godot/drawing/soft_body_skin.h"
 
+#include "core/geometry/polygon.h"
+
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/math.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
@@ -224,11 +226,26 @@ std::vector<Color> SoftBodySkin::colors() const {
 	return colors;
 }
 
+// Rough width of what is between the hull and the holes: twice its area over the length of all outlines, as SoftBodyShape::width.
+Real SoftBodySkin::wall_width() const {
+	const std::span<const Vec2> points = rest_;
+	Real area = std::abs(signed_area(points.first(hull_count_)));
+	Real around = perimeter(points.first(hull_count_));
+	std::size_t start = hull_count_;
+	for (const std::size_t count : holes_) {
+		area -= std::abs(signed_area(points.subspan(start, count)));
+		around += perimeter(points.subspan(start, count));
+		start += count;
+	}
+	return 2 * area / around;
+}
+
 void SoftBodySkin::make_fill() {
 	// A hard edge must not show through the soft one of an outline on top of it.
 	const Real soft_edge = drawn_.antialiased && !has_outline() ? pixel_ : 0;
 	const Real inset = drawn_.antialiased && has_outline() ? std::min(pixel_, Real(drawn_.outline_width) / 2) : 0;
-	const Real band = is_soft() ? soft_rim_width(style_, std::span<const Vec2>(rest_).first(hull_count_)) : 0;
+	const Real rim_width = is_soft() ? soft_rim_width(style_, std::span<const Vec2>(rest_).first(hull_count_)) : 0;
+	const Real band = holes_.empty() ? rim_width : std::min(rim_width, wall_width() / 3);
 	const bool is_curved = drawn_.smooth && hull_count_ <= MOST_SMOOTHED_POINTS;
 	const std::size_t pieces = is_soft() ? soft_pieces(hull_count_) : SMOOTH_PIECES;
 	fill_ = fill_mesh_of(rest_, hull_count_, { is_curved ? pieces : 1, soft_edge, inset, band }, holes_);

@@ -86,6 +86,7 @@ private:
 	bool has_cuts() const { return style_.cut_width > 0 && !style_.cut_edges.is_empty(); }
 	void make();
 	void make_fill();
+	Real wall_width() const;
 	void make_outline(std::span<const Vec2> rim);
 	void make_cuts(std::span<const Vec2> rim);
 	void place_bands(const std::vector<OutlineBand> &bands, std::span<const Vec2> rim, std::span<Vec2> vertices) const;

@@ -75,6 +75,9 @@ std::shared_ptr<const DrawnOutline> BodyStructure::make_outline(BodyProperties::
 	if (p_mode == BodyProperties::DETAIL_MODE_POINT_COUNT) {
 		options.most_points = detail_.point_count;
 	}
+	if (detail_.weights.size() == values_.polygon.size()) {
+		options.weights.assign(detail_.weights.ptr(), detail_.weights.ptr() + detail_.weights.size());
+	}
 	return DrawnOutline::find_or_make(values_.polygon, options);
 }
 
@@ -167,6 +170,9 @@ Result<std::shared_ptr<const SoftBodyShape>> BodyStructure::make_shape(std::span
 
 void BodyStructure::append_warnings(PackedStringArray &r_warnings) const {
 	const std::vector<Vec2> hull = to_core(values_.polygon);
+	if (!detail_.weights.is_empty() && detail_.weights.size() != values_.polygon.size()) {
+		r_warnings.push_back("'detail_weights' has " + String::num_int64(detail_.weights.size()) + " entries and the polygon " + String::num_int64(values_.polygon.size()) + " points, so it is not used. Give it one entry for each point of the polygon, or none.");
+	}
 	if (!values_.holes.empty()) {
 		if (const Status status = check_holes("holes", values_.holes, hull)) {
 			r_warnings.push_back("The body has no holes, as they do not fit the polygon: " + to_godot(*status) + ".");

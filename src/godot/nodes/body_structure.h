@@ -56,6 +56,7 @@ public:
 		BodyProperties::DetailMode mode = BodyProperties::DETAIL_MODE_AS_DRAWN;
 		double tolerance = 0.03; ///< see SimplifyOptions
 		int point_count = 24; ///< in DETAIL_MODE_POINT_COUNT
+		godot::PackedFloat32Array weights; ///< one for each point of the polygon; of another number: not used
 	};
 
 	/// Least width of a body that has been scaled down [px].
