@@ -139,6 +139,12 @@ TEST_CASE("a polygon with holes is filled once, along all of its edges, and its 
 	check_filled({ circle_hull(50, 64).value(), { circle_hull(49, 48).value() } });
 }
 
+TEST_CASE("a hole is not joined to a near point behind a slot") {
+	// The slot's sides have no points between their ends; the arm behind it has one right beside the hole.
+	const Holed body{ { { -60, -50 }, { 60, -50 }, { 60, 40 }, { 62, 40 }, { 62, -50 }, { 66, -50 }, { 66, 0 }, { 66, 60 }, { -60, 60 } }, { moved(circle_hull(15, 8).value(), { 40, 0 }) } };
+	check_filled(body);
+}
+
 TEST_CASE("one outline around all holes has the area that is left, and passes each line there and back") {
 	const Holed body = perforated();
 	const std::vector<Vec2> points = body.points();

@@ -122,6 +122,15 @@ TEST_CASE("the wall of a ring bends and keeps its width") {
 			CAPTURE(inner);
 			CAPTURE(count);
 			CHECK(worst < 0.1 * 50 * ring.bend);
+			// Wound the other way, the same.
+			std::vector<Vec2> turned = circle_hull(50, count).value();
+			std::vector<Vec2> turned_bent = ring.hull(count);
+			std::ranges::reverse(turned);
+			std::ranges::reverse(turned_bent);
+			const std::vector<Vec2> same = placed(bound({ hole }, turned), turned_bent);
+			for (std::size_t i = 0; i < found.size(); ++i) {
+				CHECK(double(length(same[i] - found[i])) < 0.02);
+			}
 		}
 	}
 }
