@@ -97,7 +97,7 @@ func test_a_ring_that_is_squashed_is_drawn_along_its_interpolated_hole() -> void
 		var hole := body.get_interpolated_holes()[0]
 		least = minf(least, hole[0].x - hole[16].x)
 		for i in range(0, 32, 4):
-			var outwards := (hole[(i + 1) % 32] - hole[i]).orthogonal().normalized() * -3
+			var outwards := (hole[(i + 1) % 32] - hole[i]).orthogonal().normalized() * 3
 			var middle := (hole[i] + hole[(i + 1) % 32]) / 2
 			check_pixel(image, middle - outwards, CLEAR, "in the hole at point %d" % i)
 			check_pixel(image, middle + outwards, Color.RED, "in the wall at point %d" % i)
