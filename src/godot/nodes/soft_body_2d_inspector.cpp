@@ -68,7 +68,6 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Detail::mode>({ "detail_mode", Range::between(DETAIL_MODE_AS_DRAWN, DETAIL_MODE_POINT_COUNT) }, PROPERTY_HINT_ENUM, "As Drawn,Automatic,Point Count");
 	bind_value<&Detail::tolerance>({ "detail_tolerance", Range::between(softbody::LEAST_DETAIL_TOLERANCE, softbody::MOST_DETAIL_TOLERANCE) }, PROPERTY_HINT_RANGE, "0.001,0.5,0.001");
 	bind_value<&Detail::point_count>({ "detail_point_count", Range::between(softbody::MIN_HULL_POINTS, softbody::MAX_HULL_POINTS) }, PROPERTY_HINT_RANGE, "3,64,1,or_greater");
-	bind_value<&Detail::weights>({ "detail_weights" });
 
 	ADD_GROUP("Collision", "");
 	bind_value<&Values::self_collision>({ "self_collision", Range::between(SELF_COLLISION_OFF, SELF_COLLISION_AUTOMATIC), &SoftBody2D::apply_settings }, PROPERTY_HINT_ENUM, "Off,On,Automatic");
@@ -144,6 +143,7 @@ void SoftBody2D::bind_properties() {
 
 	ADD_GROUP("Data", "");
 	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "holes", PROPERTY_HINT_ARRAY_TYPE, String::num_int64(Variant::PACKED_VECTOR2_ARRAY) + ":"), "set_holes", "get_holes");
+	bind_value<&Detail::weights>({ "detail_weights" });
 	bind_value<&Structure::inner_points>({ "inner_points" }, PROPERTY_HINT_NONE, "suffix:px");
 	bind_value<&Structure::springs>({ "springs" });
 	bind_value<&Structure::stiffness_scales>({ "spring_stiffness_scales" });
