@@ -85,6 +85,9 @@ softbody::SizedHull SoftBody2D::sized_hull(const Transform2D &p_transform) const
 	if (structure_.outline() != nullptr) { // the drawn area decides the mass, to the bit
 		made.area = std::abs(double(softbody::signed_area(to_core(sized.rest.xform(get_polygon()))))) * double(sized.size) * double(sized.size);
 	}
+	for (const std::vector<softbody::Vec2> &hole : structure_.holes_in_use()) {
+		made.area -= std::abs(double(softbody::signed_area(to_core(sized.rest.xform(to_godot(std::span<const softbody::Vec2>(hole))))))) * double(sized.size) * double(sized.size);
+	}
 	return made;
 }
 
@@ -99,6 +102,7 @@ softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &
 	made.used = made.wanted;
 
 	softbody::StructureOptions options = structure_.options(sized.rest);
+	made.has_holes = !options.holes.empty();
 	options.mass = softbody::Real(made.mass);
 	options.elastic = !p_is_draft && made.used.model == ELASTIC_MODEL_MODES;
 	options.elastic_triangles = !p_is_draft && made.used.model == ELASTIC_MODEL_TRIANGLES;
