@@ -75,7 +75,7 @@ namespace SoftBodies
 		public int[] GetAllSprings() =>
 			Node.Call(Names.GetAllSprings).AsInt32Array();
 
-		/// <summary>Returns the area inside the body as it is deformed now, in square pixels.</summary>
+		/// <summary>Returns the area inside the body as it is deformed now, less its <c>holes</c>, in square pixels.</summary>
 		public double GetArea() =>
 			Node.Call(Names.GetArea).AsDouble();
 
@@ -147,6 +147,14 @@ namespace SoftBodies
 		public ElasticModelEnum GetElasticModelInUse() =>
 			(ElasticModelEnum)Node.Call(Names.GetElasticModelInUse).AsInt32();
 
+		/// <summary>Returns why <c>holes</c> could not be the <c>holes</c> of a body with that <c>polygon</c>, or an empty string if they could.</summary>
+		public static string GetHolesProblem(Vector2[][] holes, Vector2[] polygon) =>
+			Native.CallStatic("SoftBody2D", Names.GetHolesProblem, holes, polygon).AsString();
+
+		/// <summary>Returns the <c>holes</c> in global coordinates as they are drawn at <c>fraction</c> between the last two physics ticks, as <c>get_interpolated_polygon</c> does for the outline.</summary>
+		public Vector2[][] GetInterpolatedHoles(double fraction = -1.0) =>
+			Native.Items(Node.Call(Names.GetInterpolatedHoles, fraction), item => item.AsVector2Array());
+
 		/// <summary>Returns the outline in global coordinates as it is drawn at <c>fraction</c> between the last two physics ticks: 0 is the tick before the last, 1 the last, -1 (the default) where it is drawn in the present frame.</summary>
 		public Vector2[] GetInterpolatedPolygon(double fraction = -1.0) =>
 			Node.Call(Names.GetInterpolatedPolygon, fraction).AsVector2Array();
@@ -195,7 +203,7 @@ namespace SoftBodies
 		public static string GetPolygonProblem(Vector2[] polygon) =>
 			Native.CallStatic("SoftBody2D", Names.GetPolygonProblem, polygon).AsString();
 
-		/// <summary>Returns the area inside the body at rest, in square pixels, the node's scale included.</summary>
+		/// <summary>Returns the area inside the body at rest, less its <c>holes</c>, in square pixels, the node's scale included.</summary>
 		public double GetRestArea() =>
 			Node.Call(Names.GetRestArea).AsDouble();
 
@@ -267,7 +275,7 @@ namespace SoftBodies
 		public Vector2 GetGravity() =>
 			Node.Call(Names.GetGravity).AsVector2();
 
-		/// <summary>Returns <c>true</c> if <c>global_position</c> lies inside the body as it is deformed now.</summary>
+		/// <summary>Returns <c>true</c> if <c>global_position</c> lies inside the body as it is deformed now, and in none of its <c>holes</c>.</summary>
 		public bool HasPoint(Vector2 globalPosition) =>
 			Node.Call(Names.HasPoint, globalPosition).AsBool();
 

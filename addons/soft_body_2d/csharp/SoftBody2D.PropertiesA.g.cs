@@ -188,6 +188,13 @@ namespace SoftBodies
 			set => Node.Set(Names.DetailTolerance, value);
 		}
 
+		/// <summary>How fine the simulated outline is kept at each point of <c>polygon</c>, from 0.1 to 10; empty, the default, is 1 everywhere.</summary>
+		public float[] DetailWeights
+		{
+			get => Node.Get(Names.DetailWeights).AsFloat32Array();
+			set => Node.Set(Names.DetailWeights, value);
+		}
+
 		/// <summary>Decides what the body does while its <c>Node.process_mode</c> is <c>Node.PROCESS_MODE_DISABLED</c>, as <c>CollisionObject2D.disable_mode</c>.</summary>
 		public DisableModeEnum DisableMode
 		{
@@ -235,6 +242,13 @@ namespace SoftBodies
 		{
 			get => Node.Get(Names.GravityScale).AsDouble();
 			set => Node.Set(Names.GravityScale, value);
+		}
+
+		/// <summary>The outlines of holes at rest, in the node's coordinates, each in either winding: a ring, a tyre, a frame.</summary>
+		public Vector2[][] Holes
+		{
+			get => Native.Items(Node.Get(Names.Holes), item => item.AsVector2Array());
+			set => Node.Set(Names.Holes, value);
 		}
 
 		/// <summary>The moment of inertia about the center of mass in kg·px², as the points lie now.</summary>
@@ -297,13 +311,6 @@ namespace SoftBodies
 		{
 			get => (DampMode)Node.Get(Names.LinearDampMode).AsInt32();
 			set => Node.Set(Names.LinearDampMode, (long)value);
-		}
-
-		/// <summary>The velocity of the center of mass in pixels per second.</summary>
-		public Vector2 LinearVelocity
-		{
-			get => Node.Get(Names.LinearVelocity).AsVector2();
-			set => Node.Set(Names.LinearVelocity, value);
 		}
 	}
 }

@@ -7,6 +7,13 @@ namespace SoftBodies
 {
 	public sealed partial class SoftBody2D
 	{
+		/// <summary>The velocity of the center of mass in pixels per second.</summary>
+		public Vector2 LinearVelocity
+		{
+			get => Node.Get(Names.LinearVelocity).AsVector2();
+			set => Node.Set(Names.LinearVelocity, value);
+		}
+
 		/// <summary>If <c>true</c>, the body keeps the rotation that the node was given last.</summary>
 		public bool LockRotation
 		{

@@ -77,6 +77,7 @@ namespace SoftBodies
 			internal static readonly StringName DetailMode = "detail_mode";
 			internal static readonly StringName DetailPointCount = "detail_point_count";
 			internal static readonly StringName DetailTolerance = "detail_tolerance";
+			internal static readonly StringName DetailWeights = "detail_weights";
 			internal static readonly StringName DisableMode = "disable_mode";
 			internal static readonly StringName ElasticModel = "elastic_model";
 			internal static readonly StringName FailureMode = "failure_mode";
@@ -103,6 +104,8 @@ namespace SoftBodies
 			internal static readonly StringName GetDetailReport = "get_detail_report";
 			internal static readonly StringName GetElasticModelInUse = "get_elastic_model_in_use";
 			internal static readonly StringName GetGravity = "get_gravity";
+			internal static readonly StringName GetHolesProblem = "get_holes_problem";
+			internal static readonly StringName GetInterpolatedHoles = "get_interpolated_holes";
 			internal static readonly StringName GetInterpolatedPolygon = "get_interpolated_polygon";
 			internal static readonly StringName GetInterpolatedTransform = "get_interpolated_transform";
 			internal static readonly StringName GetKineticEnergy = "get_kinetic_energy";
@@ -135,6 +138,7 @@ namespace SoftBodies
 			internal static readonly StringName GravityScale = "gravity_scale";
 			internal static readonly StringName HasPoint = "has_point";
 			internal static readonly StringName HasSelfCollision = "has_self_collision";
+			internal static readonly StringName Holes = "holes";
 			internal static readonly StringName Inertia = "inertia";
 			internal static readonly StringName Inflation = "inflation";
 			internal static readonly StringName InnerPoints = "inner_points";
