@@ -47,7 +47,7 @@ void BodyStepper::advance(const Batch &batch, const TimeSlice &slice, StatePrefe
 	}
 	prefetch.ask_all();
 	for (std::size_t lane = 0; lane < batch.count; ++lane) {
-		advance_one(batch, lane, slice);
+		batch.shape->chain() != nullptr ? advance_chain(batch, lane, slice) : advance_one(batch, lane, slice);
 		if (slice.is_coupled) {
 			context_->bodies.solver_body(batch.active_indices[lane]).measure_extent();
 		}

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+// Solves one open chain.
+#include "core/dynamics/chain_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softbody {
+
+namespace {
+
+// Passes without and with contacts: the second needs the tension of the first, further ones find which places press and slide.
+constexpr int PASSES = 2;
+constexpr int CONTACT_PASSES = 6;
+
+// Mass that holds a place on a surface, over the mean mass of a section.
+constexpr double HOLDING_MASS = 1e6;
+
+// Compliance of a link that keeps its length, over the inverse of the least mass: for chains tight between two fixed ends,
+// whose equations would else contradict each other in the last digits.
+constexpr double LEAST_COMPLIANCE = 1e-9;
+
+// Share of the link's length by which its ends may pass each other across it in a substep: beyond, a link turns by more than a
+// linear equation says.
+constexpr double MOST_TURN = 0.8;
+
+// How far the stiffness of links against being turned is taken at the end of the substep. Stable for any tension from 1/2 - 2/s
+// on, with s = (h ω)². Slow swinging (s near 0) is not damped; what the substep cannot show dies away.
+double implicit_share(double s) {
+	return 0.75 * s / (s + 2);
+}
+
+constexpr std::size_t dof(std::size_t section) {
+	return 3 * section;
+}
+// After both of its sections, so that its leading minor is negative.
+constexpr std::size_t dof_of_link(std::size_t link) {
+	return 3 * (link + 1) + 2;
+}
+
+bool keeps_lengths(const BodySettings &settings) {
+	return std::isinf(settings.axial_stiffness);
+}
+
+double cube(double x) {
+	return x * x * x;
+}
+
+} // namespace
+
+void ChainSolver::measure_links(const ChainSubstep &step) {
+	const std::size_t links = step.x.size() - 1;
+	directions_.resize(links);
+	sizes_.resize(links);
+	for (std::size_t i = 0; i < links; ++i) {
+		const Vec2d d = step.x[i + 1] - step.x[i];
+		sizes_[i] = length(d);
+		directions_[i] = sizes_[i] > 0 ? d * (1 / sizes_[i]) : Vec2d{ 1, 0 };
+		sizes_[i] = std::max(sizes_[i], 1e-3 * double(step.chain.lengths()[i]));
+	}
+}
+
+void ChainSolver::begin(const ChainSubstep &step) {
+	const std::size_t n = step.x.size();
+	const std::span<const Real> masses = step.chain.masses();
+	system_.begin(3 * n);
+	for (const ChainLoad &load : step.loads) {
+		if (load.is_fixed) {
+			system_.prescribe(dof(load.section), load.velocity.x);
+			system_.prescribe(dof(load.section) + 1, load.velocity.y);
+		}
+	}
+	double sum = 0;
+	least_mass_ = double(masses[0]);
+	for (std::size_t i = 0; i < n; ++i) {
+		sum += double(masses[i]);
+		least_mass_ = std::min(least_mass_, double(masses[i]));
+		if (step.is_fixed[i] != 0) {
+			system_.prescribe(dof(i), start_[i].x);
+			system_.prescribe(dof(i) + 1, start_[i].y);
+		}
+	}
+	stiff_ = HOLDING_MASS * sum / double(n);
+}
+
+void ChainSolver::add_block(std::size_t i, std::size_t j, double xx, double xy, double yx, double yy) {
+	const std::size_t a = dof(i);
+	const std::size_t b = dof(j);
+	system_.add(a, b, xx);
+	system_.add(a + 1, b + 1, yy);
+	if (i == j) {
+		system_.add(a, b + 1, xy);
+	} else {
+		system_.add(a, b + 1, xy);
+		system_.add(a + 1, b, yx);
+	}
+}
+
+// Energy EI/2 |κ|² of the mean length of two links, with κ = Σ g x - κ0 linear in the places of three sections.
+void ChainSolver::add_bending(const ChainSubstep &step) {
+	const BodySettings &settings = step.settings;
+	if (!(settings.bending_stiffness > 0)) {
+		return;
+	}
+	const double factor = step.h * (step.h + double(settings.chain_damping_time));
+	for (std::size_t i = 1; i + 1 < step.x.size(); ++i) {
+		const double a = double(step.chain.lengths()[i - 1]);
+		const double b = double(step.chain.lengths()[i]);
+		const double g[3] = { 2 / ((a + b) * a), -2 / (a * b), 2 / ((a + b) * b) };
+		const double k = double(settings.bending_stiffness) * cube(double(step.chain.width_shares()[i])) * (a + b) / 2;
+		Vec2d bent = (step.x[i - 1] - step.x[i]) * g[0] + (step.x[i + 1] - step.x[i]) * g[2];
+		const Vec2d way = step.x[i + 1] - step.x[i - 1];
+		const double size = length(way);
+		if (settings.rest_bend > 0 && size > 0) {
+			const Vec2d tangent = way * (1 / size);
+			const Vec2d rest = Vec2d(step.chain.curvatures()[i]) * double(settings.rest_bend);
+			bent -= tangent * rest.x + perpendicular(tangent) * rest.y;
+		}
+		for (std::size_t p = 0; p < 3; ++p) {
+			const Vec2d push = bent * (-step.h * k * g[p]);
+			system_.add_right(dof(i - 1 + p), push.x);
+			system_.add_right(dof(i - 1 + p) + 1, push.y);
+			for (std::size_t q = 0; q <= p; ++q) {
+				const double entry = factor * k * g[p] * g[q];
+				add_block(i - 1 + p, i - 1 + q, entry, 0, 0, entry);
+			}
+		}
+	}
+}
+
+// Rows of the links. For one that stretches by EA: λ = h EA/L (C + (h + β) J v).
+void ChainSolver::add_links(const ChainSubstep &step, std::span<const double> lengthening, double compliance_scale) {
+	for (std::size_t i = 0; i < directions_.size(); ++i) {
+		const std::size_t row = dof_of_link(i);
+		const Vec2d n = directions_[i];
+		system_.add(row, dof(i), -n.x);
+		system_.add(row, dof(i) + 1, -n.y);
+		system_.add(row, dof(i + 1), n.x);
+		system_.add(row, dof(i + 1) + 1, n.y);
+		double compliance = LEAST_COMPLIANCE / least_mass_;
+		if (!keeps_lengths(step.settings)) {
+			const double share = (double(step.chain.width_shares()[i]) + double(step.chain.width_shares()[i + 1])) / 2;
+			compliance += compliance_scale * double(step.chain.lengths()[i]) / (double(step.settings.axial_stiffness) * share);
+		}
+		system_.add(row, row, -compliance);
+		system_.add_right(row, lengthening[i]);
+	}
+	system_.prescribe(2, 0); // the place of a link before the first
+}
+
+void ChainSolver::add_tension(const ChainSubstep &step) {
+	const std::span<const Real> masses = step.chain.masses();
+	for (std::size_t i = 0; i < directions_.size(); ++i) {
+		const double pull = std::max(tension_[i], 0.0) / sizes_[i]; // h T/|d|
+		const double fast = 4 * step.h * pull / double(std::min(masses[i], masses[i + 1])); // (h ω)²
+		const double factor = implicit_share(fast) * step.h * pull;
+		const Vec2d n = directions_[i];
+		const double xx = factor * n.y * n.y;
+		const double xy = -factor * n.x * n.y;
+		const double yy = factor * n.x * n.x;
+		add_block(i, i, xx, xy, xy, yy);
+		add_block(i + 1, i + 1, xx, xy, xy, yy);
+		add_block(i + 1, i, -xx, -xy, -xy, -yy);
+	}
+}
+
+double ChainSolver::along(const ChainContact &contact, std::span<const Vec2d> v, Vec2d direction) const {
+	return dot(direction, v[contact.section] * contact.share + v[contact.other] * (1 - contact.share));
+}
+
+void ChainSolver::add_contacts(const ChainSubstep &step, bool is_move) {
+	for (const ChainContact &contact : step.contacts) {
+		if (contact.state == ChainContact::State::APART) {
+			continue;
+		}
+		const Vec2d tangent = perpendicular(contact.normal);
+		const double shares[2] = { contact.share, 1 - contact.share };
+		const std::size_t sections[2] = { contact.section, contact.other };
+		const std::size_t ends = contact.section == contact.other || contact.share == 1 ? 1 : 2;
+		const auto hold = [&](Vec2d n, double wanted) {
+			for (std::size_t p = 0; p < ends; ++p) {
+				const double share = ends == 1 ? 1.0 : shares[p];
+				system_.add_right(dof(sections[p]), stiff_ * wanted * share * n.x);
+				system_.add_right(dof(sections[p]) + 1, stiff_ * wanted * share * n.y);
+				for (std::size_t q = 0; q < ends; ++q) {
+					if (sections[q] > sections[p]) {
+						continue;
+					}
+					const double entry = stiff_ * share * (ends == 1 ? 1.0 : shares[q]);
+					add_block(sections[p], sections[q], entry * n.x * n.x, entry * n.x * n.y, entry * n.x * n.y, entry * n.y * n.y);
+				}
+			}
+		};
+		if (is_move) {
+			hold(contact.normal, 0);
+			continue;
+		}
+		hold(contact.normal, dot(contact.velocity, contact.normal) - std::max(contact.gap, 0.0) / step.h);
+		if (contact.state == ChainContact::State::STICKS) {
+			hold(tangent, dot(contact.velocity, tangent));
+			continue;
+		}
+		const double friction = contact.friction * contact.normal_impulse * contact.direction;
+		for (std::size_t p = 0; p < ends; ++p) {
+			const double share = ends == 1 ? 1.0 : shares[p];
+			system_.add_right(dof(sections[p]), tangent.x * friction * share);
+			system_.add_right(dof(sections[p]) + 1, tangent.y * friction * share);
+		}
+	}
+}
+
+// Finds from the velocities of the last pass which places press, stick and slide. Returns whether the next pass would differ.
+bool ChainSolver::update_contacts(const ChainSubstep &step, bool is_first) {
+	bool has_changed = false;
+	for (ChainContact &contact : step.contacts) {
+		using State = ChainContact::State;
+		const Vec2d tangent = perpendicular(contact.normal);
+		const double wanted = dot(contact.velocity, contact.normal) - std::max(contact.gap, 0.0) / step.h;
+		const double speed = along(contact, found_, contact.normal);
+		const double slide = along(contact, found_, tangent) - dot(contact.velocity, tangent);
+		const State before = contact.state;
+		if (before == State::APART) {
+			if (speed < wanted) {
+				contact.state = State::STICKS;
+				contact.normal_impulse = 0;
+			}
+		} else {
+			const double impulse = stiff_ * (wanted - speed);
+			const double old = contact.normal_impulse;
+			contact.normal_impulse = std::max(impulse, 0.0);
+			if (!(impulse > 0)) {
+				contact.state = State::APART;
+			} else if (before == State::STICKS) {
+				const double held = -stiff_ * slide;
+				if (std::abs(held) > contact.friction * impulse) {
+					contact.state = State::SLIDES;
+					contact.direction = held < 0 ? -1 : 1;
+				}
+			} else if (slide * contact.direction > 0) {
+				contact.state = State::STICKS; // friction would speed it up
+			}
+			has_changed |= contact.state == State::SLIDES && std::abs(contact.normal_impulse - old) > 0.02 * contact.normal_impulse;
+		}
+		has_changed |= contact.state != before;
+	}
+	return has_changed || is_first;
+}
+
+void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v, double drift_rate) {
+	const std::size_t n = step.x.size();
+	start_.assign(v.begin(), v.end());
+	found_ = start_;
+	tension_.assign(n - 1, 0.0);
+	wanted_.resize(n - 1);
+	measure_links(step);
+	for (ChainContact &contact : step.contacts) {
+		contact.state = contact.gap <= 0 ? ChainContact::State::STICKS : ChainContact::State::APART;
+	}
+	const bool keeps = keeps_lengths(step.settings);
+	const double stretch_time = step.h + double(step.settings.chain_damping_time);
+	const int passes = step.contacts.empty() ? PASSES : CONTACT_PASSES;
+	for (int pass = 0; pass < passes; ++pass) {
+		begin(step);
+		for (std::size_t i = 0; i < n; ++i) {
+			const double m = double(step.chain.masses()[i]);
+			add_block(i, i, m, 0, 0, m);
+			const Vec2d momentum = start_[i] * m + step.force[i] * step.h;
+			system_.add_right(dof(i), momentum.x);
+			system_.add_right(dof(i) + 1, momentum.y);
+		}
+		for (const ChainLoad &load : step.loads) {
+			if (!load.is_fixed) {
+				add_block(load.section, load.section, load.mass_xx, load.mass_xy, load.mass_xy, load.mass_yy);
+				system_.add_right(dof(load.section), load.mass_xx * load.velocity.x + load.mass_xy * load.velocity.y);
+				system_.add_right(dof(load.section) + 1, load.mass_xy * load.velocity.x + load.mass_yy * load.velocity.y);
+			}
+		}
+		add_bending(step);
+		for (std::size_t i = 0; i + 1 < n; ++i) {
+			// A link that turns gets longer than its direction says: by the way of its ends across it.
+			const Vec2d apart = found_[i + 1] - found_[i];
+			const double across = std::min(std::abs(cross(directions_[i], apart)) * step.h, MOST_TURN * sizes_[i]);
+			const double lengthening = sizes_[i] - std::sqrt(sizes_[i] * sizes_[i] - across * across);
+			const double stretch = sizes_[i] - double(step.chain.lengths()[i]);
+			wanted_[i] = -lengthening / step.h - stretch * (keeps ? drift_rate : 1 / stretch_time);
+		}
+		add_links(step, wanted_, 1 / (step.h * stretch_time));
+		add_tension(step);
+		add_contacts(step, false);
+		const std::vector<double> &found = system_.solve();
+		for (std::size_t i = 0; i < n; ++i) {
+			found_[i] = { found[dof(i)], found[dof(i) + 1] };
+			if (i > 0) {
+				tension_[i - 1] = found[dof_of_link(i - 1)];
+			}
+		}
+		if (!update_contacts(step, pass == 0)) {
+			break;
+		}
+	}
+	for (ChainLoad &load : step.loads) {
+		const Vec2d change = load.velocity - found_[load.section];
+		load.impulse = { load.mass_xx * change.x + load.mass_xy * change.y, load.mass_xy * change.x + load.mass_yy * change.y };
+		if (load.is_fixed) {
+			const std::size_t i = load.section;
+			load.impulse = (found_[i] - start_[i]) * double(step.chain.masses()[i]) - step.force[i] * step.h;
+			load.impulse -= i + 1 < n ? directions_[i] * tension_[i] : Vec2d{};
+			load.impulse += i > 0 ? directions_[i - 1] * tension_[i - 1] : Vec2d{};
+		}
+	}
+	std::ranges::copy(found_, v.begin());
+}
+
+bool ChainSolver::close_links(const ChainSubstep &step, std::span<Vec2d> moves) {
+	constexpr double ENOUGH = 1e-5; // of a link's length
+	const std::size_t n = step.x.size();
+	std::ranges::fill(moves, Vec2d{});
+	measure_links(step);
+	wanted_.resize(n - 1);
+	bool is_needed = false;
+	for (std::size_t i = 0; i + 1 < n; ++i) {
+		const double rest = double(step.chain.lengths()[i]);
+		wanted_[i] = keeps_lengths(step.settings) ? std::clamp(rest - sizes_[i], -rest / 2, rest / 2) : 0.0;
+		is_needed |= std::abs(wanted_[i]) > ENOUGH * rest;
+	}
+	for (const ChainLoad &load : step.loads) {
+		is_needed |= load.is_fixed && load.gap != Vec2d{};
+	}
+	if (!is_needed) {
+		return false;
+	}
+	start_.assign(n, Vec2d{});
+	begin(step);
+	for (const ChainLoad &load : step.loads) {
+		if (load.is_fixed) {
+			system_.prescribe(dof(load.section), load.gap.x);
+			system_.prescribe(dof(load.section) + 1, load.gap.y);
+		}
+	}
+	for (std::size_t i = 0; i < n; ++i) {
+		const double m = double(step.chain.masses()[i]);
+		add_block(i, i, m, 0, 0, m);
+	}
+	for (const ChainLoad &load : step.loads) {
+		if (!load.is_fixed) {
+			add_block(load.section, load.section, load.mass_xx, load.mass_xy, load.mass_xy, load.mass_yy);
+		}
+	}
+	add_links(step, wanted_, 0);
+	add_contacts(step, true);
+	const std::vector<double> &found = system_.solve();
+	for (std::size_t i = 0; i < n; ++i) {
+		moves[i] = { found[dof(i)], found[dof(i) + 1] };
+	}
+	return true;
+}
+
+} // namespace softbody
