@@ -161,7 +161,7 @@ TEST_CASE("a rope comes to rest on a floor and sleeps, and nothing of it is belo
 	settings.friction = Real(0.5);
 	RopeWorld scene(rope_along(line({ -1, 1 }, { 1, Real(1.6) }, 40), Real(0.06), 1, settings));
 	Border floor;
-	floor.plane = { { 0, 1 }, 0 };
+	floor.plane = { { 0, 0 }, { 0, 1 } };
 	REQUIRE(!scene.world.add_border(floor));
 	double deepest = 0;
 	for (int tick = 0; tick < 600; ++tick) {

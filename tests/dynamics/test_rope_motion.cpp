@@ -59,7 +59,9 @@ TEST_CASE("a hanging rope swings in its first mode with Bernoulli's frequency") 
 		const double s = 2 - 2.0 * i / 39;
 		path.push_back({ Real(0.05 * std::cyl_bessel_j(0, ZERO_OF_J0 * std::sqrt(s / 2))), Real(s - 2) });
 	}
-	RopeWorld scene(rope_along(path, Real(0.02), 1));
+	BodySettings settings;
+	settings.can_sleep = false; // the swing is slow at its ends
+	RopeWorld scene(rope_along(path, Real(0.02), 1, settings));
 	scene.pin(0);
 	CHECK(period_of(scene, 20, [&] { return double(center_place(scene.body(), 39).x); }) == doctest::Approx(2 * PI / omega).epsilon(0.01));
 }
@@ -204,7 +206,7 @@ TEST_CASE("a rope moves by the same bits on any number of threads, and again fro
 		scene->tie(23, weight);
 		(void)scene->world.add_soft_body(rope_along(line({ 0, -1 }, { 3, -1 }, 24), Real(0.05), 1));
 		Border floor;
-		floor.plane = { { 0, 1 }, -3 };
+		floor.plane = { { 0, -3 }, { 0, 1 } };
 		(void)scene->world.add_border(floor);
 		return scene;
 	};

@@ -4,7 +4,7 @@
 
 #include "core/dynamics/body_reset.h"
 #include "core/dynamics/joint_solver.h"
-#include "core/dynamics/slice_lanes.h"
+#include "core/dynamics/state_lanes.h"
 
 #include <algorithm>
 
@@ -43,9 +43,6 @@ void BodyStepper::advance_chain(const Batch &batch, std::size_t lane, const Time
 			counts_.contacts += chain_stepper_.solve_velocities(context_->colliders, data, elapsed, h, {}, 0, collision_.log());
 		}
 		chain_stepper_.move(context_->colliders, data, elapsed, h, loads);
-		if (data.settings().has_damp()) {
-			keep_shape<Real>(lanes_of(data), h, false, {});
-		}
 		chain_stepper_.begin_contacts(data);
 		if (collision_.handle(data, before, gravity, h) > 0) {
 			chain_stepper_.take_contacts(data);

@@ -9,9 +9,10 @@ namespace softbody {
 
 namespace {
 
-// Passes without and with contacts: the second needs the tension of the first, further ones find which places press and slide.
-constexpr int PASSES = 2;
-constexpr int CONTACT_PASSES = 6;
+// The second pass needs the tension of the first, the third the turns of the second. Further ones find which links pull, and which
+// places press and slide.
+constexpr int PASSES = 3;
+constexpr int MOST_PASSES = 7;
 
 // Mass that holds a place on a surface, over the mean mass of a section.
 constexpr double HOLDING_MASS = 1e6;
@@ -20,6 +21,11 @@ constexpr double HOLDING_MASS = 1e6;
 // whose equations would else contradict each other in the last digits.
 constexpr double LEAST_COMPLIANCE = 1e-9;
 
+// A link that is not tight is pushed to its length by a spring of this angular frequency for the mass of its ends [rad/s], with this
+// damping time [s]. A link as stiff against pushes as against pulls would let a heavy load kick the light rope before it aside.
+constexpr double SLACK_FREQUENCY = 100;
+constexpr double SLACK_DAMPING_TIME = 0.01;
+
 // Share of the link's length by which its ends may pass each other across it in a substep: beyond, a link turns by more than a
 // linear equation says.
 constexpr double MOST_TURN = 0.8;
@@ -27,8 +33,11 @@ constexpr double MOST_TURN = 0.8;
 // How far the stiffness of links against being turned is taken at the end of the substep. Stable for any tension from 1/2 - 2/s
 // on, with s = (h ω)². Slow swinging (s near 0) is not damped; what the substep cannot show dies away.
 double implicit_share(double s) {
-	return 0.75 * s / (s + 2);
+	return s / (s + 2);
 }
+
+// Share of its length by which a link counts as tight.
+constexpr double TIGHT = 1e-6;
 
 constexpr std::size_t dof(std::size_t section) {
 	return 3 * section;
@@ -129,23 +138,43 @@ void ChainSolver::add_bending(const ChainSubstep &step) {
 }
 
 // Rows of the links. For one that stretches by EA: λ = h EA/L (C + (h + β) J v).
-void ChainSolver::add_links(const ChainSubstep &step, std::span<const double> lengthening, double compliance_scale) {
+void ChainSolver::add_links(const ChainSubstep &step, std::span<const double> wanted, double compliance_scale, double slack_scale) {
+	system_.prescribe(2, 0); // the place of a link before the first
 	for (std::size_t i = 0; i < directions_.size(); ++i) {
 		const std::size_t row = dof_of_link(i);
+		if (is_slack_[i] != 0 && slack_scale == 0) {
+			system_.prescribe(row, 0);
+			continue;
+		}
 		const Vec2d n = directions_[i];
 		system_.add(row, dof(i), -n.x);
 		system_.add(row, dof(i) + 1, -n.y);
 		system_.add(row, dof(i + 1), n.x);
 		system_.add(row, dof(i + 1) + 1, n.y);
 		double compliance = LEAST_COMPLIANCE / least_mass_;
-		if (!keeps_lengths(step.settings)) {
+		if (is_slack_[i] != 0) {
+			const double m = double(std::min(step.chain.masses()[i], step.chain.masses()[i + 1]));
+			compliance += slack_scale / (m * SLACK_FREQUENCY * SLACK_FREQUENCY);
+		} else if (!keeps_lengths(step.settings)) {
 			const double share = (double(step.chain.width_shares()[i]) + double(step.chain.width_shares()[i + 1])) / 2;
 			compliance += compliance_scale * double(step.chain.lengths()[i]) / (double(step.settings.axial_stiffness) * share);
 		}
 		system_.add(row, row, -compliance);
-		system_.add_right(row, lengthening[i]);
+		system_.add_right(row, wanted[i]);
 	}
-	system_.prescribe(2, 0); // the place of a link before the first
+}
+
+// A link that would push is slack, and one that would get too long is not. Returns whether any has changed.
+bool ChainSolver::update_links(const ChainSubstep &step) {
+	bool has_changed = false;
+	for (std::size_t i = 0; i < directions_.size(); ++i) {
+		const double longest = double(step.chain.lengths()[i]) * (1 + TIGHT);
+		const Vec2d end = directions_[i] * sizes_[i] + (found_[i + 1] - found_[i]) * step.h;
+		const bool is_slack = is_slack_[i] != 0 ? length_squared(end) <= longest * longest : tension_[i] < 0;
+		has_changed |= is_slack != (is_slack_[i] != 0);
+		is_slack_[i] = char(is_slack);
+	}
+	return has_changed;
 }
 
 void ChainSolver::add_tension(const ChainSubstep &step) {
@@ -210,8 +239,7 @@ void ChainSolver::add_contacts(const ChainSubstep &step, bool is_move) {
 }
 
 // Finds from the velocities of the last pass which places press, stick and slide. Returns whether the next pass would differ.
-bool ChainSolver::update_contacts(const ChainSubstep &step, bool is_first) {
-	bool has_changed = false;
+bool ChainSolver::update_contacts(const ChainSubstep &step, bool has_changed) {
 	for (ChainContact &contact : step.contacts) {
 		using State = ChainContact::State;
 		const Vec2d tangent = perpendicular(contact.normal);
@@ -243,7 +271,7 @@ bool ChainSolver::update_contacts(const ChainSubstep &step, bool is_first) {
 		}
 		has_changed |= contact.state != before;
 	}
-	return has_changed || is_first;
+	return has_changed;
 }
 
 void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v, double drift_rate) {
@@ -253,13 +281,17 @@ void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v,
 	tension_.assign(n - 1, 0.0);
 	wanted_.resize(n - 1);
 	measure_links(step);
+	is_slack_.assign(n - 1, 0);
 	for (ChainContact &contact : step.contacts) {
 		contact.state = contact.gap <= 0 ? ChainContact::State::STICKS : ChainContact::State::APART;
 	}
 	const bool keeps = keeps_lengths(step.settings);
 	const double stretch_time = step.h + double(step.settings.chain_damping_time);
-	const int passes = step.contacts.empty() ? PASSES : CONTACT_PASSES;
-	for (int pass = 0; pass < passes; ++pass) {
+	const double slack_time = step.h + SLACK_DAMPING_TIME;
+	for (std::size_t i = 0; i + 1 < n; ++i) {
+		is_slack_[i] = char(sizes_[i] < double(step.chain.lengths()[i]) * (1 - TIGHT));
+	}
+	for (int pass = 0; pass < MOST_PASSES; ++pass) {
 		begin(step);
 		for (std::size_t i = 0; i < n; ++i) {
 			const double m = double(step.chain.masses()[i]);
@@ -278,13 +310,19 @@ void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v,
 		add_bending(step);
 		for (std::size_t i = 0; i + 1 < n; ++i) {
 			// A link that turns gets longer than its direction says: by the way of its ends across it.
-			const Vec2d apart = found_[i + 1] - found_[i];
+			const std::vector<Vec2d> &v0 = pass < 2 ? start_ : found_;
+			const Vec2d apart = v0[i + 1] - v0[i];
 			const double across = std::min(std::abs(cross(directions_[i], apart)) * step.h, MOST_TURN * sizes_[i]);
 			const double lengthening = sizes_[i] - std::sqrt(sizes_[i] * sizes_[i] - across * across);
 			const double stretch = sizes_[i] - double(step.chain.lengths()[i]);
-			wanted_[i] = -lengthening / step.h - stretch * (keeps ? drift_rate : 1 / stretch_time);
+			if (is_slack_[i] != 0) {
+				wanted_[i] = -stretch / slack_time;
+				continue;
+			}
+			const double rate = stretch < 0 ? 1 / step.h : keeps ? drift_rate : 1 / stretch_time; // up to its length, but no further
+			wanted_[i] = -lengthening / step.h - stretch * rate;
 		}
-		add_links(step, wanted_, 1 / (step.h * stretch_time));
+		add_links(step, wanted_, 1 / (step.h * stretch_time), 1 / (step.h * slack_time));
 		add_tension(step);
 		add_contacts(step, false);
 		const std::vector<double> &found = system_.solve();
@@ -294,7 +332,8 @@ void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v,
 				tension_[i - 1] = found[dof_of_link(i - 1)];
 			}
 		}
-		if (!update_contacts(step, pass == 0)) {
+		const bool has_changed = update_links(step);
+		if (!update_contacts(step, has_changed || pass + 1 < PASSES)) {
 			break;
 		}
 	}
@@ -317,10 +356,12 @@ bool ChainSolver::close_links(const ChainSubstep &step, std::span<Vec2d> moves) 
 	std::ranges::fill(moves, Vec2d{});
 	measure_links(step);
 	wanted_.resize(n - 1);
+	is_slack_.assign(n - 1, 0);
 	bool is_needed = false;
 	for (std::size_t i = 0; i + 1 < n; ++i) {
 		const double rest = double(step.chain.lengths()[i]);
-		wanted_[i] = keeps_lengths(step.settings) ? std::clamp(rest - sizes_[i], -rest / 2, rest / 2) : 0.0;
+		is_slack_[i] = char(sizes_[i] < rest);
+		wanted_[i] = keeps_lengths(step.settings) && is_slack_[i] == 0 ? std::max(rest - sizes_[i], -rest / 2) : 0.0;
 		is_needed |= std::abs(wanted_[i]) > ENOUGH * rest;
 	}
 	for (const ChainLoad &load : step.loads) {
@@ -346,7 +387,7 @@ bool ChainSolver::close_links(const ChainSubstep &step, std::span<Vec2d> moves) 
 			add_block(load.section, load.section, load.mass_xx, load.mass_xy, load.mass_xy, load.mass_yy);
 		}
 	}
-	add_links(step, wanted_, 0);
+	add_links(step, wanted_, 0, 0);
 	add_contacts(step, true);
 	const std::vector<double> &found = system_.solve();
 	for (std::size_t i = 0; i < n; ++i) {

@@ -66,10 +66,12 @@ private:
 	void begin(const ChainSubstep &step);
 	void add_block(std::size_t i, std::size_t j, double xx, double xy, double yx, double yy);
 	void add_bending(const ChainSubstep &step);
-	void add_links(const ChainSubstep &step, std::span<const double> lengthening, double compliance_scale);
+	/// `slack_scale` 0: slack links are left out.
+	void add_links(const ChainSubstep &step, std::span<const double> wanted, double compliance_scale, double slack_scale);
 	void add_tension(const ChainSubstep &step);
 	void add_contacts(const ChainSubstep &step, bool is_move);
-	bool update_contacts(const ChainSubstep &step, bool is_first);
+	bool update_links(const ChainSubstep &step);
+	bool update_contacts(const ChainSubstep &step, bool has_changed);
 	void measure_links(const ChainSubstep &step);
 	double along(const ChainContact &contact, std::span<const Vec2d> v, Vec2d direction) const;
 
@@ -77,7 +79,8 @@ private:
 	std::vector<Vec2d> directions_; ///< of the links, unit
 	std::vector<double> sizes_; ///< present lengths of the links
 	std::vector<double> tension_; ///< impulse of each link in the last pass, positive where it pulls [mass·length/s]
-	std::vector<double> wanted_;
+	std::vector<char> is_slack_; ///< whether a link does not pull
+	std::vector<double> wanted_; ///< rates at which links get longer [length/s]; or changes of their lengths
 	std::vector<Vec2d> start_; ///< velocities before
 	std::vector<Vec2d> found_; ///< velocities of the last pass
 	double stiff_ = 0; ///< mass that stands for infinity in contacts

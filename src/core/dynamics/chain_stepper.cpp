@@ -2,6 +2,7 @@
 // Carries a chain through a substep.
 #include "core/dynamics/chain_stepper.h"
 
+#include "core/base/elementary.h"
 #include "core/model/rigid_motion.h"
 
 #include <algorithm>
@@ -159,6 +160,12 @@ std::size_t ChainStepper::solve_velocities(const ColliderIndex &surroundings, So
 			spin_ += double(h) * cross(difference(body.positions()[i], base_) - center, Vec2d(external_[i]));
 		}
 	}
+	// Air drags each section by itself: a rope sags and swings without moving as a whole.
+	const double keep = body.settings().linear_damp > 0 ? exponential(-double(body.settings().linear_damp) * double(h)) : 1.0;
+	for (Vec2d &velocity : v_) {
+		velocity = velocity * keep;
+	}
+	spin_ *= keep;
 	solver_.solve_velocities(step, v_, drift_rate);
 	std::size_t count = 0;
 	for (ChainContact &contact : contacts_) {

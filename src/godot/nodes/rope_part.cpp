@@ -29,10 +29,10 @@ std::vector<double> ways_of(std::span<const Vec2> p_points) {
 
 Result<std::vector<Vec2>> RopePart::points() const {
 	std::vector<Vec2> points = to_core(path);
-	if (point_count == 0) {
+	if (link_count == 0) {
 		return points;
 	}
-	return divide_path(points, point_count);
+	return divide_path(points, link_count + 1);
 }
 
 std::vector<Real> RopePart::widths(std::span<const Vec2> p_points) const {

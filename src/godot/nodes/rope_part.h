@@ -23,7 +23,7 @@ struct RopePart {
 	static constexpr double LEAST_WIDTH = 1;
 
 	godot::PackedVector2Array path; ///< [px of the node]
-	int point_count = 24; ///< 0: the points of the path themselves
+	int link_count = 24; ///< of equal length; 0: the edges of the path
 	double width = 12; ///< [px]
 	godot::Ref<godot::Curve> width_curve; ///< factor on the width, over 0..1 of the length; null: 1
 	double stretch_stiffness = 0; ///< [N]; 0: keeps its length

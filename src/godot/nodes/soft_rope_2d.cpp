@@ -95,12 +95,11 @@ void SoftRope2D::set_path(const PackedVector2Array &p_path) {
 	remake("path", before);
 }
 
-void SoftRope2D::set_point_count(int p_count) {
-	const int least = p_count == 0 ? 0 : 2;
-	if (accept("point_count", softbody::check_between("point_count", p_count, least, softbody::MAX_ROPE_POINTS, ""))) {
+void SoftRope2D::set_link_count(int p_count) {
+	if (accept("link_count", softbody::check_between("link_count", p_count, 0, softbody::MAX_ROPE_POINTS - 1, ""))) {
 		const RopePart before = rope_;
-		rope_.point_count = p_count;
-		remake("point_count", before);
+		rope_.link_count = p_count;
+		remake("link_count", before);
 	}
 }
 
@@ -232,7 +231,7 @@ void SoftRope2D::_bind_methods() {
 	softbody::bind_enumeration<SoftRope2D>("Kind", { "KIND_CUSTOM", "KIND_ROPE", "KIND_STRAP", "KIND_TENTACLE", "KIND_RUBBER_BAND" });
 	bind_property("kind", &SoftRope2D::set_kind, &SoftRope2D::get_kind, PROPERTY_HINT_ENUM, "Custom,Rope,Strap,Tentacle,Rubber Band", nullptr, nullptr, PROPERTY_USAGE_EDITOR);
 	bind_property("path", &SoftRope2D::set_path, &SoftRope2D::get_path_points, PROPERTY_HINT_NONE, "suffix:px", "get_path_points");
-	bind_property("point_count", &SoftRope2D::set_point_count, &SoftRope2D::get_rope_point_count, PROPERTY_HINT_RANGE, "0,128,1,or_greater", "get_rope_point_count");
+	bind_property("link_count", &SoftRope2D::set_link_count, &SoftRope2D::get_link_count, PROPERTY_HINT_RANGE, "0,128,1,or_greater", "get_link_count");
 	bind_property("width", &SoftRope2D::set_width, &SoftRope2D::get_width, PROPERTY_HINT_RANGE, "1,128,0.1,or_greater,suffix:px");
 	bind_property("width_curve", &SoftRope2D::set_width_curve, &SoftRope2D::get_width_curve, PROPERTY_HINT_RESOURCE_TYPE, "Curve");
 	bind_property("stretch_stiffness", &SoftRope2D::set_rope_value<&RopePart::stretch_stiffness>, &SoftRope2D::get_rope_value<&RopePart::stretch_stiffness>, PROPERTY_HINT_RANGE, "0,1000,0.1,or_greater,suffix:N");

@@ -27,8 +27,8 @@ public:
 
 	void set_path(const PackedVector2Array &p_path);
 	PackedVector2Array get_path_points() const { return rope_.path; }
-	void set_point_count(int p_count);
-	int get_rope_point_count() const { return rope_.point_count; }
+	void set_link_count(int p_count);
+	int get_link_count() const { return rope_.link_count; }
 	void set_width(double p_width);
 	double get_width() const { return rope_.width; }
 	void set_width_curve(const Ref<Curve> &p_curve);
