@@ -9,9 +9,8 @@ namespace softbody {
 
 namespace {
 
-// The second pass needs the tension of the first, the third the turns of the second. Further ones find which links pull, and which
-// places press and slide.
-constexpr int PASSES = 3;
+// The second pass needs the tension of the first. Further ones find which links pull, and which places press and slide.
+constexpr int PASSES = 2;
 constexpr int MOST_PASSES = 7;
 
 // Mass that holds a place on a surface, over the mean mass of a section.
@@ -25,6 +24,10 @@ constexpr double LEAST_COMPLIANCE = 1e-9;
 // damping time [s]. A link as stiff against pushes as against pulls would let a heavy load kick the light rope before it aside.
 constexpr double SLACK_FREQUENCY = 100;
 constexpr double SLACK_DAMPING_TIME = 0.01;
+
+// The same while links are closed. A chain that is a little too long for its two ends cannot become right, and a straight one would be
+// thrown aside by any attempt. A whole chain of 40 links closes by a tenth in a substep, neighbors at once.
+constexpr double CLOSING_COMPLIANCE = 0.05;
 
 // Share of the link's length by which its ends may pass each other across it in a substep: beyond, a link turns by more than a
 // linear equation says.
@@ -46,6 +49,13 @@ constexpr std::size_t dof(std::size_t section) {
 constexpr std::size_t dof_of_link(std::size_t link) {
 	return 3 * (link + 1) + 2;
 }
+
+// How a link is solved: it pulls; a spring pushes it to its length; or nothing acts along it.
+enum LinkState : char {
+	TIGHT_LINK,
+	SHORT_LINK,
+	LOOSE_LINK,
+};
 
 bool keeps_lengths(const BodySettings &settings) {
 	return std::isinf(settings.axial_stiffness);
@@ -142,7 +152,7 @@ void ChainSolver::add_links(const ChainSubstep &step, std::span<const double> wa
 	system_.prescribe(2, 0); // the place of a link before the first
 	for (std::size_t i = 0; i < directions_.size(); ++i) {
 		const std::size_t row = dof_of_link(i);
-		if (is_slack_[i] != 0 && slack_scale == 0) {
+		if (link_states_[i] == LOOSE_LINK || (link_states_[i] == SHORT_LINK && slack_scale == 0)) {
 			system_.prescribe(row, 0);
 			continue;
 		}
@@ -151,8 +161,8 @@ void ChainSolver::add_links(const ChainSubstep &step, std::span<const double> wa
 		system_.add(row, dof(i) + 1, -n.y);
 		system_.add(row, dof(i + 1), n.x);
 		system_.add(row, dof(i + 1) + 1, n.y);
-		double compliance = LEAST_COMPLIANCE / least_mass_;
-		if (is_slack_[i] != 0) {
+		double compliance = (slack_scale > 0 ? LEAST_COMPLIANCE : CLOSING_COMPLIANCE) / least_mass_;
+		if (link_states_[i] == SHORT_LINK) {
 			const double m = double(std::min(step.chain.masses()[i], step.chain.masses()[i + 1]));
 			compliance += slack_scale / (m * SLACK_FREQUENCY * SLACK_FREQUENCY);
 		} else if (!keeps_lengths(step.settings)) {
@@ -168,11 +178,11 @@ void ChainSolver::add_links(const ChainSubstep &step, std::span<const double> wa
 bool ChainSolver::update_links(const ChainSubstep &step) {
 	bool has_changed = false;
 	for (std::size_t i = 0; i < directions_.size(); ++i) {
-		const double longest = double(step.chain.lengths()[i]) * (1 + TIGHT);
-		const Vec2d end = directions_[i] * sizes_[i] + (found_[i + 1] - found_[i]) * step.h;
-		const bool is_slack = is_slack_[i] != 0 ? length_squared(end) <= longest * longest : tension_[i] < 0;
-		has_changed |= is_slack != (is_slack_[i] != 0);
-		is_slack_[i] = char(is_slack);
+		const double least = TIGHT * double(step.chain.lengths()[i]) / step.h;
+		const double rate = dot(directions_[i], found_[i + 1] - found_[i]);
+		const bool is_slack = link_states_[i] != TIGHT_LINK ? rate <= longest_[i] + least : tension_[i] < 0;
+		has_changed |= is_slack != (link_states_[i] != TIGHT_LINK);
+		link_states_[i] = char(is_slack ? LOOSE_LINK : TIGHT_LINK);
 	}
 	return has_changed;
 }
@@ -280,8 +290,9 @@ void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v,
 	found_ = start_;
 	tension_.assign(n - 1, 0.0);
 	wanted_.resize(n - 1);
+	longest_.resize(n - 1);
 	measure_links(step);
-	is_slack_.assign(n - 1, 0);
+	link_states_.assign(n - 1, 0);
 	for (ChainContact &contact : step.contacts) {
 		contact.state = contact.gap <= 0 ? ChainContact::State::STICKS : ChainContact::State::APART;
 	}
@@ -289,7 +300,7 @@ void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v,
 	const double stretch_time = step.h + double(step.settings.chain_damping_time);
 	const double slack_time = step.h + SLACK_DAMPING_TIME;
 	for (std::size_t i = 0; i + 1 < n; ++i) {
-		is_slack_[i] = char(sizes_[i] < double(step.chain.lengths()[i]) * (1 - TIGHT));
+		link_states_[i] = char(sizes_[i] < double(step.chain.lengths()[i]) * (1 - TIGHT) ? SHORT_LINK : TIGHT_LINK);
 	}
 	for (int pass = 0; pass < MOST_PASSES; ++pass) {
 		begin(step);
@@ -310,17 +321,14 @@ void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v,
 		add_bending(step);
 		for (std::size_t i = 0; i + 1 < n; ++i) {
 			// A link that turns gets longer than its direction says: by the way of its ends across it.
-			const std::vector<Vec2d> &v0 = pass < 2 ? start_ : found_;
-			const Vec2d apart = v0[i + 1] - v0[i];
+			const Vec2d apart = start_[i + 1] - start_[i];
 			const double across = std::min(std::abs(cross(directions_[i], apart)) * step.h, MOST_TURN * sizes_[i]);
 			const double lengthening = sizes_[i] - std::sqrt(sizes_[i] * sizes_[i] - across * across);
 			const double stretch = sizes_[i] - double(step.chain.lengths()[i]);
-			if (is_slack_[i] != 0) {
-				wanted_[i] = -stretch / slack_time;
-				continue;
-			}
 			const double rate = stretch < 0 ? 1 / step.h : keeps ? drift_rate : 1 / stretch_time; // up to its length, but no further
-			wanted_[i] = -lengthening / step.h - stretch * rate;
+			longest_[i] = -lengthening / step.h - stretch * rate;
+			link_states_[i] = char(link_states_[i] == 0 ? TIGHT_LINK : stretch < 0 ? SHORT_LINK : LOOSE_LINK);
+			wanted_[i] = link_states_[i] == SHORT_LINK ? -stretch / slack_time : longest_[i];
 		}
 		add_links(step, wanted_, 1 / (step.h * stretch_time), 1 / (step.h * slack_time));
 		add_tension(step);
@@ -356,12 +364,12 @@ bool ChainSolver::close_links(const ChainSubstep &step, std::span<Vec2d> moves) 
 	std::ranges::fill(moves, Vec2d{});
 	measure_links(step);
 	wanted_.resize(n - 1);
-	is_slack_.assign(n - 1, 0);
+	link_states_.assign(n - 1, 0);
 	bool is_needed = false;
 	for (std::size_t i = 0; i + 1 < n; ++i) {
 		const double rest = double(step.chain.lengths()[i]);
-		is_slack_[i] = char(sizes_[i] < rest);
-		wanted_[i] = keeps_lengths(step.settings) && is_slack_[i] == 0 ? std::max(rest - sizes_[i], -rest / 2) : 0.0;
+		link_states_[i] = char(sizes_[i] < rest ? SHORT_LINK : TIGHT_LINK);
+		wanted_[i] = keeps_lengths(step.settings) && link_states_[i] == TIGHT_LINK ? std::max(rest - sizes_[i], -rest / 2) : 0.0;
 		is_needed |= std::abs(wanted_[i]) > ENOUGH * rest;
 	}
 	for (const ChainLoad &load : step.loads) {

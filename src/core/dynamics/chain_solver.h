@@ -79,7 +79,8 @@ private:
 	std::vector<Vec2d> directions_; ///< of the links, unit
 	std::vector<double> sizes_; ///< present lengths of the links
 	std::vector<double> tension_; ///< impulse of each link in the last pass, positive where it pulls [mass·length/s]
-	std::vector<char> is_slack_; ///< whether a link does not pull
+	std::vector<char> link_states_; ///< how each link is solved; 0: it pulls
+	std::vector<double> longest_; ///< rates at which links may get longer at most [length/s]
 	std::vector<double> wanted_; ///< rates at which links get longer [length/s]; or changes of their lengths
 	std::vector<Vec2d> start_; ///< velocities before
 	std::vector<Vec2d> found_; ///< velocities of the last pass
