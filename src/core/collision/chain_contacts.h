@@ -24,13 +24,8 @@ struct ChainContact {
 	ContactPoint source; ///< surface and place, for the log of contacts
 
 	// How it is solved, see `ChainSolver`.
-	enum class State : std::uint8_t {
-		APART,
-		STICKS,
-		SLIDES,
-	};
-	State state = State::APART;
-	double direction = 0; ///< of the friction on a sliding place, along perpendicular(normal): 1 or -1
+	bool presses = false;
+	double slip = 0; ///< speed along the surface for which friction is linear [length/s], > 0
 	double normal_impulse = 0; ///< on the chain [mass·length/s]
 };
 

@@ -39,6 +39,9 @@ double implicit_share(double s) {
 	return s / (s + 2);
 }
 
+// Change of a contact's impulse, as a share of it, that another pass is worth.
+constexpr double ENOUGH = 0.02;
+
 // Share of its length by which a link counts as tight.
 constexpr double TIGHT = 1e-6;
 
@@ -209,77 +212,48 @@ double ChainSolver::along(const ChainContact &contact, std::span<const Vec2d> v,
 
 void ChainSolver::add_contacts(const ChainSubstep &step, bool is_move) {
 	for (const ChainContact &contact : step.contacts) {
-		if (contact.state == ChainContact::State::APART) {
+		if (!contact.presses) {
 			continue;
 		}
-		const Vec2d tangent = perpendicular(contact.normal);
-		const double shares[2] = { contact.share, 1 - contact.share };
-		const std::size_t sections[2] = { contact.section, contact.other };
 		const std::size_t ends = contact.section == contact.other || contact.share == 1 ? 1 : 2;
-		const auto hold = [&](Vec2d n, double wanted) {
+		const double shares[2] = { ends == 1 ? 1.0 : contact.share, 1 - contact.share };
+		const std::size_t sections[2] = { contact.section, contact.other };
+		const auto hold = [&](Vec2d n, double mass, double wanted) {
 			for (std::size_t p = 0; p < ends; ++p) {
-				const double share = ends == 1 ? 1.0 : shares[p];
-				system_.add_right(dof(sections[p]), stiff_ * wanted * share * n.x);
-				system_.add_right(dof(sections[p]) + 1, stiff_ * wanted * share * n.y);
+				system_.add_right(dof(sections[p]), mass * wanted * shares[p] * n.x);
+				system_.add_right(dof(sections[p]) + 1, mass * wanted * shares[p] * n.y);
 				for (std::size_t q = 0; q < ends; ++q) {
-					if (sections[q] > sections[p]) {
-						continue;
+					if (sections[q] <= sections[p]) {
+						const double entry = mass * shares[p] * shares[q];
+						add_block(sections[p], sections[q], entry * n.x * n.x, entry * n.x * n.y, entry * n.x * n.y, entry * n.y * n.y);
 					}
-					const double entry = stiff_ * share * (ends == 1 ? 1.0 : shares[q]);
-					add_block(sections[p], sections[q], entry * n.x * n.x, entry * n.x * n.y, entry * n.x * n.y, entry * n.y * n.y);
 				}
 			}
 		};
 		if (is_move) {
-			hold(contact.normal, 0);
+			hold(contact.normal, stiff_, 0);
 			continue;
 		}
-		hold(contact.normal, dot(contact.velocity, contact.normal) - std::max(contact.gap, 0.0) / step.h);
-		if (contact.state == ChainContact::State::STICKS) {
-			hold(tangent, dot(contact.velocity, tangent));
-			continue;
-		}
-		const double friction = contact.friction * contact.normal_impulse * contact.direction;
-		for (std::size_t p = 0; p < ends; ++p) {
-			const double share = ends == 1 ? 1.0 : shares[p];
-			system_.add_right(dof(sections[p]), tangent.x * friction * share);
-			system_.add_right(dof(sections[p]) + 1, tangent.y * friction * share);
-		}
+		const Vec2d tangent = perpendicular(contact.normal);
+		hold(contact.normal, stiff_, dot(contact.velocity, contact.normal) - std::max(contact.gap, 0.0) / step.h);
+		// As a drag, which stops a place and never throws it, however wrong the impulse of the last pass was.
+		hold(tangent, std::min(contact.friction * contact.normal_impulse / contact.slip, stiff_), dot(contact.velocity, tangent));
 	}
 }
 
-// Finds from the velocities of the last pass which places press, stick and slide. Returns whether the next pass would differ.
+// Finds from the velocities of the last pass which places press, and how hard. Returns whether the next pass would differ.
 bool ChainSolver::update_contacts(const ChainSubstep &step, bool has_changed) {
 	for (ChainContact &contact : step.contacts) {
-		using State = ChainContact::State;
 		const Vec2d tangent = perpendicular(contact.normal);
 		const double wanted = dot(contact.velocity, contact.normal) - std::max(contact.gap, 0.0) / step.h;
 		const double speed = along(contact, found_, contact.normal);
-		const double slide = along(contact, found_, tangent) - dot(contact.velocity, tangent);
-		const State before = contact.state;
-		if (before == State::APART) {
-			if (speed < wanted) {
-				contact.state = State::STICKS;
-				contact.normal_impulse = 0;
-			}
-		} else {
-			const double impulse = stiff_ * (wanted - speed);
-			const double old = contact.normal_impulse;
-			contact.normal_impulse = std::max(impulse, 0.0);
-			if (!(impulse > 0)) {
-				contact.state = State::APART;
-			} else if (before == State::STICKS) {
-				const double held = -stiff_ * slide;
-				if (std::abs(held) > contact.friction * impulse) {
-					contact.state = State::SLIDES;
-					contact.direction = held < 0 ? -1 : 1;
-				}
-			} else if (slide * contact.direction > 0) {
-				contact.state = State::STICKS; // friction would speed it up
-			}
-			has_changed |= contact.state == State::SLIDES && std::abs(contact.normal_impulse - old) > 0.02 * contact.normal_impulse;
-		}
-		has_changed |= contact.state != before;
+		const double slip = std::abs(along(contact, found_, tangent) - dot(contact.velocity, tangent));
+		const double impulse = contact.presses ? std::max(stiff_ * (wanted - speed), 0.0) : 0.0;
+		const bool presses = contact.presses ? impulse > 0 : speed < wanted;
+		has_changed |= presses != contact.presses || std::abs(impulse - contact.normal_impulse) > ENOUGH * impulse;
+		contact.presses = presses;
+		contact.normal_impulse = impulse;
+		contact.slip = std::max(std::min(slip, contact.slip), step.least_slip);
 	}
 	return has_changed;
 }
@@ -294,7 +268,10 @@ void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v,
 	measure_links(step);
 	link_states_.assign(n - 1, 0);
 	for (ChainContact &contact : step.contacts) {
-		contact.state = contact.gap <= 0 ? ChainContact::State::STICKS : ChainContact::State::APART;
+		const Vec2d tangent = perpendicular(contact.normal);
+		contact.presses = contact.gap <= 0;
+		contact.normal_impulse = 0;
+		contact.slip = std::max(std::abs(along(contact, start_, tangent) - dot(contact.velocity, tangent)), step.least_slip);
 	}
 	const bool keeps = keeps_lengths(step.settings);
 	const double stretch_time = step.h + double(step.settings.chain_damping_time);
@@ -359,7 +336,7 @@ void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v,
 }
 
 bool ChainSolver::close_links(const ChainSubstep &step, std::span<Vec2d> moves) {
-	constexpr double ENOUGH = 1e-5; // of a link's length
+	constexpr double NOTICED = 1e-5; // of a link's length
 	const std::size_t n = step.x.size();
 	std::ranges::fill(moves, Vec2d{});
 	measure_links(step);
@@ -370,7 +347,7 @@ bool ChainSolver::close_links(const ChainSubstep &step, std::span<Vec2d> moves) 
 		const double rest = double(step.chain.lengths()[i]);
 		link_states_[i] = char(sizes_[i] < rest ? SHORT_LINK : TIGHT_LINK);
 		wanted_[i] = keeps_lengths(step.settings) && link_states_[i] == TIGHT_LINK ? std::max(rest - sizes_[i], -rest / 2) : 0.0;
-		is_needed |= std::abs(wanted_[i]) > ENOUGH * rest;
+		is_needed |= std::abs(wanted_[i]) > NOTICED * rest;
 	}
 	for (const ChainLoad &load : step.loads) {
 		is_needed |= load.is_fixed && load.gap != Vec2d{};

@@ -38,6 +38,7 @@ struct ChainSubstep {
 	const ChainShape &chain;
 	const BodySettings &settings;
 	double h = 0; ///< [s]
+	double least_slip = 0; ///< speed below which a place that friction holds may creep [length/s], > 0
 	std::span<const Vec2d> x; ///< centers relative to any origin [length]
 	std::span<const Vec2d> force; ///< external, with gravity [mass·length/s²]
 	std::span<const char> is_fixed; ///< sections that keep their velocity
@@ -50,7 +51,7 @@ struct ChainSubstep {
 /// with the bending stiffness K of a discrete elastic rod for links that keep their lengths (Bergou and others 2006, "A quadratic
 /// bending model for inextensible surfaces"), the stiffness G of links under tension against being turned, and the directions J of the links.
 /// Masses of loads are added to M, so that a joint is as rigid as a link, whatever hangs on it. A place that touches a surface is
-/// held along the normal while it presses, and along the surface while friction holds it. The matrix is a band of 13, so that
+/// held along the normal while it presses, and dragged along the surface as Coulomb's law says for the speed that it had. The matrix is a band of 13, so that
 /// one solution takes O(sections), whatever the load: nothing is left to converge but which places press and slide, and the
 /// tension, which the second pass takes from the first. It owns scratch memory.
 class ChainSolver {

@@ -12,6 +12,9 @@ namespace softbody {
 
 namespace {
 
+// Speed at which a place may creep that friction holds [length/s, times WorldData::length_unit]: a fiftieth of the speed at rest.
+constexpr double LEAST_SLIP = 0.001;
+
 // The change of a section two of whose points contacts have changed: as little as gives each of them its own. The environment
 // does not yield, so that nothing is owed to it.
 Vec2 joined_change(Vec2 a, Vec2 b) {
@@ -147,7 +150,8 @@ std::size_t ChainStepper::solve_velocities(const ColliderIndex &surroundings, So
 	gather(body);
 	gather_forces(body, surroundings.world().gravity());
 	finder_.find(surroundings, body, elapsed, h, contacts_);
-	const ChainSubstep step{ *body.shape().chain(), body.settings(), double(h), x_, forces_, is_fixed_, loads, contacts_ };
+	slip_ = LEAST_SLIP * double(surroundings.world().length_unit());
+	const ChainSubstep step{ *body.shape().chain(), body.settings(), double(h), slip_, x_, forces_, is_fixed_, loads, contacts_ };
 	keeps_spin_ = loads.empty() && !body.has_pins();
 	if (keeps_spin_) {
 		spin_ = spin_of(body);
@@ -169,7 +173,7 @@ std::size_t ChainStepper::solve_velocities(const ColliderIndex &surroundings, So
 	solver_.solve_velocities(step, v_, drift_rate);
 	std::size_t count = 0;
 	for (ChainContact &contact : contacts_) {
-		if (contact.state == ChainContact::State::APART) {
+		if (!contact.presses) {
 			continue;
 		}
 		++count;
@@ -192,7 +196,7 @@ void ChainStepper::move(const ColliderIndex &surroundings, SoftBodyData &body, R
 		gather(body);
 		finder_.find(surroundings, body, elapsed, h, contacts_);
 		for (ChainContact &contact : contacts_) {
-			contact.state = contact.gap <= 0 ? ChainContact::State::STICKS : ChainContact::State::APART;
+			contact.presses = contact.gap <= 0;
 		}
 	}
 	for (std::size_t i = 0; i < x_.size(); ++i) {
@@ -207,7 +211,7 @@ void ChainStepper::move(const ColliderIndex &surroundings, SoftBodyData &body, R
 		load.gap = difference(load.place, base_) - x_[load.section] - load.offset;
 	}
 	moves_.resize(x_.size());
-	const ChainSubstep step{ *body.shape().chain(), body.settings(), double(h), x_, forces_, is_fixed_, loads, contacts_ };
+	const ChainSubstep step{ *body.shape().chain(), body.settings(), double(h), slip_, x_, forces_, is_fixed_, loads, contacts_ };
 	if (solver_.close_links(step, moves_)) {
 		for (std::size_t i = 0; i < x_.size(); ++i) {
 			x_[i] += moves_[i];

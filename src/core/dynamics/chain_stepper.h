@@ -49,6 +49,7 @@ private:
 	std::vector<Vec2> external_; ///< on the points
 	std::vector<Vec2> old_positions_;
 	std::vector<Vec2> old_velocities_;
+	double slip_ = 0; ///< ChainSubstep::least_slip
 	double spin_ = 0; ///< that the body should have after its move
 	bool keeps_spin_ = false;
 };
