@@ -241,8 +241,9 @@ void ChainSolver::add_contacts(const ChainSubstep &step, bool is_move) {
 	}
 }
 
-// Finds from the velocities of the last pass which places press, and how hard. Returns whether the next pass would differ.
-bool ChainSolver::update_contacts(const ChainSubstep &step, bool has_changed) {
+// Finds from the velocities of the last pass which places press, and how hard. The first pass knows no
+// friction, and its slip says nothing. Returns whether the next pass would differ.
+bool ChainSolver::update_contacts(const ChainSubstep &step, bool has_changed, bool has_friction) {
 	for (ChainContact &contact : step.contacts) {
 		const Vec2d tangent = perpendicular(contact.normal);
 		const double wanted = dot(contact.velocity, contact.normal) - std::max(contact.gap, 0.0) / step.h;
@@ -253,7 +254,7 @@ bool ChainSolver::update_contacts(const ChainSubstep &step, bool has_changed) {
 		has_changed |= presses != contact.presses || std::abs(impulse - contact.normal_impulse) > ENOUGH * impulse;
 		contact.presses = presses;
 		contact.normal_impulse = impulse;
-		contact.slip = std::max(std::min(slip, contact.slip), step.least_slip);
+		contact.slip = has_friction ? std::max(slip, step.least_slip) : contact.slip;
 	}
 	return has_changed;
 }
@@ -318,7 +319,7 @@ void ChainSolver::solve_velocities(const ChainSubstep &step, std::span<Vec2d> v,
 			}
 		}
 		const bool has_changed = update_links(step);
-		if (!update_contacts(step, has_changed || pass + 1 < PASSES)) {
+		if (!update_contacts(step, has_changed || pass + 1 < PASSES, pass > 0)) {
 			break;
 		}
 	}

@@ -72,7 +72,7 @@ private:
 	void add_tension(const ChainSubstep &step);
 	void add_contacts(const ChainSubstep &step, bool is_move);
 	bool update_links(const ChainSubstep &step);
-	bool update_contacts(const ChainSubstep &step, bool has_changed);
+	bool update_contacts(const ChainSubstep &step, bool has_changed, bool has_friction);
 	void measure_links(const ChainSubstep &step);
 	double along(const ChainContact &contact, std::span<const Vec2d> v, Vec2d direction) const;
 
