@@ -166,14 +166,13 @@ TEST_CASE("a rope thrown through empty space keeps its momentum and spin, and ga
 	}
 	scene.simulator.simulate(Real(1) / 60); // its sections are square to it from now on
 	const Momentum start = measure_momentum(scene.body());
-	double energy = energy_of(scene);
+	const double energy = energy_of(scene); // it is nearly straight: bending holds little
 	for (int second = 0; second < 10; ++second) {
 		scene.run(1);
 		const Momentum now = measure_momentum(scene.body());
 		CHECK(std::hypot(now.linear_x - start.linear_x, now.linear_y - start.linear_y) < 1e-3);
 		CHECK(std::abs(now.angular - start.angular) < 2e-3 * std::abs(start.angular)); // about the origin, of a body far away in floats
-		CHECK(energy_of(scene) <= energy * 1.0001 + 0.02); // what bending holds comes back
-		energy = std::max(energy_of(scene), 0.0);
+		CHECK(energy_of(scene) <= energy * 1.01);
 	}
 	CHECK(stretch_of(scene.body()) == doctest::Approx(1).epsilon(2e-3));
 }

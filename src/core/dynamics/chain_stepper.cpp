@@ -125,9 +125,12 @@ void ChainStepper::spread(SoftBodyData &body, bool with_positions) {
 			return size > 0 ? d * (1 / size) : Vec2d{};
 		};
 		const Vec2d tangent = unit(unit(x_[i] - x_[last]) + unit(x_[next] - x_[i]));
-		const Vec2d way = x_[next] - x_[last];
-		const double size_squared = length_squared(way);
-		const double spin = size_squared > 0 ? cross(way, v_[next] - v_[last]) / size_squared : 0.0;
+		// A section turns as its links do on average: their ends may be in one place where the chain is folded.
+		const auto spin_of_link = [&](std::size_t a, std::size_t b) {
+			const double size_squared = length_squared(x_[b] - x_[a]);
+			return size_squared > 0 ? cross(x_[b] - x_[a], v_[b] - v_[a]) / size_squared : 0.0;
+		};
+		const double spin = (spin_of_link(last, last + 1) + spin_of_link(next - 1, next)) / 2;
 		const Vec2d offset = perpendicular(tangent) * double(chain.half_widths()[i]);
 		const auto [left, right, center] = chain.sections()[i];
 		const auto put = [&](std::uint32_t point, Vec2d arm) {

@@ -109,7 +109,7 @@ std::size_t JointSolver::solve_chains(const ColliderIndex &surroundings, Real el
 		for (std::size_t i = begin; i < end; ++i) {
 			Active &active = active_[chain_ends_[i].joint];
 			chain_loads_[i] = load_at(active.sides[chain_ends_[i].end], active.sides[1 - chain_ends_[i].end], elapsed, h);
-			is_pulled |= active.sides[1 - chain_ends_[i].end].rigid != NO_RIGID_BODY && !chain_loads_[i].is_fixed;
+			is_pulled |= !chain_loads_[i].is_fixed;
 		}
 		const std::span<ChainLoad> loads = std::span(chain_loads_).subspan(begin, end - begin);
 		contacts += chain_stepper_.solve_velocities(surroundings, body, elapsed, h, loads, is_pulled ? double(JOINT_PULL / dt_) : 0.0, log);
