@@ -17,6 +17,7 @@ const SCENES: Array[Dictionary] = [
 	{"title": "Materials", "path": "res://examples/presets.tscn", "about": "From jelly to sheet metal"},
 	{"title": "Water", "path": "res://examples/water.tscn", "about": "What floats, and how deep"},
 	{"title": "Wind", "path": "res://examples/wind.tscn", "about": "Sails, boxes and a balloon"},
+	{"title": "Ropes", "path": "res://examples/ropes.tscn", "about": "A bridge, a chandelier, a grapple"},
 	{"title": "Looks", "path": "res://examples/looks.tscn", "about": "Outlines, textures, colors"},
 	{"title": "Pile", "path": "res://examples/pile.tscn", "about": "Many bodies on a heap"},
 	{"title": "Friction", "path": "res://examples/friction.tscn", "about": "Who slides, who holds"},

@@ -17,10 +17,10 @@ namespace softbody {
 namespace {
 
 // Lanes share inverse masses. XPBD bodies need different times for their passes. A body has its own memory of one-way colliders and
-// contacts with itself.
+// contacts with itself. A chain is solved by itself.
 bool can_share_a_batch(const SoftBodyData &body) {
 	return body.is_free() && body.ignored_tags().empty() && body.settings().integrator != Integrator::XPBD &&
-			!body.settings().self_collision;
+			!body.settings().self_collision && body.shape().chain() == nullptr;
 }
 
 } // namespace

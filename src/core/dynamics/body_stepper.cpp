@@ -47,7 +47,13 @@ void BodyStepper::advance(const Batch &batch, const TimeSlice &slice, StatePrefe
 	}
 	prefetch.ask_all();
 	for (std::size_t lane = 0; lane < batch.count; ++lane) {
-		advance_one(batch, lane, slice);
+		if (slice.is_coupled && context_->pairs_bounce) {
+			SolverBody &solver_body = context_->bodies.solver_body(batch.active_indices[lane]);
+			const Translation motion = measure_translation(body(batch.body_indices[lane]));
+			solver_body.mass_center = motion.center;
+			solver_body.mass_velocity = motion.velocity;
+		}
+		batch.shape->chain() != nullptr ? advance_chain(batch, lane, slice) : advance_one(batch, lane, slice);
 		if (slice.is_coupled) {
 			context_->bodies.solver_body(batch.active_indices[lane]).measure_extent();
 		}
@@ -199,11 +205,6 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 	const Vec2 extra = gravity - world.gravity() * data.settings().gravity_scale;
 	for (std::size_t i = 0; extra != Vec2{} && i < count; ++i) {
 		external_[i] += extra * data.shape().masses()[i];
-	}
-	if (slice.is_coupled && context_->pairs_bounce) {
-		const Translation motion = measure_translation(data);
-		context_->bodies.solver_body(active_index).mass_center = motion.center;
-		context_->bodies.solver_body(active_index).mass_velocity = motion.velocity;
 	}
 	keep_start(batch, lane);
 	const IntegratorStep step = integrator_traits(plan.integrator).step;

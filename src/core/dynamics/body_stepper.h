@@ -5,6 +5,7 @@
 #include "core/collision/environment_contact_solver.h"
 #include "core/collision/self_collision.h"
 #include "core/dynamics/batch.h"
+#include "core/dynamics/chain_stepper.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/dynamics/lane_stepper.h"
 #include "core/dynamics/plastic_flow.h"
@@ -68,6 +69,8 @@ public:
 private:
 	/// Advances the body in one lane by itself.
 	void advance_one(const Batch &batch, std::size_t lane, const TimeSlice &slice);
+	/// Advances a body that is an open chain.
+	void advance_chain(const Batch &batch, std::size_t lane, const TimeSlice &slice);
 	/// Advances a batch in SIMD lanes.
 	void advance_lanes(const Batch &batch, const TimeSlice &slice, StatePrefetch &prefetch);
 	bool can_use_lanes(const Batch &batch) const;
@@ -87,6 +90,7 @@ private:
 	EnvironmentContactSolver collision_;
 	SelfCollision self_collision_;
 	PlasticFlow plastic_flow_;
+	ChainStepper chain_stepper_;
 	StepCounts counts_;
 	IntegratorWorkspace workspace_;
 	std::vector<Vec2> external_;

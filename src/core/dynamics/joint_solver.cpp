@@ -46,11 +46,13 @@ JointSolver::Side JointSolver::side_of(const JointAnchor &anchor) const {
 	const std::uint32_t hull_count = std::uint32_t(side.body->shape().hull_count());
 	const std::uint32_t end = anchor.fraction != 0 ? (anchor.point + 1) % hull_count : anchor.point;
 	side.place = PointOnEdge({ anchor.point, end, anchor.fraction }, side.body->inverse_masses());
+	take_section(side, anchor);
 	return side;
 }
 
 void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> body_indices, bool is_rearranged, Real dt) {
 	active_.clear();
+	chain_ends_.clear();
 	const std::span<const Joint> joints = world.joints();
 	const bool has_changed = is_rearranged || seen_joints_ != world.change_counts().joints || world_ != &world;
 	world_ = &world;
@@ -120,6 +122,7 @@ void JointSolver::begin_step(WorldData &world, std::span<const std::uint32_t> bo
 		std::ranges::sort(separated_);
 		find_structures();
 	}
+	find_chains();
 	separate_crushed();
 	std::ranges::sort(held_to_rigid_);
 	held_to_rigid_.erase(std::unique(held_to_rigid_.begin(), held_to_rigid_.end()), held_to_rigid_.end());
@@ -252,12 +255,14 @@ void JointSolver::move(Side &side, Vec2 way) const {
 		return;
 	}
 	const std::span<Vec2> x = side.body->mutable_positions();
-	side.place.push(x, way);
+	side.section == ChainShape::NO_SECTION ? side.place.push(x, way) : push_section(side, x, way);
 	side.at = side.place.of(x);
 }
 
 void JointSolver::apply(Side &side, Vec2 impulse) const {
-	if (side.body) {
+	if (side.body && side.section != ChainShape::NO_SECTION) {
+		push_section(side, side.body->mutable_velocities(), impulse);
+	} else if (side.body) {
 		side.place.push(side.body->mutable_velocities(), impulse);
 	} else if (side.rigid != NO_RIGID_BODY) {
 		RigidBody &rigid = world_->mutable_rigid_bodies()[side.rigid];

@@ -5,6 +5,7 @@
 #include "core/collision/broad_phase.h"
 #include "core/collision/point_edge_constraint.h"
 #include "core/collision/substep_group.h"
+#include "core/dynamics/chain_stepper.h"
 #include "core/dynamics/islands.h"
 #include "core/model/world_data.h"
 
@@ -51,6 +52,12 @@ public:
 
 	/// Stores the positions of the anchors at the start of a substep, for all joints of the group's bodies.
 	void begin_substep(const SubstepGroup &group);
+	/// Solves the velocities of the group's chains that rigid joints without a length hold, with what hangs on them, for the substep
+	/// of `h` [s] that begins `elapsed` [s] after the step began. One chain comes after the other, as several may carry one body. Contacts of
+	/// monitored chains go to `log`. Returns the number of contacts. For a chain, any of its points stands for its whole section.
+	std::size_t solve_chains(const ColliderIndex &surroundings, Real elapsed, Real h, const SubstepGroup &group, ContactLog &log);
+	/// What `solve_chains` has found to be fastened to a body; none of one that it leaves out.
+	std::span<ChainLoad> loads_of(std::uint32_t active_index);
 	/// Solves the group's joints at the end of a substep of `h` [s], `elapsed` [s] after the step began.
 	void solve(Real elapsed, Real h, const SubstepGroup &group);
 	/// Removes the joints that bore more than Joint::break_force in the step, and adds them to `broken`.
@@ -67,6 +74,13 @@ private:
 		Vec2 before; ///< position at the start of the substep
 		Vec2 at; ///< present position
 		Vec2 arm; ///< from the rigid body's center of mass
+		std::uint32_t section = ChainShape::NO_SECTION; ///< of a chain, which moves as a whole
+	};
+	/// An end of a joint on a chain.
+	struct ChainEnd {
+		std::uint32_t active_index;
+		std::uint32_t joint; ///< in `active_`
+		std::uint32_t end; ///< 0 or 1
 	};
 	struct Active {
 		std::uint32_t joint = 0; ///< index in the world's list
@@ -84,6 +98,10 @@ private:
 	};
 
 	Side side_of(const JointAnchor &anchor) const;
+	void take_section(Side &side, const JointAnchor &anchor) const;
+	static void push_section(const Side &side, std::span<Vec2> values, Vec2 impulse);
+	void find_chains();
+	ChainLoad load_at(Side &own, Side &other, Real elapsed, Real h) const;
 	void update_place(Side &side, Real elapsed) const;
 	Vec2 velocity_of(const Side &side) const;
 	void move(Side &side, Vec2 way) const;
@@ -104,6 +122,9 @@ private:
 	Real dt_ = 0;
 	std::vector<std::uint32_t> active_indices_; ///< of every body in the world
 	std::vector<Active> active_;
+	std::vector<ChainEnd> chain_ends_; ///< sorted by body
+	std::vector<ChainLoad> chain_loads_; ///< one for each of those
+	ChainStepper chain_stepper_;
 	std::vector<char> is_held_; ///< one for each active index; 2: held to a dynamic rigid body
 	std::vector<std::uint64_t> rigid_ends_; ///< one for each active index
 	std::vector<std::uint32_t> held_to_rigid_;

@@ -129,7 +129,7 @@ void Simulator::begin_step(Real dt) {
 	const bool borders_bounce =
 			std::ranges::any_of(world_.borders(), [](const Border &border) { return border.surface.restitution != 0; });
 	for (BodyStepper &stepper : steppers_) {
-		stepper.begin_step({ world_, surroundings_, bodies_, has_forces || has_accelerated_bodies_, borders_bounce,
+		stepper.begin_step({ world_, surroundings_, bodies_, joint_solver_, has_forces || has_accelerated_bodies_, borders_bounce,
 				pair_contacts_.bounces() });
 	}
 	pair_contacts_.forget_step();
@@ -252,6 +252,7 @@ void Simulator::step_islands(int substeps, Real dt) {
 			rigid_contacts_.begin_substep(duration);
 		}
 		joint_solver_.begin_substep(group);
+		steppers_[0].counts().contacts += joint_solver_.solve_chains(surroundings_, Real(substep) * duration, duration, group, steppers_[0].log());
 		const TimeSlice slice{ Real(substep) * duration, duration, substeps, true };
 		for_batches(group_, substeps, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &prefetch) {
 			if (substep == 0) {

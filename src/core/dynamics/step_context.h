@@ -8,11 +8,14 @@
 
 namespace softbody {
 
+class JointSolver;
+
 /// The world during one step. All members must outlive the step.
 struct StepContext {
 	WorldData &world;
 	const ColliderIndex &colliders;
 	ActiveBodies &bodies;
+	JointSolver &joints; ///< of which bodies read what is fastened to them
 	bool has_forces = false; ///< whether any body may have external forces or an acceleration of its own
 	bool borders_bounce = false; ///< whether any border has restitution
 	bool pairs_bounce = false; ///< whether bodies may bounce off one another

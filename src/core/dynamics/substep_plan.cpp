@@ -4,6 +4,7 @@
 
 #include "core/base/constants.h"
 #include "core/base/elementary.h"
+#include "core/dynamics/chain_solver.h"
 #include "core/dynamics/elastic_lanes.h"
 #include "core/dynamics/integrators/integrator_step.h"
 #include "core/model/body_lanes.h"
@@ -238,11 +239,31 @@ SubstepPlan plan_near_rest(const SubstepPlan &plan, const SoftBodyShape &shape, 
 	return calm;
 }
 
+namespace {
+
+// Stable with any: its equations are solved for the end of the substep.
+SubstepPlan plan_chain(const SoftBodyShape &shape, const BodySettings &settings, Real dt) {
+	SubstepPlan plan;
+	plan.substeps = settings.substeps > 0 ? settings.substeps : substeps_of_step(CHAIN_SUBSTEPS, dt);
+	plan.reason = settings.substeps > 0 ? PlanReason::FIXED : PlanReason::CONTACTS;
+	plan.stability_margin = std::numeric_limits<Real>::infinity();
+	plan.cost = Real(plan.substeps) * Real(shape.point_count());
+	return plan;
+}
+
+} // namespace
+
 SubstepPlan plan_substeps(const SoftBodyShape &shape, const BodySettings &settings, Real dt, bool has_contacts) {
+	if (shape.chain() != nullptr) {
+		return plan_chain(shape, settings, dt);
+	}
 	return plan_within(frequency_bounds(shape, settings), shape, settings, dt, has_contacts);
 }
 
 SubstepPlan plan_substeps(const SoftBodyData &body, Real dt, bool has_contacts) {
+	if (body.shape().chain() != nullptr) {
+		return plan_chain(body.shape(), body.settings(), dt);
+	}
 	return plan_within(frequency_bounds(body, dt), body.shape(), body.settings(), dt, has_contacts);
 }
 

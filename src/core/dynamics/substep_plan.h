@@ -80,7 +80,8 @@ int substeps_of_step(int in_usual_step, Real dt);
 /// STABILITY_BUDGET, at least MIN_CONTACT_SUBSTEPS if `has_contacts`. Past EXPLICIT_SUBSTEP_CAP it is XPBD with
 /// XPBD_SUBSTEPS. Both counts are larger in long steps (`substeps_of_step`). A body that may dent has the method and the
 /// substep of XPBD that it has in a step of USUAL_STEP, so that dents do not depend on `dt`. A named integrator is kept, with its own
-/// smallest n up to MAX_SUBSTEPS. A fixed count of the settings is kept, safe or not.
+/// smallest n up to MAX_SUBSTEPS. A fixed count of the settings is kept, safe or not. A chain has its own method (`ChainSolver`),
+/// with CHAIN_SUBSTEPS, whatever the integrator.
 SubstepPlan plan_substeps(const SoftBodyShape &shape, const BodySettings &settings, Real dt, bool has_contacts);
 /// The plan for a step of `dt` [s] that a body begins near its rest shape (CALM_STRAIN), where `plan` is the one for any
 /// shape. Springs that point in different directions are slower together than the same springs in one line, so that

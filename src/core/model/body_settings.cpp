@@ -8,6 +8,7 @@ namespace softbody {
 
 Status check_settings(const BodySettings &settings) {
 	const double most_stretch = settings.most_stretch != std::numeric_limits<Real>::infinity() ? double(settings.most_stretch) : 1;
+	const double axial_stiffness = settings.axial_stiffness != std::numeric_limits<Real>::infinity() ? double(settings.axial_stiffness) : 1;
 	return first_error({
 			check_at_least("spring_stiffness_scale", settings.spring_stiffness_scale, 0, ""),
 			check_at_least("spring_damping_scale", settings.spring_damping_scale, 0, ""),
@@ -26,6 +27,10 @@ Status check_settings(const BodySettings &settings) {
 			check_at_least("shape_damping", settings.shape_damping, 0, "N·s/m"),
 			check_at_least("pressure_stiffness", settings.pressure_stiffness, 0, "N/m"),
 			check_at_least("inflation", settings.inflation, 0, ""),
+			check_above("axial_stiffness", axial_stiffness, 0, "N"),
+			check_at_least("bending_stiffness", settings.bending_stiffness, 0, "N·m²"),
+			check_at_least("chain_damping_time", settings.chain_damping_time, 0, "s"),
+			check_between("rest_bend", settings.rest_bend, 0, 1, ""),
 			check_at_least("friction", settings.friction, 0, ""),
 			check_at_least("rolling_resistance", settings.rolling_resistance, 0, ""),
 			check_between("restitution", settings.restitution, 0, 1, ""),

@@ -72,6 +72,16 @@ struct BodySettings {
 	Real pressure_stiffness = 0;
 	/// Area that the pressure aims at, as a multiple of the rest area [1], >= 0. Above 1 inflates.
 	Real inflation = 1;
+	/// Axial stiffness EA of a chain at its widest section [force], > 0: a pull F stretches it by the share F / EA. Infinite, the
+	/// default: its links keep their lengths under any load. No effect on other bodies, like the next three.
+	Real axial_stiffness = std::numeric_limits<Real>::infinity();
+	/// Bending stiffness EI of a chain at its widest section [force·length²], >= 0; it goes with the cube of the width. 0, the
+	/// default: as limp as a rope of thread.
+	Real bending_stiffness = 0;
+	/// Damping of stretch and bending of a chain: time for which strain rate counts as strain [s], >= 0.
+	Real chain_damping_time = 0;
+	/// Share of its curvature as designed that a chain bends back to [1], 0..1. 0, the default: it is straight at rest.
+	Real rest_bend = 0;
 	/// Coulomb friction coefficient [1], >= 0. 0 slides, 1 holds a slope of 45 degrees.
 	Real friction = Real(0.4);
 	/// The body's friction counts even where the other side's is smaller. Of two that are rough the larger counts.

@@ -106,7 +106,16 @@ Status check(const SoftBodyShape::Description &description) {
 		return Error{ "modes", std::to_string(description.modes->shapes.size()) + " entries",
 			"must have one a point and mode", "find the modes of these points" };
 	}
-	return first_error({ check_triangles(description), check_duplicates(description.springs) });
+	if (Status status = first_error({ check_triangles(description), check_duplicates(description.springs) })) {
+		return status;
+	}
+	if (description.chain.empty()) {
+		return {};
+	}
+	if (!description.springs.empty() || description.modes != nullptr || description.triangles != nullptr) {
+		return Error{ "chain", "beside springs, modes or triangles", "must be the only structure of a shape", "leave out the others" };
+	}
+	return ChainShape(description.chain).check(description.hull_count, count);
 }
 
 } // namespace
@@ -123,6 +132,9 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyShape::create(Description d
 	shape->modes_ = std::move(description.modes);
 	shape->triangles_ = std::move(description.triangles);
 	shape->hull_count_ = description.hull_count;
+	if (!description.chain.empty()) {
+		shape->chain_.emplace(std::move(description.chain));
+	}
 	if (Status status = shape->derive()) {
 		return *status;
 	}
@@ -150,6 +162,9 @@ Status SoftBodyShape::derive() {
 	}
 	measure();
 	renew_bounds();
+	if (Status status = chain_ ? chain_->measure(rest_positions_, masses_) : Status()) {
+		return status;
+	}
 	return check_derived();
 }
 

@@ -4,12 +4,14 @@
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
+#include "core/model/chain.h"
 #include "core/model/elastic_modes.h"
 #include "core/model/elastic_triangles.h"
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,13 +45,15 @@ public:
 		std::shared_ptr<const ElasticModes> modes = nullptr;
 		/// Triangles with these points as corners; null: none. A shape has modes, triangles or neither.
 		std::shared_ptr<const ElasticTriangles> triangles = nullptr;
+		/// Sections that make the body an open chain (see `create_rope`); empty: none. Then there are no springs, modes or triangles.
+		std::vector<ChainSection> chain = {};
 	};
 
 	/// Checks everything and builds the shape. Refuses a bad hull (see `check_hull`) or one of negative winding; sizes
 	/// that do not match; non-finite points; masses <= 0; springs with an index out of range, coinciding ends, an
 	/// earlier spring's ends, a rest length not > 0, or a negative or non-finite value; modes of another number of
-	/// points; triangles beside modes, with corners out of range or without area; and derived values out of range.
-	/// O(points² + springs).
+	/// points; triangles beside modes, with corners out of range or without area; a chain that `ChainShape::check` refuses or beside
+	/// springs, modes or triangles; and derived values out of range. O(points² + springs).
 	static Result<std::shared_ptr<const SoftBodyShape>> create(Description description);
 
 	std::span<const Vec2> rest_positions() const { return rest_positions_; }
@@ -61,6 +65,8 @@ public:
 	const ElasticModes *modes() const { return modes_.get(); }
 	/// Finite elements of an elastic solid that fill the hull, or null (BodySettings::shear_modulus).
 	const ElasticTriangles *triangles() const { return triangles_.get(); }
+	/// The body as an open chain, or null.
+	const ChainShape *chain() const { return chain_ ? &*chain_ : nullptr; }
 	std::size_t point_count() const { return rest_positions_.size(); }
 	std::size_t hull_count() const { return hull_count_; }
 
@@ -130,6 +136,7 @@ private:
 	std::vector<Spring2D> springs_;
 	std::shared_ptr<const ElasticModes> modes_;
 	std::shared_ptr<const ElasticTriangles> triangles_;
+	std::optional<ChainShape> chain_;
 	std::size_t hull_count_ = 0;
 	Vec2 origin_offset_;
 	Real total_mass_ = 0;

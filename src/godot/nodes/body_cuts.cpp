@@ -41,6 +41,9 @@ Result<BodyCut> BodyCuts::plan(const SoftBody2D &p_node, const PackedVector2Arra
 	if (body == nullptr) {
 		return Error{ "body", "none", "must be in the scene tree of a running game", "add the node to the tree first" };
 	}
+	if (body->shape().chain() != nullptr) {
+		return Error{ "body", "a rope", "must not be a SoftRope2D", "remove a joint, or join two ropes and remove the joint between them" };
+	}
 	return plan_cut(*body, options_of(p_node, *body, p_node.built_scale_), to_core(p_points), limits_of(p_node));
 }
 

@@ -44,6 +44,7 @@
 
 namespace softbody {
 class BodyCuts;
+struct RopePart;
 class SoftBodySpace2D;
 }
 
@@ -51,9 +52,8 @@ namespace godot {
 
 /// See doc_classes/SoftBody2D.xml for what each property means to a user; this comment says how the node is built.
 ///
-/// Parts of the node have classes of their own, which own their state: `BodyStructure`, `BodyMaterial`, `BodyPins`,
-/// `ContactReports`, `CollisionExceptions`, `HullProxy`, `SoftBodySkin` and `BodyInterpolation`. `BodyProperties` are
-/// those that are one value each, and `set_value` judges them all.
+/// Parts of the node have classes of their own, which own their state, such as `BodyStructure`, `BodyMaterial`, `HullProxy` and
+/// `SoftBodySkin`. `BodyProperties` are those that are one value each, and `set_value` judges them all.
 ///
 /// The body itself (`softbody::SoftBodyData`) lives in the world of the node's space while the node is in the tree, and in
 /// `stored_body_` while it is not, so that re-parenting keeps its motion. Point indices of the public interface follow the
@@ -292,8 +292,8 @@ protected:
 	bool _set(const StringName &p_name, const Variant &p_value);
 	bool _get(const StringName &p_name, Variant &r_value) const;
 	void _get_property_list(List<PropertyInfo> *r_list) const { unfit_.append_to(r_list); }
+	virtual const softbody::RopePart *rope() const { return nullptr; } ///< what makes the body a rope
 
-private:
 	friend class softbody::BodyCuts;
 	static void bind_properties();
 	static void bind_body_methods();

@@ -3,6 +3,7 @@
 #include "godot/nodes/soft_body_2d.h"
 
 #include "godot/convert.h"
+#include "godot/nodes/rope_part.h"
 #include "godot/server/soft_body_simulation_2d.h"
 #include "godot/server/soft_body_space_2d.h"
 
@@ -188,6 +189,9 @@ Transform2D SoftBody2D::get_interpolated_transform(double p_fraction) const {
 
 void SoftBody2D::draw() {
 	skin_.note_tint(softbody::is_tinted(*this)); // of a node that was there before the library was loaded anew
+	if (rope() != nullptr) {
+		skin_.change_style().uv = rope()->texture_coordinates(skin_.style().texture, structure_.values());
+	}
 	skin_.draw(get_canvas_item());
 	const double fraction = is_drawn_at_tick() ? 1 : softbody::present_fraction();
 	skin_.update(drawn_points(fraction));

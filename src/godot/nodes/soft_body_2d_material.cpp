@@ -99,6 +99,9 @@ SoftBody2D::ModelChoice SoftBody2D::modes_or_stand_in(ElasticModel p_model, cons
 
 // By the properties alone, so that the order in which they were set does not count.
 SoftBody2D::ModelChoice SoftBody2D::choose_model() const {
+	if (rope() != nullptr) {
+		return { ELASTIC_MODEL_NETWORK, REASON_CHOSEN };
+	}
 	if (values_.elastic_model != ELASTIC_MODEL_AUTOMATIC) {
 		return modes_or_stand_in(values_.elastic_model, REASON_CHOSEN);
 	}

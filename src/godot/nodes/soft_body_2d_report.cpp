@@ -125,7 +125,7 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 	Dictionary result = get_substep_plan();
 	const Design *found = design();
 	ERR_FAIL_COND_V_MSG(!(p_time_limit_msec > 0), Dictionary(), describe() + ": time_limit_msec must be above 0.");
-	if (result.is_empty()) {
+	if (result.is_empty() || rope() != nullptr) { // a rope is stable, and has no shape that a load could press flat
 		return result;
 	}
 	result.merge(get_detail_report());
@@ -192,7 +192,7 @@ Dictionary SoftBody2D::get_stability_report(double p_time_limit_msec) const {
 
 // Elastic modes and triangles hold any shape; of springs only a trial knows.
 softbody::FallOutcome SoftBody2D::fall_outcome(const Design &p_design, const softbody::BodySettings &p_settings) const {
-	if (p_design.used.model != ELASTIC_MODEL_NETWORK || values_.collision_mask == 0 || !pins_.points().is_empty()) {
+	if (rope() != nullptr || p_design.used.model != ELASTIC_MODEL_NETWORK || values_.collision_mask == 0 || !pins_.points().is_empty()) {
 		return {};
 	}
 	if (falls_ == nullptr) {
@@ -285,7 +285,7 @@ PackedStringArray SoftBody2D::get_warnings() const {
 	if (const softbody::Status as_drawn = structure_.check_as_drawn(); as_drawn && material_.values().tear_stretch > 0) {
 		warnings.push_back("tear_stretch does nothing: " + to_godot(*as_drawn) + ".");
 	}
-	if (found != nullptr) {
+	if (found != nullptr && rope() == nullptr) { // which is stable, and has no shape to keep
 		append_stability_warnings(*found, warnings);
 	}
 	pins_.append_warnings(*this, get_point_count(), warnings);

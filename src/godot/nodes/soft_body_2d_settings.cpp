@@ -4,6 +4,7 @@
 
 #include "core/model/material.h"
 #include "godot/convert.h"
+#include "godot/nodes/rope_part.h"
 #include "godot/server/soft_body_simulation_2d.h"
 #include "godot/server/soft_body_space_2d.h"
 
@@ -136,7 +137,9 @@ softbody::Result<softbody::BodySettings> SoftBody2D::make_settings(const Design 
 		settings.linear_damp = found->settings().linear_damp;
 		settings.angular_damp = found->settings().angular_damp;
 	}
-	if (softbody::Status status = apply_elasticity(p_design, settings)) {
+	if (rope() != nullptr) {
+		rope()->apply(settings);
+	} else if (softbody::Status status = apply_elasticity(p_design, settings)) {
 		return *status;
 	}
 	if (softbody::Status status = softbody::check_settings(settings)) {

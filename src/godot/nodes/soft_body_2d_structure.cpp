@@ -5,6 +5,7 @@
 #include "core/creator/hulls.h"
 #include "core/geometry/polygon.h"
 #include "godot/convert.h"
+#include "godot/nodes/rope_part.h"
 
 #include <godot_cpp/core/error_macros.hpp>
 
@@ -103,6 +104,14 @@ softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &
 
 	softbody::StructureOptions options = structure_.options(sized.rest);
 	made.has_holes = !options.holes.empty();
+	if (rope() != nullptr) {
+		auto shape = softbody::RopePart::make_shape(hull, options.inner_points, sized.size, softbody::Real(made.mass));
+		if (!shape) {
+			return shape.error();
+		}
+		made.shape = shape.value();
+		return made;
+	}
 	options.mass = softbody::Real(made.mass);
 	options.elastic = !p_is_draft && made.used.model == ELASTIC_MODEL_MODES;
 	options.elastic_triangles = !p_is_draft && made.used.model == ELASTIC_MODEL_TRIANGLES;

@@ -6,16 +6,16 @@ extends RefCounted
 
 
 static func has_any(object: Object) -> bool:
-	return object is SoftBody2D or (object != null and object.get_class() == "MultiNodeEdit"
+	return _has_polygon(object) or (object != null and object.get_class() == "MultiNodeEdit"
 			and not selected().is_empty())
 
 
 ## Empty for null, as the editor has it when it stops editing.
 static func of(object: Object) -> Array[SoftBody2D]:
 	var bodies: Array[SoftBody2D] = []
-	if object is SoftBody2D:
+	if _has_polygon(object):
 		bodies.append(object)
-	elif object != null:
+	elif object != null and not object is SoftRope2D:
 		bodies = selected()
 	return bodies
 
@@ -23,6 +23,11 @@ static func of(object: Object) -> Array[SoftBody2D]:
 static func selected() -> Array[SoftBody2D]:
 	var bodies: Array[SoftBody2D] = []
 	for node in EditorInterface.get_selection().get_selected_nodes():
-		if node is SoftBody2D:
+		if _has_polygon(node):
 			bodies.append(node)
 	return bodies
+
+
+## A rope's outline follows from its path.
+static func _has_polygon(object: Object) -> bool:
+	return object is SoftBody2D and not object is SoftRope2D
