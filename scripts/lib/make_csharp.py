@@ -46,7 +46,7 @@ PLAIN = {
     "PackedVector2Array": ("Vector2[]", "AsVector2Array()"),
     "PackedColorArray": ("Color[]", "AsColorArray()"),
 }
-ENGINE_CLASSES = {"InputEvent", "Node", "Node2D", "PhysicsMaterial", "PhysicsShapeQueryParameters2D", "Texture2D", "World2D"}
+ENGINE_CLASSES = {"Curve", "InputEvent", "Node", "Node2D", "PhysicsMaterial", "PhysicsShapeQueryParameters2D", "Texture2D", "World2D"}
 
 
 def pascal(name):
@@ -115,14 +115,20 @@ class Types:
         if enum:
             return f"(long){value}"
         if kind in self.classes:
-            return f"{value} == null ? null : {value}.{holder_of(self.classes[kind])}"
-        if kind == "NodePath[]":
+            return f"{value} == null ? null : {value}.{holder_of(self.classes, self.classes[kind])}"
+        if kind in ("NodePath[]", "PackedVector2Array[]"):
             return f"Native.ArrayOf({value})"
         return value
 
 
-def holder_of(root):
-    return HOLDERS[root.get("inherits")]
+def engine_base(classes, root):
+    """The nearest class of the engine that a class descends from."""
+    base = root.get("inherits")
+    return engine_base(classes, classes[base]) if base in classes else base
+
+
+def holder_of(classes, root):
+    return HOLDERS[engine_base(classes, root)]
 
 
 def default_of(types, inside, param):
@@ -151,8 +157,9 @@ class ClassMaker:
     def __init__(self, types, name, root):
         self.types, self.name, self.root = types, name, root
         self.is_singleton = name in SINGLETONS
-        self.base = root.get("inherits")
-        self.holder = "Instance" if self.is_singleton else holder_of(root)
+        self.base = engine_base(types.classes, root)
+        self.parent = root.get("inherits") if root.get("inherits") in types.classes else None
+        self.holder = "Instance" if self.is_singleton else holder_of(types.classes, root)
         self.static = "static " if self.is_singleton else ""
 
     def head(self, uses_system=False):
@@ -186,11 +193,19 @@ class ClassMaker:
                 f'\t\t\tinstance == null ? null : new {name}(Native.Checked<{base}>(instance, "{name}"));\n\n'
                 f"\t\t/// <summary>Whether an object is a {name}.</summary>\n"
                 f'\t\tpublic static bool Is(GodotObject instance) => instance != null && instance.IsClass("{name}");\n\n'
+                + self.parent_view() +
                 f"\t\tpublic static implicit operator {base}({name} value) => value == null ? null : value.{holder};\n\n"
                 f"\t\tpublic static bool operator ==({name} a, {name} b) => Equals(a, b);\n\n"
                 f"\t\tpublic static bool operator !=({name} a, {name} b) => !Equals(a, b);\n\n"
                 f"\t\tpublic override bool Equals(object other) => other is {name} same && same.{holder} == {holder};\n\n"
                 f"\t\tpublic override int GetHashCode() => {holder}.GetHashCode();\n\n" + self.names() + "\t}\n")
+
+    def parent_view(self):
+        """The members of the class that it descends from, if that is one of ours."""
+        if self.parent is None:
+            return ""
+        return (f"\t\t/// <summary>The same object, with the members of a {self.parent}.</summary>\n"
+                f"\t\tpublic {self.parent} As{self.parent} => {self.parent}.From({self.holder});\n\n")
 
     def enums(self):
         groups = {}

@@ -67,6 +67,7 @@ static class Claims
 		if (type == typeof(int[])) return new[] { 1, 2 };
 		if (type == typeof(float[])) return new[] { 1.5f };
 		if (type == typeof(Vector2[])) return new[] { new Vector2(1, 1) };
+		if (type == typeof(Vector2[][])) return new[] { new[] { new Vector2(1, 1), new Vector2(2, 1) }, new[] { new Vector2(3, 3) } };
 		if (type == typeof(Color[])) return new[] { new Color(1, 0, 0) };
 		return Activator.CreateInstance(type); // objects
 	}
@@ -81,7 +82,13 @@ static class Claims
 		return Equals(a, b);
 	}
 
-	private static string Text(object value) { return value is NodePath ? value.ToString() : Convert.ToString(value) + value.GetHashCode(); }
+	private static string Text(object value)
+	{
+		var items = value as System.Collections.IEnumerable;
+		return items != null && !(value is string) && !(value is NodePath) ? "[" + string.Join(";", items.Cast<object>().Select(Text)) + "]" : TextOfOne(value);
+	}
+
+	private static string TextOfOne(object value) { return value is NodePath ? value.ToString() : Convert.ToString(value) + value.GetHashCode(); }
 
 	/// What the compiler passes for an argument that is left out.
 	private static object Default(ParameterInfo parameter)
@@ -230,6 +237,10 @@ static class Claims
 		Check(SoftBody2D.From(null) == null && SoftBody2D.Is(node) && !SoftBody2D.Is(null) && !SoftBody2D.Is(new Node2D()), "From and Is know what is none");
 		Check(Throws<InvalidCastException>(() => SoftBody2D.From(new Node2D())), "another node is refused");
 		Check(body != new SoftBody2D(), "two bodies differ");
+		ClassDB.Parents["SoftRope2D"] = "SoftBody2D";
+		SoftRope2D rope = new SoftRope2D();
+		Check(rope.AsSoftBody2D.Node == rope.Node && SoftBody2D.Is(rope), "a rope is a soft body, and shows its members");
+		Check(!SoftRope2D.Is(node) && SoftRope2D.From(rope.AsSoftBody2D) == rope, "a soft body need not be a rope");
 	}
 
 	private static void CheckWithoutLibrary()
@@ -255,7 +266,7 @@ static class Claims
 			}
 			else
 			{
-				ClassDB.Known[name] = bases[parent];
+				ClassDB.Known[name] = bases[parent == "SoftBody2D" ? "Node2D" : parent]; // a rope is a soft body
 			}
 		}
 		foreach (string file in files)

@@ -80,5 +80,15 @@ namespace SoftBodies
 			}
 			return array;
 		}
+
+		internal static Variant ArrayOf(Vector2[][] outlines)
+		{
+			var array = new Godot.Collections.Array();
+			foreach (Vector2[] outline in outlines)
+			{
+				array.Add(outline);
+			}
+			return array;
+		}
 	}
 }

@@ -149,7 +149,7 @@ namespace SoftBodies
 
 		/// <summary>Returns why <c>holes</c> could not be the <c>holes</c> of a body with that <c>polygon</c>, or an empty string if they could.</summary>
 		public static string GetHolesProblem(Vector2[][] holes, Vector2[] polygon) =>
-			Native.CallStatic("SoftBody2D", Names.GetHolesProblem, holes, polygon).AsString();
+			Native.CallStatic("SoftBody2D", Names.GetHolesProblem, Native.ArrayOf(holes), polygon).AsString();
 
 		/// <summary>Returns the <c>holes</c> in global coordinates as they are drawn at <c>fraction</c> between the last two physics ticks, as <c>get_interpolated_polygon</c> does for the outline.</summary>
 		public Vector2[][] GetInterpolatedHoles(double fraction = -1.0) =>

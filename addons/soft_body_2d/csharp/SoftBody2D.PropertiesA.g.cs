@@ -248,7 +248,7 @@ namespace SoftBodies
 		public Vector2[][] Holes
 		{
 			get => Native.Items(Node.Get(Names.Holes), item => item.AsVector2Array());
-			set => Node.Set(Names.Holes, value);
+			set => Node.Set(Names.Holes, Native.ArrayOf(value));
 		}
 
 		/// <summary>The moment of inertia about the center of mass in kg·px², as the points lie now.</summary>

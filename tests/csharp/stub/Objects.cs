@@ -25,7 +25,12 @@ namespace Godot
 		public Variant Call(StringName method, params Variant[] args) { Asked.Add("call " + method); LastArguments = args; return Answer; }
 		public Error Connect(StringName signal, Callable callable, uint flags = 0) { Connected.Add(new KeyValuePair<string, Delegate>(signal.ToString(), callable.Delegate)); return Error.Ok; }
 		public void Disconnect(StringName signal, Callable callable) { Connected.Remove(new KeyValuePair<string, Delegate>(signal.ToString(), callable.Delegate)); }
-		public bool IsClass(string name) { return name == ClassName; }
+		public bool IsClass(string name)
+		{
+			string parent;
+			return name == ClassName || (ClassDB.Parents.TryGetValue(ClassName, out parent) && parent == name);
+		}
+
 		public string GetClass() { return ClassName; }
 		public void Free() { IsFreed = true; }
 		public void Dispose() { IsFreed = true; }
@@ -33,6 +38,8 @@ namespace Godot
 
 	public class RefCounted : GodotObject { }
 	public class Resource : RefCounted { }
+	public class Curve : Resource { }
+
 	public class Texture2D : Resource { }
 	public class PhysicsMaterial : Resource { }
 	public class World2D : Resource { public Rid Space; }
@@ -72,6 +79,9 @@ namespace Godot
 	{
 		/// What classes are known, and by which class of C#.
 		public static readonly Dictionary<string, Func<GodotObject>> Known = new Dictionary<string, Func<GodotObject>>();
+
+		/// Of a class that descends from another of the library, that one.
+		public static readonly Dictionary<string, string> Parents = new Dictionary<string, string>();
 
 		public static Variant Instantiate(StringName @class)
 		{
