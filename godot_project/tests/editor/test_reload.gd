@@ -155,6 +155,7 @@ func check_stored(before: Dictionary, what: String) -> void:
 
 
 func test_nothing_that_is_stored_is_lost() -> void:
+	await close(SCENE)
 	write_scene_of_everything()
 	await open(SCENE)
 	await select_body()
