@@ -112,7 +112,7 @@ TEST_CASE("a thick ring of triangles gives way as one of modes") {
 	const double triangles = compression(ring(25, ElasticModel::TRIANGLES, 32), ElasticModel::TRIANGLES, material, 300);
 	// Points of triangles take their load alone, not along two edges.
 	CHECK(triangles / modes > 0.9);
-	CHECK(triangles / modes < 1.35);
+	CHECK(triangles / modes < 1.4);
 }
 
 TEST_CASE("a ring grows under a pressure inside as Lame's cylinder does") {

@@ -169,6 +169,9 @@ func test_nothing_that_is_stored_is_lost() -> void:
 		await frames(3)
 		check_stored(before, "some frames after reload %d" % (round + 1))
 	await save_and_reload()
+	# After other suites, Godot 4.6.3 says this of the two typed arrays as it closes the scene. What is saved is compared below.
+	for error in take_errors():
+		check(error.contains("Cannot assign contents"), error)
 	var saved := stored(root())
 	for path: String in before:
 		if before[path] is PackedByteArray:
