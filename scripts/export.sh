@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Exports the demo with the release template into build/export and plays it; packs the addon as build/package/*.zip and tries it
-# in an empty project; installs first what is missing for that.
+# Exports the demo with the release template into build/export and plays it; packs the addon as build/package/*.zip, judges the
+# package, and tries it in an empty project and its editor; installs first what is missing for that. The package is that of a release
+# if the libraries of all platforms lie in addons/soft_body_2d/bin, else a partial one.
 #
 # Usage: scripts/export.sh [--seconds=N]
 #   --seconds=N  plays the exported game for N simulated seconds (default 10) and prints its summary
@@ -39,8 +40,10 @@ fi
 grep -E '^SUMMARY ' "$log" || problem "the exported game printed no summary (all of its output: $log)"
 
 step "Packing the addon"
+release_tool check_versions "$REPO_DIR"
 pack_addon
 step "Trying it in an empty project"
 unpack_into_new_project
 play_as_newcomer || problem "the README's first example failed in an empty project (all of its output: $LOG_DIR/newcomer.log)"
 tail -n 1 "$LOG_DIR/newcomer.log"
+enable_as_newcomer || problem "the addon does not work in an editor of an empty project (all of its output: $LOG_DIR/newcomer_editor.log)"

@@ -11,6 +11,7 @@ var other_values := {
 	"spring_length_scales": _scales(0.9), "pinned_points": PackedInt32Array([0, 3]), "pin_targets": [^".."] as Array[NodePath], "dents": _dents(),
 	"poisson_ratio": 0.25, "mass_mode": SoftBody2D.MASS_MODE_CUSTOM, "vertex_colors": PackedColorArray([Color.RED]), "uv": PackedVector2Array([Vector2.ONE]), "texture": PlaceholderTexture2D.new(),
 	"outline_texture": PlaceholderTexture2D.new(), "cut_texture": PlaceholderTexture2D.new(), "cut_edges": PackedInt32Array([1, 4]), "soft_body_material": SoftBodyMaterial2D.new(), "material": CanvasItemMaterial.new(),
+	"holes": [SoftBody2D.make_circle_polygon(12, 9)] as Array[PackedVector2Array], "detail_weights": PackedFloat32Array([2, 3]),
 	"integrator": SoftBody2D.INTEGRATOR_XPBD, "physics_material_override": PhysicsMaterial.new(),
 }
 

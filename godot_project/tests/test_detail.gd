@@ -232,3 +232,33 @@ func test_details_that_are_alike_share_one_shape_and_are_stepped_alike() -> void
 	await ticks(30)
 	check_near(first.linear_velocity, second.linear_velocity, 1e-4, "velocity")
 	check_equal(first.get_simulated_polygon(), second.get_simulated_polygon(), "hull")
+
+
+func test_weights_paint_more_points_where_they_matter() -> void:
+	var body := _character(Vector2.ZERO)
+	var plain := body.get_simulated_polygon()
+	var weights := PackedFloat32Array()
+	for point in body.polygon:
+		weights.append(4.0 if point.x > 0 else 1.0)
+	body.detail_weights = weights
+	var painted := body.get_simulated_polygon()
+	var right := func(points: PackedVector2Array) -> int: return Array(points).filter(func(p: Vector2) -> bool: return p.x > 0).size()
+	check_above(float(right.call(painted)), 1.5 * right.call(plain), "points on the painted side")
+	check_below(float(painted.size() - right.call(painted)), plain.size() - right.call(plain) + 3.5, "points on the other side")
+	await ticks(5)
+	check(all_finite(body.get_point_positions()), "finite")
+	var copy := body.duplicate() as SoftBody2D
+	check_equal(copy.detail_weights, weights, "weights of a duplicate")
+	copy.free()
+	body.detail_weights = PackedFloat32Array()
+	check_equal(body.get_simulated_polygon(), plain, "without weights")
+
+
+func test_bad_weights_are_refused_and_a_wrong_number_is_told_of() -> void:
+	var body := _character(Vector2.ZERO)
+	var plain := body.get_simulated_polygon()
+	check_refused(func() -> void: body.detail_weights = PackedFloat32Array([1, 0]), ["detail_weights[1]", "0.1", "10"], "a weight of 0")
+	check_refused(func() -> void: body.detail_weights = PackedFloat32Array([NAN]), ["detail_weights[0]"], "NaN")
+	body.detail_weights = PackedFloat32Array([1, 2, 3])
+	check_equal(body.get_simulated_polygon(), plain, "hull")
+	check(" ".join(body.get_warnings()).contains("detail_weights"), "a warning tells of the number")

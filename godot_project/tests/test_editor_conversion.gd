@@ -6,6 +6,7 @@ const LOGIC := "res://addons/soft_body_2d/editor/logic/"
 const Bake := preload(LOGIC + "bake.gd")
 const Conversion := preload(LOGIC + "conversion.gd")
 const PolygonEdit := preload(LOGIC + "polygon_edit.gd")
+const SpriteOutline := preload(LOGIC + "sprite_outline.gd")
 const ShapeOutlines := preload(LOGIC + "shape_outlines.gd")
 const VisualValues := preload(LOGIC + "visual_values.gd")
 
@@ -145,7 +146,7 @@ func test_colors_and_coordinates_stay_with_their_points_where_some_are_left_out(
 func test_outlines_that_no_body_can_have_are_refused_with_what_to_do() -> void:
 	_check_problem(_polygon({&"polygon": CROSSED}), ["'Leaf'", "edge 0-1 meets edge 2-3", "Move its points apart"])
 	_check_problem(_polygon({&"polygon": PackedVector2Array()}), ["'Leaf' has no outline", "at least 3 points"])
-	_check_problem(_polygon({&"invert_enabled": true}), ["'Leaf' is inverted", "Switch Invert off"])
+	_check_problem(_polygon({&"invert_enabled": true, &"invert_border": 0.0}), ["'Leaf' is inverted", "wider Invert > Border"])
 	_check_problem(_polygon({&"polygons": [PackedInt32Array([0, 1, 2]), PackedInt32Array([0, 2, 3])]}),
 			["2 polygons", "UV editor"])
 	_check_problem(_polygon({&"polygons": [PackedInt32Array([0, 1, 9])]}), ["a point 9 that is not there"])
@@ -161,10 +162,36 @@ func test_outlines_that_no_body_can_have_are_refused_with_what_to_do() -> void:
 	for place: Array in [[rectangle(10, 100), Vector2(45, 45)], [rectangle(100, 10), Vector2(0, 90)], [rectangle(10, 100),
 			Vector2(-45, 45)]]:
 		_child(ring, CollisionShape2D.new(), "Side", {&"shape": place[0], &"position": place[1]})
-	_check_problem(ring, ["leave a hole", "Fill it"])
+	var made: Conversion = Conversion.of(ring)
+	check_equal(made.problem, "", "problem of a frame")
+	check_equal(made.values[&"holes"].size(), 1, "holes of a frame")
+	check_near(absf(PolygonEdit.signed_area(made.values[&"holes"][0])), 80.0 * 80.0, 1, "area of its hole")
+	_child(ring, CollisionShape2D.new(), "Lid", {&"shape": rectangle(90, 90), &"position": Vector2(0, 45)})
+	check(not Conversion.of(ring).values.has(&"holes"), "a shape over the hole fills it")
 	var crossed := _ball(null)
 	_child(crossed, CollisionPolygon2D.new(), "Bow", {&"polygon": CROSSED})
 	_check_problem(crossed, ["'Bow' has an outline that no body can have", "convert 'Ball'"])
+
+
+func test_an_inverted_polygon_is_a_frame_with_a_hole() -> void:
+	var made: Conversion = Conversion.of(_polygon({&"invert_enabled": true, &"invert_border": 20.0, &"offset": Vector2(5, 0)}))
+	check_equal(made.problem, "", "problem")
+	var holes: Array[PackedVector2Array] = made.values[&"holes"]
+	check_equal(holes.size(), 1, "holes")
+	var box := PolygonEdit.bounds(holes[0])
+	check_near(PolygonEdit.bounds(made.values[&"polygon"]).position, box.position - Vector2(20, 20), 0.01, "frame")
+	check_near(PolygonEdit.bounds(made.values[&"polygon"]).size, box.size + Vector2(40, 40), 0.01, "size of the frame")
+	check_equal(SoftBody2D.get_holes_problem(holes, made.values[&"polygon"]), "", "what keeps a body from having it")
+
+
+func test_a_sprite_gives_its_holes_where_they_are_seen() -> void:
+	var traced: PackedVector2Array = [Vector2(0, 0), Vector2(16, 0), Vector2(16, 8), Vector2(0, 8)]
+	var hole: PackedVector2Array = [Vector2(2, 2), Vector2(6, 2), Vector2(6, 6)]
+	var over: PackedVector2Array = [Vector2(12, 2), Vector2(20, 2), Vector2(20, 6)]
+	var sprite: Sprite2D = _keep(Sprite2D.new(), "Cat", {&"texture": _texture(), &"flip_h": true})
+	var made: Conversion = Conversion.of(sprite, traced, [hole, over] as Array[PackedVector2Array])
+	check_equal(made.values[&"holes"], [SpriteOutline.to_local(sprite, hole)] as Array[PackedVector2Array], "holes")
+	check("1 holes" in ", ".join(made.notes), "a note about the one over the edge")
 
 
 func test_a_collision_polygon_gives_its_outline_and_the_layers_of_its_parent() -> void:

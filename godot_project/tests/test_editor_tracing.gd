@@ -67,6 +67,26 @@ func test_of_several_islands_the_largest_is_taken_and_the_others_are_told_of() -
 	check_near(PolygonEdit.bounds(trace.outline).get_center(), Vector2(40, 40), 2, "middle of the outline")
 
 
+func test_holes_are_traced_and_what_reaches_the_edge_is_none() -> void:
+	var picture := _picture(Vector2i(120, 120), func(p: Vector2) -> bool:
+		var is_hole := p.distance_to(Vector2(45, 60)) < 15 or p.distance_to(Vector2(85, 60)) < 8 or p.distance_to(Vector2(60, 30)) < 1
+		return p.distance_to(Vector2(60, 60)) < 50 and not is_hole)
+	var trace := _traced(picture, 32)
+	check_equal(trace.problem, "", "problem")
+	check_equal(trace.holes.size(), 2, "holes but for the speck")
+	check_equal(SoftBody2D.get_holes_problem(trace.holes, trace.outline), "", "what keeps them from being holes")
+	var areas: Array[float] = []
+	for hole in trace.holes:
+		areas.append(absf(PolygonEdit.signed_area(hole)))
+	areas.sort()
+	check_near(areas[0], PI * 64, 30, "area of the small hole")
+	check_near(areas[1], PI * 225, 60, "area of the large hole")
+	var grown := _traced(picture, 32, 3.0)
+	check_below(absf(PolygonEdit.signed_area(grown.holes[0])) + absf(PolygonEdit.signed_area(grown.holes[1])), areas[0] + areas[1] - 200, "a margin closes holes")
+	var open := _picture(Vector2i(60, 60), func(p: Vector2) -> bool: return p.y > 10 and p.distance_to(Vector2(30, 10)) > 15)
+	check_equal(_traced(open, 24).holes.size(), 0, "holes of a bay")
+
+
 func test_thin_arms_and_a_single_pixel_give_a_polygon_or_a_message() -> void:
 	var star := _picture(Vector2i(120, 120), func(p: Vector2) -> bool:
 		var from_middle := p - Vector2(60, 60)

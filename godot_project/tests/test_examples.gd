@@ -66,6 +66,18 @@ func test_few_points_stand_for_two_hundred_and_lie_as_they_do() -> void:
 		check_near(other.end.y, box.end.y, 9.0, "lowest place of %s" % body.name)
 
 
+func test_bodies_with_holes_rest_with_their_holes_open() -> void:
+	_open("holes")
+	await seconds(4)
+	for name: String in ["Ring", "Tyre", "Frame", "Cheese"]:
+		var body := _body(name)
+		check_near(body.get_area(), body.get_rest_area(), 0.25 * body.get_rest_area(), "area of what is left of %s" % name)
+		for hole in body.get_interpolated_holes(1):
+			for point in hole:
+				check(Geometry2D.is_point_in_polygon(point, body.get_interpolated_polygon(1)), "a hole of %s stays inside" % name)
+			check_above(bounds_of(hole).size.y, 8, "height of a hole of %s" % name)
+
+
 func test_a_drawn_line_cuts_what_it_goes_through() -> void:
 	_open("cuts")
 	await seconds(1.5)

@@ -67,11 +67,22 @@ check_extension() {
 	fi
 }
 
+LIBRARY_FUNCTIONS='a?(sin|cos|tan)h?|atan2|sincos|hypot|exp(2|10|m1)?|log(2|10|1p)?|pow|cbrt|erfc?|[lt]gamma'
+# The first is the constructor from an angle.
+TURNING_FUNCTIONS='Transform2D\((float|double), |([gs]et_rotation|[gs]et_skew|rotate|rotated(_local)?|interpolate_with|looking_at|from_angle|angle(_to(_point)?)?|slerp)\('
+
 # called_functions FOLDER: the functions of mathematics that its objects call and that libraries do not round alike; fails if there
 # is none. IEEE 754 says how square roots and remainders are rounded, and floor, ldexp and the like are exact.
 called_functions() {
-	find "$1" -name '*.o' -exec nm -Au {} + |
-		grep -E ' U (a?(sin|cos|tan)h?|atan2|sincos|hypot|exp(2|10|m1)?|log(2|10|1p)?|pow|cbrt|erfc?|[lt]gamma)[fl]?$'
+	find "$1" -name '*.o' -exec nm -Au {} + | grep -E " U ($LIBRARY_FUNCTIONS)[fl]?\$"
+}
+
+# called_in_engine FOLDER: the same for the objects of src/godot, which may also call godot-cpp's own types: what turns by an angle
+# calls a library there. Drawing may, as no step reads it, and so may the file that calls old versions for the whole library.
+called_in_engine() {
+	find "$1" -name '*.os' ! -path '*/drawing/*' ! -path '*/editor/*' ! -name 'soft_body_2d_drawing.os' ! -name 'old_glibc.os' \
+		-exec nm -AuC {} + | sed -E 's/@.*//' |
+		grep -E " U ($LIBRARY_FUNCTIONS)[fl]?\$|::(Transform2D|Vector2)::($TURNING_FUNCTIONS)"
 }
 
 # shared_names OBJECT: the functions and data of an object that other objects may hold, too, and of which the linker keeps one.

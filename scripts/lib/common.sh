@@ -27,8 +27,11 @@ has_package() {
 		g++-*-linux-gnu) command -v "${1#g++-}-g++" >/dev/null ;;
 		g++-mingw-w64-x86-64-posix) command -v x86_64-w64-mingw32-g++-posix >/dev/null ;;
 		qemu-user) command -v qemu-aarch64 >/dev/null ;;
-		emscripten) command -v em++ >/dev/null ;;
+		bubblewrap) command -v bwrap >/dev/null ;;
 		nodejs) command -v node >/dev/null ;;
+		mono-mcs) command -v mcs >/dev/null ;;
+		mono-runtime) command -v mono >/dev/null ;;
+		libmono-system-xml-linq4.0-cil) [[ -n $(find /usr/lib/mono -name System.Xml.Linq.dll -print -quit 2>/dev/null) ]] ;;
 		binutils) command -v objdump >/dev/null ;;
 		doctest-dev) echo '#include <doctest/doctest.h>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;
 		nlohmann-json3-dev) echo '#include <nlohmann/json.hpp>' | "${CXX:-g++}" -x c++ -E - >/dev/null 2>&1 ;;

@@ -4,18 +4,22 @@
 #
 # Needs common.sh, godot.sh and build.sh, and `count` and `count_doctest` of scripts/test.sh. docs/platforms.md says what was run.
 
+OWN_HASHES=$LOG_DIR/platform_own.log
 PLATFORMS=(linux-arm64 windows web macos linux-old)
 ARM64_CXX=aarch64-linux-gnu-g++
 WINDOWS_CXX=x86_64-w64-mingw32-g++-posix
+OBJDUMP=objdump # one that knows the library's processor
 LARGEST_GLIBC=2.28 # that of Godot's own builds
 FOREIGN_INCLUDE=$REPO_DIR/build/foreign_include
+WEB_ROOT=$CACHE_DIR/web-root
+WEB_BIN=$REPO_DIR/build/web-bin
 
 # need_platform NAME: installs the compiler and the emulator of that platform.
 need_platform() {
 	case $1 in
 		linux-arm64) need_packages scons g++ g++-aarch64-linux-gnu qemu-user doctest-dev ;;
 		windows) need_packages scons g++ g++-mingw-w64-x86-64-posix wine doctest-dev ;;
-		web) need_packages scons g++ emscripten nodejs doctest-dev ;;
+		web) need_packages scons g++ doctest-dev && need_emscripten ;;
 		*) need_packages scons g++ ;;
 	esac || return 1
 	# The headers of this machine's system are of no use for another one, except doctest's.
@@ -32,17 +36,53 @@ compiler_of() {
 	esac
 }
 
+# need_emscripten: the em++ on the PATH if its library knows C++20, else that of Debian 13 in a folder of its own, which is the root
+# directory for what runs in it. Debian 12's (3.1.6) is too old.
+need_emscripten() {
+	local part=$WEB_ROOT.part name
+	if command -v em++ >/dev/null && command -v node >/dev/null && em++ --version | grep -qE ' 3\.1\.[6-9][0-9]| [4-9]\.[0-9]+\.'; then
+		return 0
+	fi
+	need_packages mmdebstrap debian-archive-keyring bubblewrap || return 1
+	if [[ ! -x $WEB_ROOT/usr/bin/em++ ]]; then
+		step "Installing Debian 13's emscripten into $WEB_ROOT (2.3 GB)"
+		rm -rf "$part" "$WEB_ROOT"
+		mkdir -p "$part/tmp"
+		TMPDIR=$part/tmp mmdebstrap --variant=extract --mode=chrootless --format=tar --include=emscripten,nodejs,dash,coreutils trixie - \
+			2>"$LOG_DIR/emscripten_install.log" </dev/null | tar -x --no-same-owner --exclude=./dev --exclude=./tmp -C "$part" ||
+			{ problem "could not install emscripten (see $LOG_DIR/emscripten_install.log)"; return 1; }
+		for name in bin sbin lib lib64; do
+			[[ -e $part/$name ]] || ln -s "usr/$name" "$part/$name"
+		done
+		[[ -e $part/usr/bin/sh ]] || ln -s dash "$part/usr/bin/sh"
+		rm -rf "$part/tmp"
+		mv "$part" "$WEB_ROOT"
+	fi
+	# Its own libraries are in a folder that nobody may write to, and its settings say so.
+	mkdir -p "$WEB_BIN" "$CACHE_DIR/emscripten" "$WEB_ROOT"{/tmp,/dev,/proc}
+	sed 's/^FROZEN_CACHE.*/FROZEN_CACHE = False/' "$WEB_ROOT/usr/share/emscripten/.emscripten" >"$CACHE_DIR/emscripten/config"
+	for name in em++ node; do
+		cat >"$WEB_BIN/$name" <<-END
+			#!/usr/bin/env bash
+			exec bwrap --bind "$WEB_ROOT" / --dev /dev --proc /proc --bind "$REPO_DIR" "$REPO_DIR" --bind /tmp /tmp \\
+				--bind "$CACHE_DIR/emscripten" "$CACHE_DIR/emscripten" --ro-bind-try /usr/include/doctest /usr/include/doctest \\
+				--clearenv --setenv PATH /usr/bin --setenv HOME /tmp \${CPATH:+--setenv CPATH "\$CPATH"} \\
+				--setenv EM_CONFIG "$CACHE_DIR/emscripten/config" --setenv EM_CACHE "$CACHE_DIR/emscripten/cache" \\
+				--chdir "\$PWD" $name "\$@"
+		END
+		chmod +x "$WEB_BIN/$name"
+	done
+	export PATH=$WEB_BIN:$PATH
+	em++ --version >"$LOG_DIR/emscripten.log" 2>&1 ||
+		{ problem "Debian 13's emscripten does not run in $WEB_ROOT (see $LOG_DIR/emscripten.log)"; return 1; }
+}
+
 # with_foreign NAME COMMAND…: runs it with the settings of that platform's compiler.
 with_foreign() {
-	local name=$1 variables=()
+	local name=$1
 	shift
-	if [[ $name == web && -e /usr/share/emscripten/.emscripten ]]; then
-		# Debian's emscripten keeps its own libraries in a folder that nobody may write to, and says so in its settings.
-		sed 's/^FROZEN_CACHE.*/FROZEN_CACHE = False/' /usr/share/emscripten/.emscripten >"$CACHE_DIR/emscripten.config"
-		variables=("EM_CONFIG=$CACHE_DIR/emscripten.config" "EM_CACHE=$CACHE_DIR/emscripten")
-	fi
 	(
-		export "CXX=$(compiler_of "$name")" "CPATH=$FOREIGN_INCLUDE" ${variables[@]+"${variables[@]}"}
+		export "CXX=$(compiler_of "$name")" "CPATH=$FOREIGN_INCLUDE"
 		"$@"
 	)
 }
@@ -50,11 +90,6 @@ with_foreign() {
 # foreign_scons NAME TARGET…: builds programs of the core for that platform.
 foreign_scons() {
 	with_foreign "$1" run_scons "${@:2}"
-}
-
-# foreign_compiler NAME ARGS…: its compiler.
-foreign_compiler() {
-	with_foreign "$1" "$(compiler_of "$1")" "${@:2}"
 }
 
 # foreign_program NAME PROGRAM: the path of what foreign_scons made, relative to the repository.
@@ -73,26 +108,25 @@ run_foreign() {
 	local name=$1 limit=$2 emulator=()
 	shift 2
 	case $name in
-		linux-arm64) emulator=(qemu-aarch64) ;;
+		linux-arm64) emulator=(env QEMU_LD_PREFIX=/usr/aarch64-linux-gnu qemu-aarch64) ;;
 		windows) emulator=(env "WINEPREFIX=$CACHE_DIR/wine" WINEDEBUG=-all wine) ;;
 		web) emulator=(node) ;;
 	esac
 	(cd "$REPO_DIR" && set -o pipefail && limited "$limit" "${emulator[@]}" "$@" | tr -d '\r')
 }
 
-# own_hashes LEVEL TICKS: what this machine makes of the hashed scenes by g++, in OWN_HASHES.
+# own_hashes LEVEL TICKS [_double]: what this machine makes of the hashed scenes by g++, in OWN_HASHES and that.
 own_hashes() {
-	local log=$LOG_DIR/platform_own.log
-	run_scons "hashes_g++_$1" >"$log.build" 2>&1 || { problem "the core does not compile (see $log.build)"; return 1; }
-	limited "$TIME_LIMIT" "$REPO_DIR/build/determinism/hashes_g++_$1" 1 "$2" >"$log" ||
+	local log=$OWN_HASHES${3:-}
+	run_scons "hashes_g++_$1${3:-}" >"$log.build" 2>&1 || { problem "the core does not compile (see $log.build)"; return 1; }
+	limited "$TIME_LIMIT" "$REPO_DIR/build/determinism/hashes_g++_$1${3:-}" 1 "$2" >"$log" ||
 		{ problem "the scenes do not end on this machine (see $log)"; return 1; }
-	OWN_HASHES=$log
 }
 
-# test_hashes NAME LEVEL TICKS: whether the scenes end there in the bits of own_hashes. Says so, with the hash of all hashes.
+# test_hashes NAME LEVEL TICKS [_double]: whether the scenes end there in the bits of own_hashes. Says so, with the hash of all hashes.
 test_hashes() {
-	local name=$1 program log=$LOG_DIR/platform_$1.log start=$SECONDS built
-	program=hashes_$(compiler_of "$name")_$2
+	local name=$1 program log=$LOG_DIR/platform_$1${4:-}.log start=$SECONDS built
+	program=hashes_$(compiler_of "$name")_$2${4:-}
 	if ! foreign_scons "$name" "$program" >"$log.build" 2>&1; then
 		tail -n 5 "$log.build" >&2
 		problem "the core does not compile for $name (see $log.build)"
@@ -101,14 +135,14 @@ test_hashes() {
 	fi
 	built=$((SECONDS - start))
 	if run_foreign "$name" $((3 * TIME_LIMIT)) "$(foreign_program "$name" "determinism/$program")" 1 "$3" >"$log" &&
-		cmp -s "$OWN_HASHES" "$log"; then
+		cmp -s "$OWN_HASHES${4:-}" "$log"; then
 		count 0 1 0
 	else
-		diff "$OWN_HASHES" "$log" || true
+		diff "$OWN_HASHES${4:-}" "$log" || true
 		echo "FAILED: $name computes other bits"
 		count 0 0 1
 	fi
-	PLATFORM_LINE="$name: hash $(sed -n 's/^all //p' "$log"), built in $built s, run in $((SECONDS - start - built)) s"
+	PLATFORM_LINE+="${4:+,} ${4:+double }hash $(sed -n 's/^all //p' "$log"), built in $built s, run in $((SECONDS - start - built)) s"
 	echo "$PLATFORM_LINE"
 }
 
@@ -130,11 +164,14 @@ test_foreign_core() {
 	echo "$PLATFORM_LINE"
 }
 
-# need_stub_host [NAME]: the program that loads the extension as Godot 4.3 would, for this machine or for Windows, and the list of
+# need_stub_host [NAME]: the program that loads the extension as Godot 4.3 would, for this machine or that platform, and the list of
 # the functions that Godot 4.3 has. Sets STUB_HOST and STUB_FUNCTIONS.
 need_stub_host() {
-	local compiler=gcc ending=
-	[[ ${1:-} != windows ]] || { compiler=${WINDOWS_CXX/g++/gcc}; ending=.exe; }
+	local compiler=gcc ending= libraries=(-ldl)
+	case ${1:-} in
+		windows) compiler=${WINDOWS_CXX/g++/gcc} ending=.exe libraries=() ;;
+		linux-arm64) compiler=${ARM64_CXX/g++/gcc} ending=.arm64 ;;
+	esac
 	need_packages python3 g++ || return 1
 	need_godot_cpp || return 1
 	STUB_HOST=$REPO_DIR/build/stub_host$ending
@@ -146,16 +183,13 @@ need_stub_host() {
 		        print(function["name"])
 	END
 	[[ -s $STUB_FUNCTIONS ]] || { problem "godot-cpp does not list the functions of Godot 4.3"; return 1; }
-	if [[ -n $ending ]]; then
-		"$compiler" -std=c99 -Wall -Wextra -O1 "$REPO_DIR/scripts/lib/stub_host.c" -o "$STUB_HOST"
-	else
-		"$compiler" -std=c99 -Wall -Wextra -O1 "$REPO_DIR/scripts/lib/stub_host.c" -o "$STUB_HOST" -ldl
-	fi || problem "the stub host does not compile"
+	"$compiler" -std=c99 -Wall -Wextra -O1 "$REPO_DIR/scripts/lib/stub_host.c" -o "$STUB_HOST" ${libraries[@]+"${libraries[@]}"} ||
+		problem "the stub host does not compile"
 }
 
 # newest_glibc LIBRARY: the newest version of glibc that it asks for.
 newest_glibc() {
-	objdump -T "$1" | grep -oE 'GLIBC_[0-9.]+' | sed 's/GLIBC_//' | sort -uV | tail -n 1
+	"$OBJDUMP" -T "$1" | grep -oE 'GLIBC_[0-9.]+' | sed 's/GLIBC_//' | sort -uV | tail -n 1
 }
 
 # test_old_glibc LIBRARY: whether it loads with the glibc that Godot's own builds ask for, by the versions of its symbols. Other
@@ -163,12 +197,12 @@ newest_glibc() {
 test_old_glibc() {
 	local newest others
 	newest=$(newest_glibc "$1")
-	others=$(objdump -p "$1" | sed -nE 's/^ *NEEDED +//p' | grep -vxE '(libc|libm|libpthread|libdl)\.so\.6|libgcc_s\.so\.1|ld-linux.*' || true)
+	others=$("$OBJDUMP" -p "$1" | sed -nE 's/^ *NEEDED +//p' | grep -vxE '(libc|libm|libpthread|libdl)\.so\.6|libgcc_s\.so\.1|ld-linux.*' || true)
 	echo "$(basename "$1") asks for glibc $newest"
 	if [[ -n $newest && -z $others && $(printf '%s\n' "$newest" $LARGEST_GLIBC | sort -V | tail -n 1) == "$LARGEST_GLIBC" ]]; then
 		count 0 1 0
 	else
-		objdump -T "$1" | grep -E "GLIBC_$newest\)" || true
+		"$OBJDUMP" -T "$1" | grep -E "GLIBC_$newest\)" || true
 		echo "FAILED: it needs glibc $newest, and above $LARGEST_GLIBC it would not load where Godot does${others:+; and $others}"
 		count 0 0 1
 	fi
@@ -193,6 +227,7 @@ test_portable() {
 	own_hashes O0 120 || return 1
 	for name in linux-arm64 windows; do
 		step "Hashing scenes: $name"
+		PLATFORM_LINE="$name:"
 		need_platform "$name" || return 1
 		test_hashes "$name" O1 120
 	done
@@ -215,6 +250,7 @@ test_platforms() {
 	done
 	need_packages scons g++ doctest-dev || return 1
 	own_hashes O2 240 || return 1
+	own_hashes O2 240 _double || return 1
 	for name in "$@"; do
 		step "Platform $name"
 		PLATFORM_LINE="$name:"
@@ -227,27 +263,21 @@ test_platforms() {
 		lines+=("$PLATFORM_LINE")
 	done
 	step "Platforms"
-	echo "this machine: hash $(sed -n 's/^all //p' "$OWN_HASHES")"
+	echo "this machine: hash $(sed -n 's/^all //p' "$OWN_HASHES"), double hash $(sed -n 's/^all //p' "${OWN_HASHES}_double")"
 	printf '%s\n' "${lines[@]}"
 }
 
-# User emulation loses memory with every thread that ends, so nothing of the suites with threads.
-test_on_linux_arm64() {
-	test_hashes linux-arm64 O2 240
-	test_foreign_core linux-arm64 '--test-suite-exclude=*threads*'
-}
-
-# The core, and the library: its entry is called by the stub host.
-test_on_windows() {
-	local start library status=passed
-	test_hashes windows O2 240
-	test_foreign_core windows
-	start=$SECONDS
-	CXX=$WINDOWS_CXX build_extension platform=windows use_mingw=yes target=template_release >"$LOG_DIR/platform_dll.log" 2>&1 ||
-		{ problem "the library does not link for Windows (see $LOG_DIR/platform_dll.log)"; return 1; }
-	need_stub_host windows || return 1
-	library=addons/soft_body_2d/bin/libsoft_body_2d.windows.template_release.x86_64.dll
-	if run_foreign windows 120 "$STUB_HOST" "$library" "${STUB_FUNCTIONS#"$REPO_DIR/"}"; then
+# test_foreign_library NAME LIBRARY [SCONS ARGUMENTS…]: whether the release library links for that platform, and a stub host that
+# answers as Godot 4.3 gets through its entry.
+test_foreign_library() {
+	local name=$1 library=addons/soft_body_2d/bin/$2 start=$SECONDS status=passed log=$LOG_DIR/platform_library_$1.log
+	if ! CXX=$(compiler_of "$name") build_extension "${@:3}" target=template_release >"$log" 2>&1; then
+		problem "the library does not link for $name (see $log)" || true
+		count 0 0 1
+		return
+	fi
+	need_stub_host "$name" || return 1
+	if run_foreign "$name" 120 "$STUB_HOST" "$library" "${STUB_FUNCTIONS#"$REPO_DIR/"}"; then
 		count 0 1 0
 	else
 		status=FAILED
@@ -256,21 +286,28 @@ test_on_windows() {
 	PLATFORM_LINE+=", library in a stub host: $status, $((SECONDS - start)) s"
 }
 
-# The core, under Node, by the system's emscripten. That of Debian 12 (3.1.6) has no library for C++20; that of Debian 13 (3.1.69) has.
+# User emulation loses memory with every thread that ends, so nothing of the suites with threads.
+test_on_linux_arm64() {
+	local library=libsoft_body_2d.linux.template_release.arm64.so
+	test_hashes linux-arm64 O2 240
+	test_hashes linux-arm64 O2 240 _double
+	test_foreign_core linux-arm64 '--test-suite-exclude=*threads*'
+	test_foreign_library linux-arm64 "$library" platform=linux arch=arm64
+	OBJDUMP=aarch64-linux-gnu-objdump test_old_glibc "$REPO_DIR/addons/soft_body_2d/bin/$library"
+}
+
+test_on_windows() {
+	test_hashes windows O2 240
+	test_hashes windows O2 240 _double
+	test_foreign_core windows
+	test_foreign_library windows libsoft_body_2d.windows.template_release.x86_64.dll platform=windows use_mingw=yes
+}
+
+# The core, under Node.
 test_on_web() {
-	local version
-	version=$(em++ --version | sed -nE '1s/.* ([0-9]+\.[0-9]+\.[0-9]+).*/\1/p')
-	PLATFORM_LINE+=" emscripten ${version:-of no version}"
-	if ! echo '#include <ranges>
-		#ifndef __cpp_lib_ranges
-		#error
-		#endif' | foreign_compiler web -std=c++20 -x c++ -fsyntax-only - 2>/dev/null; then
-		PLATFORM_LINE+=" is too old for C++20"
-		echo "note: $PLATFORM_LINE"
-		count 0 0 0 1
-		return
-	fi
+	PLATFORM_LINE+=" emscripten $(em++ --version 2>/dev/null | sed -nE 's/.* ([0-9]+\.[0-9]+\.[0-9]+) .*/\1/p' | head -n 1),"
 	test_hashes web O2 240
+	test_hashes web O2 240 _double
 	test_foreign_core web
 }
 
@@ -285,7 +322,7 @@ write_zig_tool() {
 			if [[ \$1 == -arch ]]; then shift; else arguments+=("\$1"); fi
 			shift
 		done
-		exec "$1/bin/python-zig" $2 $target "\${arguments[@]}"
+		exec "$1/bin/python" -m ziglang $2 $target "\${arguments[@]}"
 	END
 	chmod +x "$3"
 }
@@ -294,7 +331,7 @@ write_zig_tool() {
 test_on_macos() {
 	local start=$SECONDS venv=$CACHE_DIR/ziglang wrappers=$REPO_DIR/build/zig tool
 	need_packages python3-venv || return 1
-	[[ -x $venv/bin/python-zig ]] || { python3 -m venv "$venv" && "$venv/bin/pip" install -q ziglang==0.13.0.post1; } ||
+	"$venv/bin/python" -m ziglang version >/dev/null 2>&1 || { python3 -m venv "$venv" && "$venv/bin/pip" install -q ziglang==0.13.0.post1; } ||
 		{ problem "could not install ziglang"; return 1; }
 	# godot-cpp looks for the tools of OSXCross by these names.
 	mkdir -p "$wrappers/target/bin"
@@ -327,7 +364,7 @@ test_on_linux_old() {
 			{ problem "could not install an old Debian (see $LOG_DIR/platform_old.log)"; return 1; }
 	fi
 	# Linked with the old libraries, and with the threads that every Godot has. A compiler given a sysroot would still find the new ones.
-	gcc -O1 -fno-pie -no-pie -nostdlib "$REPO_DIR/scripts/lib/stub_host.c" "$usr"/crt[1i].o -Wl,--no-as-needed "$lib"/lib{dl.so.2,pthread.so.0,c.so.6} \
+	gcc -O1 -fno-pie -no-pie -nostdlib "$REPO_DIR/scripts/lib/stub_host.c" "$usr"/crt[1i].o -Wl,--allow-shlib-undefined,--no-as-needed "$lib"/lib{dl.so.2,pthread.so.0,c.so.6} \
 		"$usr/libc_nonshared.a" "$usr/crtn.o" -o "$STUB_HOST.old" || { problem "the stub host does not link with an old glibc"; return 1; }
 	if limited 60 "$lib/ld-2.31.so" --library-path "$lib:$usr" "$STUB_HOST.old" "$library" "$STUB_FUNCTIONS"; then
 		count 0 1 0

@@ -2,6 +2,7 @@
 // The only crossing between Godot's types and the core's.
 #pragma once
 
+#include "core/base/elementary.h"
 #include "core/base/error.h"
 #include "core/base/vec2.h"
 #include "core/model/soft_body_data.h"
@@ -90,14 +91,41 @@ struct PointOrder {
 	int mirror_edge(int p_index) const { return is_reversed ? hull_count - 1 - p_index : p_index; }
 };
 
+// Transform2D::get_rotation, Transform2D(angle, origin) and Vector2::from_angle call the system's library, whose last digit differs
+// between systems. What a step reads is turned by the functions below instead; scripts/test.sh engine looks for the others.
+
+/// Angle of a transform's x axis in [-pi, pi], in radians, as Transform2D::get_rotation.
+inline double angle_of(const godot::Transform2D &p_transform) {
+	return angle_of(double(p_transform.columns[0].y), double(p_transform.columns[0].x));
+}
+
+/// Rotation of a transform: the direction of its x axis. No rotation where that axis has no length.
+inline Rotation rotation_of(const godot::Transform2D &p_transform) {
+	const double x = p_transform.columns[0].x;
+	const double y = p_transform.columns[0].y;
+	const double length = hypotenuse(x, y);
+	return length == 0 ? Rotation() : Rotation{ Real(x / length), Real(y / length) };
+}
+
+/// A transform that only rotates.
+inline godot::Transform2D to_godot(Rotation p_rotation) {
+	return godot::Transform2D(p_rotation.c, p_rotation.s, -p_rotation.s, p_rotation.c, 0, 0);
+}
+
+/// A transform that only moves.
+inline godot::Transform2D transform_to(Vec2 p_place) {
+	return godot::Transform2D(1, 0, 0, 1, p_place.x, p_place.y);
+}
+
 /// Rotation and position of a transform; its scale and skew are left out.
 inline Pose to_core_pose(const godot::Transform2D &p_transform) {
-	return { to_core(p_transform.get_origin()), Rotation::from_angle(Real(p_transform.get_rotation())) };
+	return { to_core(p_transform.get_origin()), rotation_of(p_transform) };
 }
 
 /// Scale and skew of a transform; its rotation and position are left out.
 inline godot::Transform2D scale_and_skew(const godot::Transform2D &p_transform) {
-	godot::Transform2D scale = godot::Transform2D(-p_transform.get_rotation(), godot::Vector2()) * p_transform;
+	const Rotation rotation = rotation_of(p_transform);
+	godot::Transform2D scale = to_godot(Rotation{ rotation.c, -rotation.s }) * p_transform;
 	scale.set_origin(godot::Vector2());
 	return scale;
 }

@@ -115,21 +115,54 @@ TEST_CASE("an absorbent body takes its restitution from that of the other") {
 }
 
 TEST_CASE("slow touches do not bounce, and one that lasts is forgotten") {
-	SoftBodyData a = ball(1, 1, { -1, 0 }, { Real(-0.05), 0 });
-	SoftBodyData b = ball(1, 1, { 1, 0 }, { Real(0.05), 0 });
+	const auto moving = [](Real place, Real speed) {
+		SolverBody body;
+		body.inverse_mass = 1;
+		body.restitution = 1;
+		body.pull = 10;
+		body.mass_center = { place, 0 };
+		body.mass_velocity = { speed, 0 };
+		return body;
+	};
+	constexpr Real H = Real(1) / 40; // two of these make the threshold 0.5
+	const SolverBody a = moving(-1, Real(-0.05));
+	const SolverBody b = moving(1, Real(0.05));
 	PairTouch slow{ true, Real(0.4) };
-	follow_pair_bounce(a, b, {}, slow, Real(0.5), Real(0.004));
+	follow_pair_bounce(a, b, {}, slow, H);
 	CHECK(slow.missing == 0);
 	CHECK(slow.ended);
 	PairTouch fast{ true, 3 };
-	follow_pair_bounce(a, b, {}, fast, Real(0.5), Real(0.004));
+	follow_pair_bounce(a, b, {}, fast, H);
 	CHECK(fast.missing == doctest::Approx(2.9));
 	PairTouch lasting{ true, 3 };
-	for (int i = 0; i < 750; ++i) { // 3 s in which contacts hold the two still
-		follow_pair_bounce(a, b, { Real(-1e-4), 0 }, lasting, Real(0.5), Real(0.004));
+	for (int i = 0; i < 120; ++i) { // 3 s in which contacts hold the two still
+		follow_pair_bounce(a, b, { Real(-1e-4), 0 }, lasting, H);
 	}
 	CHECK(lasting.touching);
-	CHECK(lasting.approach < Real(0.01));
+	CHECK(lasting.approach == 0);
+}
+
+TEST_CASE("an approach counts with what gravity adds in the substep, but not with the weight that a contact bears") {
+	SolverBody above;
+	above.inverse_mass = 1;
+	above.restitution = 1;
+	above.pull = 10;
+	above.acceleration = { 0, -10 };
+	above.mass_center = { 0, 1 };
+	SolverBody floor = above; // pinned
+	floor.inverse_mass = 0;
+	floor.acceleration = {};
+	floor.mass_center = {};
+	constexpr Real H = Real(1) / 100;
+	PairTouch falling;
+	above.mass_velocity = { 0, -3 };
+	follow_pair_bounce(above, floor, { 0, Real(3.1) }, falling, H);
+	CHECK(falling.approach == doctest::Approx(3.1));
+	PairTouch resting;
+	above.mass_velocity = {};
+	follow_pair_bounce(above, floor, { 0, 5 }, resting, H); // 50 bodies lie on it
+	CHECK(resting.approach == 0);
+	CHECK(resting.touching);
 }
 
 TEST_CASE("jumping balls take the same bits with any number of threads, though they meet and part all the time" *

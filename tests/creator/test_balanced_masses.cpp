@@ -105,3 +105,39 @@ TEST_CASE("a simplified character has its center of mass in the drawn outline's 
 		CHECK(shape.value()->total_mass() == doctest::Approx(1).epsilon(1e-5));
 	}
 }
+
+TEST_CASE("masses are given center, sum and moment of inertia at once, or at least the center") {
+	int all = 0;
+	for (int seed = 0; seed < 200; ++seed) {
+		CAPTURE(seed);
+		Random random(12'000 + std::uint64_t(seed));
+		std::vector<Vec2> points;
+		std::vector<double> masses;
+		for (int i = 0, count = random.integer(6, 40); i < count; ++i) {
+			points.push_back(random.vector(50) + Vec2{ 300, -200 });
+			masses.push_back(double(random.real(0.5, 2)));
+		}
+		double mass = 0;
+		const Vec2d center = center_of(points, masses, mass) + Vec2d(random.vector(3));
+		const auto inertia = [&] {
+			double sum = 0;
+			for (std::size_t i = 0; i < points.size(); ++i) {
+				sum += masses[i] * dot(Vec2d(points[i]) - center, Vec2d(points[i]) - center);
+			}
+			return sum;
+		};
+		const std::vector<double> before = masses;
+		const double wanted = inertia() * double(random.real(0.7, 1.2));
+		if (!give_moments(points, points.size(), { 7, center, 7 * wanted / mass }, masses)) {
+			CHECK(masses == before);
+			continue;
+		}
+		double new_mass = 0;
+		const Vec2d arm = center_of(points, masses, new_mass) - center;
+		CHECK(std::sqrt(dot(arm, arm)) < 1e-8);
+		CHECK(new_mass == doctest::Approx(mass).epsilon(1e-10));
+		all += std::abs(inertia() / wanted - 1) < 1e-9 ? 1 : 0;
+		CHECK(*std::ranges::min_element(masses) > 0);
+	}
+	CHECK(all > 100);
+}

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -296,4 +297,66 @@ TEST_CASE("the hull of a character is the same bits everywhere") {
 	if (sizeof(Real) == sizeof(float)) {
 		CHECK(hash.value() == 12223139717253832562u);
 	}
+}
+
+TEST_CASE("where an outline has a weight it is kept that much closer, with edges as much shorter, and elsewhere as before") {
+	const std::vector<Vec2> outline = character_outline(200);
+	const double radius = radius_of_area(outline);
+	SimplifyOptions options;
+	const SimplifiedOutline plain = simplify_outline(outline, options).value();
+	options.weights.assign(outline.size(), 1.0f);
+	const SimplifiedOutline even = simplify_outline(outline, options).value();
+	CHECK(even.hull == plain.hull); // to the bit
+	// The right half four times as fine.
+	for (std::size_t i = 0; i < outline.size(); ++i) {
+		options.weights[i] = outline[i].x > 0 ? 4.0f : 1.0f;
+	}
+	const SimplifiedOutline painted = simplify_outline(outline, options).value();
+	const auto count_right = [](const SimplifiedOutline &made) { return std::ranges::count_if(made.hull, [](Vec2 p) { return p.x > 0; }); };
+	const auto count_left = [](const SimplifiedOutline &made) { return std::ranges::count_if(made.hull, [](Vec2 p) { return p.x < 0; }); };
+	CHECK(count_right(painted) >= 1.5 * double(count_right(plain)));
+	CHECK(count_left(painted) <= count_left(plain) + 3);
+	CHECK(double(signed_area(painted.hull)) == doctest::Approx(double(signed_area(outline))).epsilon(1e-4));
+	CHECK(is_simple(painted.hull));
+	double right = 0;
+	double left = 0;
+	for (const Vec2 p : outline) {
+		const double distance = distance_to(Vec2d(p), painted.hull) / radius;
+		(p.x > 4 ? right : left) = std::max(p.x > 4 ? right : left, distance);
+	}
+	CHECK(right < 0.03 / 4 + 1e-4);
+	CHECK(left < 0.03 + 1e-4);
+	for (std::size_t i = 0; i < painted.hull.size(); ++i) {
+		const Vec2 a = painted.hull[i];
+		const Vec2 b = painted.hull[(i + 1) % painted.hull.size()];
+		if (a.x > 4 && b.x > 4) {
+			CHECK(double(length(b - a)) < LONGEST_SIMPLE_EDGE / 4 * double(perimeter(outline)) * 1.01);
+		}
+	}
+}
+
+TEST_CASE("a straight side with a weight gets points to bend at") {
+	const std::vector<Vec2> outline = box_hull({ 200, 100 }, 4).value();
+	SimplifyOptions options;
+	options.weights.assign(outline.size(), 1.0f);
+	const auto on_top = [](const SimplifiedOutline &made) { return std::ranges::count_if(made.hull, [](Vec2 p) { return p.y < -40; }); };
+	const auto plain = on_top(simplify_outline(outline, options).value());
+	for (std::size_t i = 0; i < outline.size(); ++i) {
+		options.weights[i] = outline[i].y < -49 ? 4.0f : 1.0f;
+	}
+	CHECK(on_top(simplify_outline(outline, options).value()) >= 2 * plain);
+}
+
+TEST_CASE("weights out of range, and of another number than points, are refused by name") {
+	const std::vector<Vec2> outline = circle_hull(50, 40).value();
+	SimplifyOptions options;
+	options.weights.assign(39, 1.0f);
+	CHECK(simplify_outline(outline, options).error().name == "weights");
+	options.weights.assign(40, 1.0f);
+	options.weights[7] = 0.01f;
+	CHECK(simplify_outline(outline, options).error().name == "weights[7]");
+	options.weights[7] = std::numeric_limits<float>::quiet_NaN();
+	CHECK(simplify_outline(outline, options).error().name == "weights[7]");
+	options.weights[7] = 11;
+	CHECK(check_detail_weights("detail_weights", options.weights)->name == "detail_weights[7]");
 }

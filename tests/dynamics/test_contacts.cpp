@@ -225,7 +225,7 @@ TEST_CASE("a place that touches in several substeps is one contact") {
 		CHECK(places.size() == simulator.contacts().size());
 		most = std::max(most, places.size());
 	}
-	CHECK(most > 30);
+	CHECK(most > 20);
 }
 
 TEST_CASE("contacts and events are the same, in the same order, for any number of threads" *

@@ -281,6 +281,22 @@ TEST_CASE("bodies near their rest shape take fewer substeps and never show twice
 	CHECK(fewer > 100);
 }
 
+TEST_CASE("a body with hardly any damping takes the substeps of any shape also near its rest shape, whether it bounces or not") {
+	for (const Real restitution : { Real(0), Real(0.2), Real(1) }) {
+		for (const Real ratio : { Real(0), Real(0.005), Real(0.05) }) {
+			CAPTURE(restitution);
+			CAPTURE(ratio);
+			const Real stiffness = 800;
+			const auto shape = circle_shape(Real(0.5), 8, { 1, stiffness, 2 * ratio * std::sqrt(stiffness / 9), true }).value();
+			BodySettings settings;
+			settings.restitution = restitution;
+			const SubstepPlan plan = plan_substeps(*shape, settings, Real(1) / 60, true);
+			const SubstepPlan calm = plan_near_rest(plan, *shape, settings, Real(1) / 60);
+			CHECK((calm.substeps < plan.substeps) == (ratio > Real(0.01)));
+		}
+	}
+}
+
 TEST_CASE("a body with a point farther from its place than a near one may be takes the substeps of any shape: 200 random bodies") {
 	Random random(419);
 	for (int round = 0; round < 200; ++round) {

@@ -92,6 +92,7 @@ func open_scene(properties := {}, path := SCENE) -> void:
 		made.set(property, properties[property])
 	root.add_child(made)
 	made.owner = root
+	await close(path)
 	write_scene(root, path)
 	await open(path)
 	await select_body()
@@ -104,13 +105,19 @@ func write_scene(root: Node, path: String) -> void:
 	root.free()
 
 
-func open(path: String) -> void:
-	# One that is open already would be shown as it was.
+## Before a scene is written: the editor would compare one that is open with the new file.
+func close(path: String) -> void:
+	EditorInterface.get_selection().clear() # several selected nodes are shown by one inspector, which outlives them
+	await frames(2)
 	while path in EditorInterface.get_open_scenes():
 		EditorInterface.open_scene_from_path(path)
 		await frames(2)
 		EditorInterface.close_scene()
 		await frames(2)
+
+
+func open(path: String) -> void:
+	await close(path) # one that is open already would be shown as it was
 	EditorInterface.open_scene_from_path(path)
 	EditorInterface.set_main_screen_editor("2D")
 	for i in 60:

@@ -21,7 +21,8 @@ var body_values := {
 	"dents": PackedVector2Array([Vector2(2, 1), Vector2.ZERO, Vector2(-2, 1), Vector2.ZERO, Vector2.ZERO, Vector2(0, -2), Vector2.ZERO, Vector2.ZERO, Vector2.ZERO]),
 	"pinned_points": PackedInt32Array([3, 8]), "pin_targets": [^"..", ^"../Joint"] as Array[NodePath],
 	"youngs_modulus": 480.0, "poisson_ratio": 0.25, "damping_ratio": 0.5, "elastic_model": SoftBody2D.ELASTIC_MODEL_SPRINGS,
-	"detail_mode": SoftBody2D.DETAIL_MODE_AUTOMATIC, "detail_tolerance": 0.0625, "detail_point_count": 20,
+	"detail_mode": SoftBody2D.DETAIL_MODE_AUTOMATIC, "detail_tolerance": 0.0625, "detail_point_count": 20, "detail_weights": PackedFloat32Array([1.0, 2.0, 4.0, 1.0, 0.5, 1.0, 1.0]),
+	"holes": [PackedVector2Array([Vector2(-8, -8), Vector2(8, -8), Vector2(0, 16)])] as Array[PackedVector2Array],
 	"least_area": 0.25, "least_stretch": 0.125, "most_stretch": 4.0, "smallest_piece": 0.125, "yield_strain": 0.0625, "flow_rate": 12.0, "max_dent": 0.25, "tear_stretch": 0.75, "dent_by": SoftBody2D.DENT_BY_TENSION,
 	"network_values_set": true, "mass_mode": SoftBody2D.MASS_MODE_CUSTOM, "mass": 2.5, "firm_for_weight": false, "stiffness": 640.0, "damping": 0.5, "shape_matching": 0.75, "shape_damping_ratio": 0.5, "pressure": 12.0,
 	"inflation": 1.125, "physics_material_override": PhysicsMaterial.new(), "rolling_resistance": 0.0625, "gravity_scale": 1.25,
@@ -154,6 +155,7 @@ func check_stored(before: Dictionary, what: String) -> void:
 
 
 func test_nothing_that_is_stored_is_lost() -> void:
+	await close(SCENE)
 	write_scene_of_everything()
 	await open(SCENE)
 	await select_body()

@@ -108,6 +108,10 @@ inline constexpr Real STABILITY_BUDGET = Real(1.3);
 /// Smaller: pressed bodies take substeps that they do not need.
 inline constexpr Real CALM_STRAIN = Real(0.15);
 
+/// Least damping ratio of the fastest vibration with which a body may have the plan for its rest shape [1]. Smaller: in crowds
+/// that bounce, energy grows. Larger: bodies with little damping take substeps that they do not need.
+inline constexpr double CALM_DAMPING = 0.02;
+
 /// Most substeps the automatic choice spends on explicit springs [1]. A body that needs more gets XPBD, which gains no
 /// energy with any stiffness, but damps wobbles far too fast for its substeps.
 inline constexpr int EXPLICIT_SUBSTEP_CAP = 32;

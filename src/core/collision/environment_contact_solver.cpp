@@ -89,23 +89,6 @@ bool EnvironmentContactSolver::begin_body(const ColliderIndex &surroundings, Sof
 	return !near().colliders.empty();
 }
 
-// The margin is that of colliders near a body. A body that is further away and all the same meets a border in this time begins its touch
-// in the next: alone and side by side with others alike.
-bool EnvironmentContactSolver::may_bounce(const WorldData &world, SoftBodyData &body, Real dt, std::size_t lane) {
-	bool bounces = body.touch_memory().touching;
-	const Real margin = bounces ? Real(0) : fastest(body.velocities()) * dt + body.shape().radius() / 4;
-	for (const Border &border : world.borders()) {
-		if (bounces) {
-			break;
-		}
-		bounces = combined_restitution(body.settings(), border.surface) > 0 && std::ranges::any_of(body.hull(), [&](Vec2 p) {
-			return signed_distance(border.plane, p) < margin;
-		});
-	}
-	near_[lane].bounces = bounces;
-	return bounces;
-}
-
 // Removes one-way colliders that are no longer near.
 void EnvironmentContactSolver::forget_one_ways(SoftBodyData &body) const {
 	const std::vector<Collider> &colliders = surroundings_->world().colliders();
@@ -299,17 +282,13 @@ void EnvironmentContactSolver::handle_borders(SoftBodyData &body) {
 			continue;
 		}
 		solutions_.assign(is_monitored ? body.shape().hull_count() : 0, {});
-		solve_border<Real>(lanes_of(body), borders[i], near().bounces ? bounce_threshold_ : std::numeric_limits<Real>::infinity(),
-				slide_time_, load_, solutions_);
+		solve_border<Real>(lanes_of(body), borders[i], bounce_threshold_, slide_time_, load_, solutions_);
 		for (std::uint32_t point = 0; point < solutions_.size(); ++point) {
 			if (solutions_[point].depth > 0) {
 				log_.add({ index_of(body), ContactOther::Kind::BORDER, i, point, point, 0, body.positions()[point],
 						borders[i].plane.normal, solutions_[point].normal_impulse, solutions_[point].depth });
 			}
 		}
-	}
-	if (!near().bounces) {
-		load_.restitution = 0;
 	}
 }
 

@@ -31,9 +31,6 @@ public:
 	/// Returns false if no collider is near. Each body of a batch is begun in its own `lane`, < WIDE_WIDTH. O(colliders
 	/// near the body).
 	bool begin_body(const ColliderIndex &surroundings, SoftBodyData &body, Real elapsed, Real dt, std::size_t lane = 0);
-	/// Whether the body may bounce in the coming `dt` [s], by touches that it remembers or borders that it may reach. Until the body is
-	/// begun again, its contacts with borders bounce only then. O(hull points × borders).
-	bool may_bounce(const WorldData &world, SoftBodyData &body, Real dt, std::size_t lane = 0);
 	/// Solves every contact of the body begun in `lane`, after a substep of `h` [s] that started at `before` (one
 	/// position for each hull point) under the acceleration `gravity`, and applies rolling resistance. The motion of the
 	/// substep holds the share `implicit_share` of its change of velocity (SubstepPlan), 1/2..1; friction takes back no
@@ -69,7 +66,6 @@ private:
 		Aabb reach; ///< box for which `colliders` is complete
 		Real margin = 0;
 		Real elapsed = 0; ///< time since the step began, at the start of the coming substep [s]
-		bool bounces = false; ///< whether contacts with borders may bounce
 		bool has_one_way = false; ///< whether `colliders` holds a one-way collider
 		bool is_placed = false; ///< whether the coming substep is the first since the body was placed (SoftBodyData::is_placed)
 	};

@@ -2,36 +2,31 @@
 // Restitution between two bodies as wholes.
 #include "core/collision/pair_bounce.h"
 
+#include "core/base/constants.h"
 #include "core/collision/point_edge_constraint.h"
-#include "core/model/body_frame.h"
 
 #include <algorithm>
 
 namespace softbody {
 
-void follow_pair_bounce(const SoftBodyData &first, const SoftBodyData &second, Vec2 push, PairTouch &touch,
-		Real bounce_threshold, Real h) {
-	const Real restitution = std::min(signed_restitution(first.settings().restitution, first.settings().absorbent) +
-					signed_restitution(second.settings().restitution, second.settings().absorbent),
-			Real(1));
+void follow_pair_bounce(const SolverBody &first, const SolverBody &second, Vec2 push, PairTouch &touch, Real h) {
+	const Real restitution = std::min(first.restitution + second.restitution, Real(1));
 	if (!(restitution > 0) || (push == Vec2{} && !touch.touching)) {
 		return;
 	}
-	const Translation a = measure_translation(first);
-	const Translation b = measure_translation(second);
-	const Real inverse_mass = whole_inverse_mass(first) + whole_inverse_mass(second);
-	const Vec2 line = a.center - b.center;
+	const Vec2 line = first.mass_center - second.mass_center;
 	const Real distance = length(line);
-	if (!(inverse_mass > 0) || !(distance > 0)) {
+	if (!(first.inverse_mass + second.inverse_mass > 0) || !(distance > 0)) {
 		return;
 	}
 	const Vec2 normal = line * (1 / distance);
-	const Real leaving = dot(a.velocity - b.velocity, normal);
+	const Real leaving = dot(first.mass_velocity - second.mass_velocity, normal);
+	const Real threshold = RESTITUTION_SUBSTEPS * h * std::max(first.pull, second.pull);
 	if (push != Vec2{}) {
-		// The approach includes what this substep's contacts have just removed.
-		remember_approach(touch, dot(push, normal) * inverse_mass - leaving, bounce_threshold, h);
+		// What the contacts of this substep have removed would say less: in a heap at rest it is the weight of all above.
+		remember_approach(touch, -leaving - dot(first.acceleration - second.acceleration, normal) * h, threshold, h);
 	} else {
-		end_touch(touch, restitution, leaving, bounce_threshold);
+		end_touch(touch, restitution, leaving, threshold);
 	}
 }
 

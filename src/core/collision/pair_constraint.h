@@ -40,8 +40,13 @@ struct alignas(64) SolverBody { // one cache line holds what most substeps read 
 	Real rolling_resistance = 0;
 	Real rest_radius = 0; ///< of the shape at rest [length]
 	Real pace = 0; ///< highest speed of a point when the step began [length/s]
+	// For bounces between bodies.
+	Vec2 acceleration; ///< of a body that nothing touches; 0 if it is pinned or rests [length/s²]
+	Real pull = 0; ///< magnitude of its acceleration, and at least that of the world's gravity [length/s²]
+	Real restitution = 0; ///< negative when absorbent; see `signed_restitution`
+	Vec2 mass_velocity; ///< of the mass center when the substep began [length/s]
+	Vec2 mass_center; ///< then too; `take_frame` sets it anew
 	// Set by `take_frame`; changed by `resist_pair_rolling`.
-	Vec2 mass_center;
 	Real inertia = 0; ///< about the mass center [mass·length²]
 	Real spin = 0; ///< angular velocity [rad/s]
 	Real spin_change = 0;

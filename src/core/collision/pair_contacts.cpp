@@ -4,6 +4,7 @@
 
 #include "core/base/constants.h"
 #include "core/collision/environment_contact_solver.h"
+#include "core/model/body_frame.h"
 
 #include <algorithm>
 #include <numeric>
@@ -67,13 +68,6 @@ std::uint32_t active_index_of(const PairBodies &bodies, BodyId id) {
 	return found != bodies.body_indices.end() && *found == body_index ? std::uint32_t(found - bodies.body_indices.begin()) : NOT_ACTIVE;
 }
 
-// Magnitude of gravity, or of gravity and the body's own acceleration if that is larger [length/s²].
-Real pull_on(const PairBodies &bodies, std::uint32_t active_index) {
-	const Real gravity = length(bodies.world.gravity());
-	const SoftBodyData &body = bodies.data(active_index);
-	return body.acceleration() == Vec2{} ? gravity : std::max(gravity, length(body.total_acceleration(bodies.world.gravity())));
-}
-
 } // namespace
 
 PairContacts::PairContacts() :
@@ -123,7 +117,10 @@ void PairContacts::begin_step(const PairBodies &bodies, Real dt, std::uint64_t v
 		has_pair_[pair.a] = 1;
 		has_pair_[pair.b] = 1;
 	}
-	recall_touches(bodies);
+	if (bounces_) {
+		begin_bounces(bodies);
+		recall_touches(bodies);
+	}
 	touched_.assign(broad_phase_.pairs().size(), 0);
 	impulses_.assign(broad_phase_.pairs().size(), 0);
 	candidates_.assign(broad_phase_.pairs().size(), {});
@@ -141,10 +138,25 @@ void PairContacts::find_exceptions(const PairBodies &bodies, std::span<const Bod
 	std::ranges::sort(exceptions_);
 }
 
-void PairContacts::recall_touches(const PairBodies &bodies) {
-	if (!bounces_) {
-		return;
+void PairContacts::begin_bounces(const PairBodies &bodies) {
+	const Vec2 gravity = bodies.world.gravity();
+	for (std::uint32_t active_index = 0; active_index < circles_.size(); ++active_index) {
+		if (!has_pair_[active_index]) {
+			continue;
+		}
+		SolverBody &body = bodies.solver_bodies[active_index];
+		const SoftBodyData &data = bodies.data(active_index);
+		const bool falls = body.inverse_mass > 0 && !bodies.asleep[active_index];
+		body.acceleration = falls ? data.total_acceleration(gravity) : Vec2{};
+		body.pull = data.acceleration() == Vec2{} ? length(gravity) : std::max(length(gravity), length(data.total_acceleration(gravity)));
+		if (bodies.asleep[active_index]) { // is not stepped, and so keeps this for the step
+			body.mass_center = measure_translation(data).center;
+			body.mass_velocity = {};
+		}
 	}
+}
+
+void PairContacts::recall_touches(const PairBodies &bodies) {
 	open_.clear();
 	for (std::uint32_t active_index = 0; active_index < circles_.size(); ++active_index) {
 		for (const PairMemory &memory : bodies.data(active_index).pair_memories()) {
@@ -175,9 +187,6 @@ void PairContacts::solve(const PairBodies &bodies, const SubstepGroup &group, in
 	if (!is_used_) {
 		return; // coupled only through a rigid body
 	}
-	const auto bounce_threshold = [&](BodyPair pair) {
-		return RESTITUTION_SUBSTEPS * h_ * std::max(pull_on(bodies, pair.a), pull_on(bodies, pair.b));
-	};
 	const bool has_many = bodies.solver_bodies.size() > MANY_BODIES;
 	for (std::size_t phase = 0; phase < broad_phase_.phase_count(); ++phase) {
 		const std::span<const BroadPhase::Group> groups = broad_phase_.groups(phase);
@@ -201,8 +210,7 @@ void PairContacts::solve(const PairBodies &bodies, const SubstepGroup &group, in
 				touched_[k] |= char(contacts > 0);
 				impulses_[k] += handling.last_impulse();
 				if (bounces_) {
-					follow_pair_bounce(bodies.data(pair.a), bodies.data(pair.b), handling.last_push(), touches_[k],
-							bounce_threshold(pair), h_);
+					follow_pair_bounce(bodies.solver_bodies[pair.a], bodies.solver_bodies[pair.b], handling.last_push(), touches_[k], h_);
 				}
 			}
 			contacts_[task] += all_contacts;

@@ -72,6 +72,7 @@ public:
 	std::span<PairContactSolver> solvers() { return solvers_; }
 
 private:
+	void begin_bounces(const PairBodies &bodies);
 	void recall_touches(const PairBodies &bodies);
 	void find_exceptions(const PairBodies &bodies, std::span<const BodyPair> separated);
 

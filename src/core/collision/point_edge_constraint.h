@@ -114,9 +114,9 @@ ContactChange<T> contact_change(BasicVec2<T> relative, BasicVec2<T> normal, T pu
 	return { normal * push + brake * T(h), normal * normal_change + brake };
 }
 
-/// Remembers the approach speed of a whole body [length/s]. `Touch` has `touching`, `ended`, `missing` and `approach`. While the body is
-/// slower than `threshold` it forgets the speed over BOUNCE_MEMORY: a turning point passes within a substep or two, and
-/// a body at rest stays slow.
+/// Remembers the approach speed of a whole body [length/s], if it is above `threshold`. `Touch` has `touching`, `ended`, `missing`
+/// and `approach`. While the body is slower than the threshold it forgets the speed over BOUNCE_MEMORY: a turning point passes within
+/// a substep or two, and a body at rest stays slow. What it remembers falls to 0 below the threshold.
 template <class Touch>
 void remember_approach(Touch &touch, Real approach, Real threshold, Real h) {
 	if (touch.ended) { // in this step: the touch goes on
@@ -129,6 +129,7 @@ void remember_approach(Touch &touch, Real approach, Real threshold, Real h) {
 		touch.approach *= std::max(Real(0), 1 - h / BOUNCE_MEMORY);
 	}
 	touch.approach = std::max(touch.approach, approach);
+	touch.approach = touch.approach > threshold ? touch.approach : Real(0);
 	touch.touching = true;
 }
 

@@ -13,6 +13,15 @@ namespace {
 
 constexpr std::size_t BODIES_A_TASK = 8;
 
+// Box around a collider on its way, however it turns. It spares points far from the collider their way into its frame.
+Aabb box_on_way(const Collider &collider, const ColliderMotion &motion, Real slop) {
+	Real reach = 0;
+	for (const Vec2 vertex : collider.vertices) {
+		reach = std::max(reach, length_squared(vertex));
+	}
+	return Aabb::between(motion.from.position, motion.to.position).grown(std::sqrt(reach) + collider.radius + slop);
+}
+
 } // namespace
 
 void RigidContacts::begin_step(WorldData &world, const ColliderIndex &surroundings) {
@@ -77,7 +86,11 @@ void RigidContacts::find(const NearBody &near, Task &task) const {
 			contact.friction = combined_friction(body.settings(), collider.surface);
 			contact.restitution = combined_restitution(body.settings(), collider.surface);
 		};
+		const Aabb box = box_on_way(collider, motion, slop);
 		for (std::uint32_t point = 0; point < hull.to.size(); ++point) {
+			if (!Aabb::between(hull.from[point], hull.to[point]).overlaps(box)) {
+				continue;
+			}
 			if (const auto at = find_contact_of_point(hull, point, collider, motion, bounds, slop)) {
 				add(*at, point);
 			}
@@ -163,16 +176,19 @@ void RigidContacts::push(Contact &contact) {
 		return; // neither can move
 	}
 	const Vec2 normal = contact.at.normal;
-	const Real missing = contact.wanted - dot(relative_velocity(contact), normal);
-	const Real pressing = std::max(contact.normal_impulse + missing / contact.normal_response, Real(0));
-	apply(contact, normal * (pressing - contact.normal_impulse));
-	contact.normal_impulse = pressing;
-
 	const Vec2 tangent = perpendicular(normal);
-	const Real slide = dot(relative_velocity(contact), tangent);
+	const Vec2 relative = relative_velocity(contact);
+	const Real missing = contact.wanted - dot(relative, normal);
+	const Real pressing = std::max(contact.normal_impulse + missing / contact.normal_response, Real(0));
+	const Real pressed = pressing - contact.normal_impulse;
+	// Friction acts after the normal impulse, which changes the sliding speed, too: by the lever, and along the support.
+	const Real coupling = contact.inverse_inertia * cross(contact.arm, normal) * cross(contact.arm, tangent) +
+			dot(inverse_mass_along(contact, normal), tangent);
+	const Real slide = dot(relative, tangent) + pressed * coupling;
 	const Real most = contact.friction * pressing;
 	const Real braking = within(most, contact.tangent_impulse - slide / contact.tangent_response);
-	apply(contact, tangent * (braking - contact.tangent_impulse));
+	apply(contact, normal * pressed + tangent * (braking - contact.tangent_impulse));
+	contact.normal_impulse = pressing;
 	contact.tangent_impulse = braking;
 }
 

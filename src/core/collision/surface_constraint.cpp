@@ -39,18 +39,8 @@ SurfaceImpulse solve_surface_contact(SoftBodyData &body, const SurfaceContact &c
 	return { normal_change / place.inverse_mass, dot(change.velocity, perpendicular(contact.normal)) / place.inverse_mass };
 }
 
-void follow_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h) {
-	TouchMemory &touch = body.touch_memory();
-	if (!touch.touching && !(load.restitution > 0)) {
-		return; // in free flight, or nothing bounces here
-	}
+void follow_bounce(TouchMemory &touch, const ContactLoad &load, Vec2 velocity, Real mass, Real bounce_threshold, Real h) {
 	touch.work += double(load.work);
-	const Real mass = body.shape().total_mass();
-	Vec2 momentum;
-	for (std::size_t i = 0; i < body.point_count(); ++i) {
-		momentum += body.velocities()[i] * body.shape().masses()[i];
-	}
-	const Vec2 velocity = momentum * (1 / mass);
 	if (load.normal_impulse > 0) {
 		const Real size = length(load.impulse);
 		if (!(size > 0)) {
@@ -66,6 +56,12 @@ void follow_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_thre
 	}
 	const Real leaving = dot(velocity - touch.surface_velocity, touch.normal);
 	end_touch(touch, touch.restitution, leaving, bounce_threshold);
+}
+
+void follow_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h) {
+	if (is_followed(body.touch_memory(), load)) {
+		follow_bounce(body.touch_memory(), load, measure_translation(body).velocity, body.shape().total_mass(), bounce_threshold, h);
+	}
 }
 
 template void solve_border<Real>(const BodyLanes<Real> &, const Border &, Real, Real, ContactLoad &,

@@ -62,6 +62,7 @@ SurfaceImpulse solve_surface_contact(SoftBodyData &body, const SurfaceContact &c
 /// Sums over a body's contacts in one substep, for effects on the body as a whole.
 template <class T>
 struct BasicContactLoad {
+	bool is_summed = true; ///< whether more is wanted than the number of contacts
 	T contacts = T(0); ///< number of contacts solved
 	T normal_impulse = T(0); ///< sum of |J_n| [mass·length/s]
 	BasicVec2<T> impulse; ///< sum of J_n n [mass·length/s]
@@ -103,10 +104,18 @@ void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_th
 template <class T>
 void resist_rolling(const BodyLanes<T> &body, const BasicContactLoad<T> &load);
 
+/// Whether a touch has to be followed through a substep with these contacts.
+inline bool is_followed(const TouchMemory &touch, const ContactLoad &load) {
+	return touch.touching || load.restitution > 0;
+}
+
 /// Follows the touch of a body with bouncing surfaces through a substep of `h` [s]. The body remembers the fastest
 /// approach of its center of mass. When it leaves slower than the restitution asks for, the missing speed is noted, and
 /// `BounceLedger` gives it at the end of the step. Approaches below `bounce_threshold` [length/s] do not count. While the
-/// body is slower than the threshold it forgets the approach, over BOUNCE_MEMORY. O(points).
+/// body is slower than the threshold it forgets the approach, over BOUNCE_MEMORY. `velocity` [length/s] is that of the center of
+/// mass after the contacts. Precondition: `is_followed`. O(1).
+void follow_bounce(TouchMemory &touch, const ContactLoad &load, Vec2 velocity, Real mass, Real bounce_threshold, Real h);
+/// The same for a body that may have nothing to follow. O(points) while it touches.
 void follow_bounce(SoftBodyData &body, const ContactLoad &load, Real bounce_threshold, Real h);
 
 } // namespace softbody

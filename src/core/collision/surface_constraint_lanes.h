@@ -6,8 +6,6 @@
 #include "core/geometry/round_outline.h"
 #include "core/model/body_frame.h"
 
-#include <type_traits>
-
 namespace softbody {
 
 /// Solves the contacts of a border with the round edges of bodies (`SoftBodyShape::bulges`), where they bulge deeper than
@@ -77,8 +75,6 @@ void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_th
 	const Real friction = combined_friction(body.model.settings, surface);
 	const Real restitution = combined_restitution(body.model.settings, surface);
 	const Real of_points = bounces_by_points(body.model.shape, body.model.settings) ? restitution : Real(0);
-	// Bodies in SIMD lanes have no bounce to remember.
-	const bool load_matters = std::is_same_v<T, Real> || body.model.settings.rolling_resistance > 0;
 	const BasicVec2<T> normal = in_all_lanes<T>(border.plane.normal);
 	const BasicVec2<T> position = in_all_lanes<T>(border.plane.position);
 	for (std::size_t i = 0; i < body.model.shape.hull_count(); ++i) {
@@ -98,7 +94,7 @@ void solve_border(const BodyLanes<T> &body, const Border &border, Real bounce_th
 		x += change.position;
 		v += change.velocity;
 		load.contacts += select(is_inside, T(1), T(0));
-		if (load_matters || !solutions.empty()) {
+		if (load.is_summed || !solutions.empty()) {
 			const T impulse = normal_change * T(1 / body.inverse_masses[i]);
 			const T sliding = dot(change.velocity, perpendicular(normal)) * T(1 / body.inverse_masses[i]);
 			load.add(impulse, normal, sliding, x, surface, restitution);

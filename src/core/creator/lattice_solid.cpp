@@ -24,6 +24,11 @@ constexpr double EMPTINESS = 2.5;
 // Cells across the outline's width: a beam of four bilinear cells is 3 % too stiff.
 constexpr double CELLS_ACROSS = 4;
 constexpr double MOST_CELLS = 1200;
+// The same with holes: walls bend, and a cell that is cut counts with its middle, which makes four of them 12 % too stiff.
+constexpr double CELLS_ACROSS_WALL = 6;
+constexpr double MOST_WALL_CELLS = 2400;
+// Wall that needs cells as small as a hole does, over the hole's radius.
+constexpr double HOLE_RADIUS_OVER_WALL = 1.5;
 constexpr std::size_t MOST_LATTICE = 40000;
 
 // Sine of the angle by which a corner has to turn inwards to get a node of the lattice.
@@ -31,6 +36,8 @@ constexpr double INWARD_CORNER = 0.5;
 
 // Stiffness of the spring to the ground, over a cell's own.
 constexpr double GROUND = 1e-5;
+// The same with holes: a thin ring resists less than that.
+constexpr double HOLED_GROUND = 1e-9;
 
 // Clips by one axis-parallel line (Sutherland and Hodgman). Edges along the line cancel in the area.
 void clip(const std::vector<Vec2d> &from, double Vec2d::*axis, double bound, double sign, std::vector<Vec2d> &to) {
@@ -116,7 +123,7 @@ std::optional<std::size_t> sharpest_inward_corner(std::span<const Vec2> hull) {
 
 } // namespace
 
-LatticeSolid::LatticeSolid(std::span<const Vec2> hull, std::size_t cells) {
+LatticeSolid::LatticeSolid(std::span<const Vec2> hull, std::size_t cells, const Holes &holes) {
 	const auto [low, high] = bounding_box(hull);
 	const double width = double(high.x) - low.x;
 	const double height = double(high.y) - low.y;
@@ -124,10 +131,14 @@ LatticeSolid::LatticeSolid(std::span<const Vec2> hull, std::size_t cells) {
 	const double along = transposed_ ? height : width;
 	const double across = transposed_ ? width : height;
 
-	const double area = signed_area(hull);
-	const double thickness = 2 * area / perimeter(hull);
-	cell_ = std::min(std::sqrt(area / double(cells)), thickness / CELLS_ACROSS);
-	cell_ = std::max({ cell_, std::sqrt(area / MOST_CELLS), std::sqrt(along * across / double(MOST_LATTICE)),
+	const double area = holes.empty() ? double(signed_area(hull)) : area_moments(hull, holes).area;
+	double thickness = 2 * area / (holes.empty() ? double(perimeter(hull)) : holed_perimeter(hull, holes));
+	for (const std::vector<Vec2> &hole : holes) { // the solid gives way beside a hole within the hole's radius
+		thickness = std::min(thickness, HOLE_RADIUS_OVER_WALL * 2 * std::abs(double(signed_area(hole))) / double(perimeter(hole)));
+	}
+	ground_ = holes.empty() ? GROUND : HOLED_GROUND;
+	cell_ = std::min(std::sqrt(area / double(cells)), thickness / (holes.empty() ? CELLS_ACROSS : CELLS_ACROSS_WALL));
+	cell_ = std::max({ cell_, std::sqrt(area / (holes.empty() ? MOST_CELLS : MOST_WALL_CELLS)), std::sqrt(along * across / double(MOST_LATTICE)),
 			along / double(MOST_LATTICE / 8) });
 	columns_ = cells_between(0, along);
 	rows_ = cells_between(0, across);
@@ -142,7 +153,7 @@ LatticeSolid::LatticeSolid(std::span<const Vec2> hull, std::size_t cells) {
 		rows_ = cells_between(transposed_ ? left : top, transposed_ ? high.x : high.y);
 	}
 	corner_ = { Real(left), Real(top) };
-	measure_fill(hull);
+	measure_fill(hull, holes);
 	number_nodes();
 }
 
@@ -150,16 +161,26 @@ std::size_t LatticeSolid::cells_between(double from, double to) const {
 	return std::max<std::size_t>(1, std::size_t(std::ceil((to - from) / cell_ - 1e-6)));
 }
 
-void LatticeSolid::measure_fill(std::span<const Vec2> hull) {
+void LatticeSolid::measure_fill(std::span<const Vec2> hull, const Holes &holes) {
+	fill_.assign(columns_ * rows_, 0);
+	add_fill(hull, 1);
+	for (const std::vector<Vec2> &hole : holes) {
+		add_fill(hole, -1);
+	}
+	for (double &share : fill_) {
+		share = share > 1e-9 ? std::min(share, 1.0) : 0.0;
+	}
+}
+
+void LatticeSolid::add_fill(std::span<const Vec2> polygon, double sign) {
 	// In units of a cell, columns along x. A transposed outline is turned over rather than mirrored: only the sign of
 	// areas changes.
 	std::vector<Vec2d> outline;
-	for (const Vec2 p : hull) {
+	for (const Vec2 p : polygon) {
 		const double x = (double(p.x) - corner_.x) / cell_;
 		const double y = (double(p.y) - corner_.y) / cell_;
 		outline.push_back(transposed_ ? Vec2d{ y, x } : Vec2d{ x, y });
 	}
-	fill_.assign(columns_ * rows_, 0);
 	std::vector<Vec2d> left;
 	std::vector<Vec2d> column;
 	std::vector<Vec2d> below;
@@ -170,8 +191,7 @@ void LatticeSolid::measure_fill(std::span<const Vec2> hull) {
 		for (std::size_t j = 0; j < rows_ && !column.empty(); ++j) {
 			clip(column, &Vec2d::y, double(j), 1, below);
 			clip(below, &Vec2d::y, double(j + 1), -1, cell);
-			const double share = std::abs(area_of(cell));
-			fill_[i * rows_ + j] = share > 1e-9 ? std::min(share, 1.0) : 0.0;
+			fill_[i * rows_ + j] += sign * std::abs(area_of(cell));
 		}
 	}
 }
@@ -270,7 +290,7 @@ void LatticeSolid::factor(double poisson_ratio) {
 			}
 		}
 	}
-	const double ground = GROUND * double(masses_.size());
+	const double ground = ground_ * double(masses_.size());
 	for (std::size_t k = 0; k < count; ++k) {
 		entry(k, k) += ground * masses_[k / 2];
 	}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/vec2.h"
+#include "core/geometry/holed_polygon.h"
 
 #include <array>
 #include <cstdint>
@@ -24,8 +25,9 @@ public:
 		std::array<double, 4> weights{};
 	};
 
-	/// About `cells` cells, more where the outline is thin. Precondition: `hull` passes `check_hull`, with positive area.
-	LatticeSolid(std::span<const Vec2> hull, std::size_t cells);
+	/// About `cells` cells, more where the outline is thin. Nothing is inside of the holes. Preconditions: `hull` passes `check_hull`, with
+	/// positive area, and `holes` pass `check_holes`.
+	LatticeSolid(std::span<const Vec2> hull, std::size_t cells, const Holes &holes = {});
 
 	std::span<const double> node_masses() const { return masses_; } ///< they sum to 1
 	double cell_size() const { return cell_; } ///< [length]
@@ -51,11 +53,14 @@ private:
 	}
 	std::uint32_t node_at(std::size_t column, std::size_t row) const { return nodes_[column * (rows_ + 1) + row]; }
 	std::size_t cells_between(double from, double to) const;
-	void measure_fill(std::span<const Vec2> hull);
+	void measure_fill(std::span<const Vec2> hull, const Holes &holes);
+	/// Adds the part of each cell that is inside of an outline, times `sign`.
+	void add_fill(std::span<const Vec2> outline, double sign);
 	void number_nodes();
 
 	Vec2 corner_;
 	double cell_ = 0; ///< edge of a cell [length]
+	double ground_ = 0; ///< stiffness of the spring to the ground, over a cell's own
 	bool transposed_ = false; ///< columns along y, so that the band stays narrow
 	std::size_t columns_ = 0;
 	std::size_t rows_ = 0;

@@ -43,7 +43,7 @@ bool edges_meet(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
 
 } // namespace
 
-OutlineCollapse::OutlineCollapse(std::span<const Vec2d> outline, const Limits &limits) :
+OutlineCollapse::OutlineCollapse(std::span<const Vec2d> outline, const Limits &limits, std::span<const float> weights) :
 		limits_(limits), bound_(limits.tolerance), count_(outline.size()) {
 	for (std::size_t i = 0; i < outline.size(); ++i) {
 		const Vec2d a = outline[i];
@@ -60,6 +60,7 @@ OutlineCollapse::OutlineCollapse(std::span<const Vec2d> outline, const Limits &l
 			const double t = double(piece) / double(pieces);
 			fine_.push_back(a + (b - a) * t);
 			fine_places_.push_back(double(i) + t);
+			fine_weights_.push_back(weights.empty() ? 1.0 : double(weights[i]) * (1 - t) + double(weights[(i + 1) % outline.size()]) * t);
 		}
 	}
 }
@@ -68,7 +69,8 @@ double OutlineCollapse::distance_of_stretch(std::uint32_t from, std::uint32_t to
 	double most = 0;
 	const std::size_t way = way_between(from, to);
 	for (std::size_t i = 0; i <= way && most <= bound; ++i) {
-		most = std::max(most, distance_to_segment(fine_[place_along(from, i)], a, b));
+		const std::uint32_t place = place_along(from, i);
+		most = std::max(most, fine_weights_[place] * distance_to_segment(fine_[place], a, b));
 	}
 	return most;
 }
@@ -83,8 +85,12 @@ std::uint32_t OutlineCollapse::nearest_place(std::uint32_t from, std::uint32_t t
 			nearest = place_along(from, i);
 		}
 	}
-	r_distance = std::sqrt(least);
+	r_distance = std::sqrt(least) * fine_weights_[nearest];
 	return nearest;
+}
+
+double OutlineCollapse::gap_of(Vec2d point, std::uint32_t place) const {
+	return fine_weights_[place] * distance_between(point, fine_[place]);
 }
 
 void OutlineCollapse::try_merged(Node &r_node, Vec2d merged) const {
@@ -95,11 +101,13 @@ void OutlineCollapse::try_merged(Node &r_node, Vec2d merged) const {
 	const double second = distance_between(merged, after.point);
 	// Points that are too close already are drawn apart step by step.
 	const double least = std::min({ limits_.least_edge, distance_between(before.point, r_node.point), distance_between(r_node.point, next.point), distance_between(next.point, after.point) });
-	if (std::min(first, second) < least || std::max(first, second) > limits_.longest_edge) {
-		return;
-	}
 	double gap = 0;
 	const std::uint32_t place = nearest_place(r_node.place, next.place, merged, gap);
+	const double first_weight = weight_between(before.place, place);
+	const double second_weight = weight_between(place, after.place);
+	if (std::min(first * first_weight, second * second_weight) < least || std::max(first * first_weight, second * second_weight) > limits_.longest_edge) {
+		return;
+	}
 	const double bound = std::min(bound_, r_node.cost);
 	if (gap > bound) {
 		return;
@@ -141,7 +149,7 @@ void OutlineCollapse::judge(std::uint32_t index) {
 		try_merged(node, on_line(b + (c - b) * t));
 	}
 	try_merged(node, on_line(fine_[place_along(node.place, way_between(node.place, next.place) / 2)]));
-	if (node.cost < NEVER && distance_between(b, c) < limits_.least_edge) {
+	if (node.cost < NEVER && distance_between(b, c) * weight_between(node.place, next.place) < limits_.least_edge) {
 		node.cost -= bound_; // first of all
 	}
 }
@@ -216,7 +224,7 @@ double OutlineCollapse::error_around(std::uint32_t index) const {
 	for (int edge = 0; edge < 3; ++edge) {
 		const Node &node = nodes_[i];
 		const Node &next = nodes_[node.after];
-		most = std::max({ most, distance_between(node.point, fine_[node.place]), distance_between(next.point, fine_[next.place]),
+		most = std::max({ most, gap_of(node.point, node.place), gap_of(next.point, next.place),
 				distance_of_stretch(node.place, next.place, node.point, next.point, NEVER) });
 		i = node.after;
 	}
@@ -255,9 +263,9 @@ void OutlineCollapse::move_pair(std::uint32_t index) {
 				double gap = 0;
 				b.place = nearest_place(a.place, old_c.place, b.point, gap);
 				c.place = nearest_place(b.place, d.place, c.point, gap);
-				const double least = std::min({ distance_between(a.point, b.point), distance_between(b.point, c.point), distance_between(c.point, d.point) });
-				const double longest = std::max({ distance_between(a.point, b.point), distance_between(b.point, c.point), distance_between(c.point, d.point) });
-				if (least < limits_.least_edge || longest > limits_.longest_edge) {
+				const double edges[] = { distance_between(a.point, b.point) * weight_between(a.place, b.place), distance_between(b.point, c.point) * weight_between(b.place, c.place),
+					distance_between(c.point, d.point) * weight_between(c.place, d.place) };
+				if (std::ranges::min(edges) < limits_.least_edge || std::ranges::max(edges) > limits_.longest_edge) {
 					continue;
 				}
 				const double moved = error_around(index);
@@ -354,7 +362,7 @@ double OutlineCollapse::error_of_shifted(Vec2d shift) const {
 		const Node &node = nodes_[i];
 		const Node &next = nodes_[node.after];
 		const Vec2d point = node.point + shift;
-		most = std::max({ most, distance_between(point, fine_[node.place]), distance_of_stretch(node.place, next.place, point, next.point + shift, NEVER) });
+		most = std::max({ most, gap_of(point, node.place), distance_of_stretch(node.place, next.place, point, next.point + shift, NEVER) });
 		i = node.after;
 	} while (i != start_);
 	return most;

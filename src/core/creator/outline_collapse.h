@@ -16,6 +16,7 @@ namespace softbody {
 /// stretch between two such places. The error is the largest distance of a hull point from its place, and of a stretch from
 /// its edge. It bounds the distance in both directions: a stretch is one line, so its projections cover the
 /// edge between those of its ends; beyond these the edge lies between a hull point and the projection of its place.
+/// Where the outline has a weight, its distances count that many times as much, and its hull's edges are that many times as short.
 class OutlineCollapse {
 public:
 	struct Limits {
@@ -26,7 +27,8 @@ public:
 		std::size_t enough = 3; ///< number of points below which none is taken out [1]
 	};
 
-	OutlineCollapse(std::span<const Vec2d> outline, const Limits &limits);
+	/// `weights` has one for each point of the outline, > 0, or none, where all are 1; between points they are interpolated.
+	OutlineCollapse(std::span<const Vec2d> outline, const Limits &limits, std::span<const float> weights = {});
 
 	/// Replaces pairs of neighbors by one point that keeps the area, those of the least error first (Kronenfeld and others
 	/// 2020). Where no pair is left within the tolerance, the points around a pair are moved, with the area kept, until it is.
@@ -36,7 +38,7 @@ public:
 	std::vector<Vec2d> hull() const;
 	/// For each hull point its place: i + t is t of the way from the outline's point i to the next.
 	std::vector<double> places() const;
-	/// The error of the hull shifted by that [length].
+	/// The error of the hull shifted by that [length], by weights.
 	double error_of_shifted(Vec2d shift) const;
 
 private:
@@ -59,6 +61,10 @@ private:
 	/// Both stop looking once the result exceeds `bound`.
 	double distance_of_stretch(std::uint32_t from, std::uint32_t to, Vec2d a, Vec2d b, double bound) const;
 	std::uint32_t nearest_place(std::uint32_t from, std::uint32_t to, Vec2d point, double &r_distance) const;
+	/// Distance of a node from its place, by the place's weight.
+	double gap_of(Vec2d point, std::uint32_t place) const;
+	/// Mean weight of two places.
+	double weight_between(std::uint32_t from, std::uint32_t to) const { return (fine_weights_[from] + fine_weights_[to]) / 2; }
 	void judge(std::uint32_t index);
 	void try_merged(Node &r_node, Vec2d merged) const;
 	bool crosses(std::uint32_t from, Vec2d point, std::uint32_t to) const;
@@ -77,6 +83,7 @@ private:
 	double bound_; ///< of the error for now
 	std::vector<Vec2d> fine_; ///< the outline, its edges divided
 	std::vector<double> fine_places_;
+	std::vector<double> fine_weights_;
 	std::vector<Node> nodes_;
 	std::uint32_t start_ = 0;
 	std::size_t count_ = 0;

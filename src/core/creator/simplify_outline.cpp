@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace softbody {
 
@@ -72,7 +73,19 @@ void start_at_least_place(std::vector<Vec2d> &r_hull, std::vector<double> &r_pla
 
 } // namespace
 
+Status check_detail_weights(const std::string &name, std::span<const float> weights) {
+	for (std::size_t i = 0; i < weights.size(); ++i) {
+		if (Status status = check_between(name + "[" + std::to_string(i) + "]", double(weights[i]), LEAST_DETAIL_WEIGHT, MOST_DETAIL_WEIGHT, "")) {
+			return status;
+		}
+	}
+	return {};
+}
+
 Status check_simplify_options(const SimplifyOptions &options) {
+	if (Status status = check_detail_weights("weights", options.weights)) {
+		return status;
+	}
 	return first_error({ check_between("tolerance", options.tolerance, LEAST_DETAIL_TOLERANCE, MOST_DETAIL_TOLERANCE, ""),
 			check_between("fewest_points", options.fewest_points, MIN_HULL_POINTS, MAX_HULL_POINTS, ""),
 			options.most_points == 0 ? Status() : check_between("most_points", options.most_points, MIN_HULL_POINTS, MAX_HULL_POINTS, ""),
@@ -87,6 +100,9 @@ double radius_of_area(std::span<const Vec2> outline) {
 Result<SimplifiedOutline> simplify_outline(std::span<const Vec2> outline, const SimplifyOptions &options) {
 	if (Status status = check_simplify_options(options)) {
 		return *status;
+	}
+	if (!options.weights.empty() && options.weights.size() != outline.size()) {
+		return Error{ "weights", std::to_string(options.weights.size()) + " entries", "must have " + std::to_string(outline.size()) + " entries, one a point", "add or remove entries, or leave it empty" };
 	}
 	const bool is_counted = options.most_points > 0;
 	const std::size_t enough = std::size_t(is_counted ? options.most_points : options.fewest_points);
@@ -107,7 +123,7 @@ Result<SimplifiedOutline> simplify_outline(std::span<const Vec2> outline, const 
 	const double longest = std::max(LONGEST_SIMPLE_EDGE, is_counted ? SLACK_OF_FEW / double(enough) : 0.0) * perimeter_of(fine);
 	double tolerance = usual;
 	for (int attempt = 0; attempt < MOST_TRIES; ++attempt) {
-		OutlineCollapse collapse(fine, { tolerance, usual / PIECES_OF_TOLERANCE, std::max(double(options.least_edge), usual), longest, enough });
+		OutlineCollapse collapse(fine, { tolerance, usual / PIECES_OF_TOLERANCE, std::max(double(options.least_edge), usual), longest, enough }, options.weights);
 		collapse.run();
 		if (is_counted && collapse.count() > enough) {
 			tolerance *= 1.5;

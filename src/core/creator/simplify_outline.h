@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace softbody {
@@ -15,6 +16,10 @@ namespace softbody {
 /// Larger: the hull has nothing of the outline but its area.
 inline constexpr double LEAST_DETAIL_TOLERANCE = 0.001;
 inline constexpr double MOST_DETAIL_TOLERANCE = 0.5;
+
+/// Range of `SimplifyOptions::weights` [1].
+inline constexpr double LEAST_DETAIL_WEIGHT = 0.1;
+inline constexpr double MOST_DETAIL_WEIGHT = 10;
 
 /// Longest edge of a simplified outline, as a share of its perimeter [1], unless the outline has a longer one itself.
 /// Larger: boxes cannot bend in the middle of their sides. Smaller: long bodies take points that nothing needs.
@@ -33,6 +38,9 @@ struct SimplifyOptions {
 	/// Least distance of neighboring hull points [length], >= 0: the contact margin. Neighbors that are closer than the
 	/// tolerance are joined first in any case.
 	Real least_edge = 0;
+	/// How fine the outline is kept at each of its points [1], LEAST_DETAIL_WEIGHT..MOST_DETAIL_WEIGHT, or none: 1 everywhere. The tolerance, and
+	/// the least and the longest edge there are divided by it. The error that is reported counts distances by it.
+	std::vector<float> weights = {};
 
 	friend bool operator==(const SimplifyOptions &, const SimplifyOptions &) = default;
 };
@@ -50,8 +58,11 @@ struct SimplifiedOutline {
 	bool is_outline = false; ///< whether the hull is the outline itself, point by point
 };
 
-/// Refuses options out of their ranges, by name.
+/// Refuses options out of their ranges, by name: weights as "weights[i]".
 Status check_simplify_options(const SimplifyOptions &options);
+
+/// Refuses weights out of their range, as `name[i]`.
+Status check_detail_weights(const std::string &name, std::span<const float> weights);
 
 /// Radius of the disk that has the outline's area [length]. O(n).
 double radius_of_area(std::span<const Vec2> outline);
@@ -59,7 +70,7 @@ double radius_of_area(std::span<const Vec2> outline);
 /// Few hull points that keep an outline within a tolerance: `OutlineCollapse` takes points out with the area kept. At last
 /// the hull is shifted by the little that its centroid has drifted. No edge grows longer than LONGEST_SIMPLE_EDGE of the
 /// perimeter, so that long sides can bend. Where nothing can be saved the outline itself is returned. The same
-/// outline gives the same bits on every platform. Refuses options out of range; the outline must pass `check_hull`.
+/// outline gives the same bits on every platform. Refuses options out of range, and weights of another number than points; the outline must pass `check_hull`.
 /// About O(n²): a few milliseconds for 200 points, half a second for 4096.
 Result<SimplifiedOutline> simplify_outline(std::span<const Vec2> outline, const SimplifyOptions &options);
 

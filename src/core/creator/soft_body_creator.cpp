@@ -102,10 +102,13 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 	if (Status status = first_error({ check_options(options), check_hull(hull), check_inner_points(options.inner_points) })) {
 		return *status;
 	}
+	if (Status status = check_holes("holes", options.holes, hull)) {
+		return *status;
+	}
 	const std::size_t count = hull.size();
 	std::vector<Vec2> inner_points = options.inner_points;
 	if (options.elastic_triangles) {
-		const std::vector<Vec2> even = even_inner_points(hull, options.inner_points, std::size_t(options.triangle_points));
+		const std::vector<Vec2> even = even_inner_points(hull, options.inner_points, std::size_t(options.triangle_points), options.holes);
 		inner_points.insert(inner_points.end(), even.begin(), even.end());
 	}
 	std::vector<Vec2> points(hull.begin(), hull.end());
@@ -143,9 +146,13 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 		std::reverse(points.begin() + 1, points.begin() + std::ptrdiff_t(count));
 	}
 	description.masses.assign(points.size(), options.mass / Real(points.size()));
-	if (options.balanced_mass) {
+	if (options.balanced_mass || !options.holes.empty()) {
 		std::vector<double> masses(description.masses.begin(), description.masses.end());
-		balance_masses(points, Vec2d(area_centroid(std::span(points).first(count))), masses);
+		if (options.holes.empty()) {
+			balance_masses(points, Vec2d(area_centroid(std::span(points).first(count))), masses);
+		} else {
+			give_moments(points, count, area_moments(std::span(points).first(count), options.holes), masses);
+		}
 		std::ranges::transform(masses, description.masses.begin(), [](double mass) { return Real(mass); });
 	}
 	description.points = std::move(points);
@@ -159,15 +166,21 @@ Result<std::shared_ptr<const SoftBodyShape>> SoftBodyCreator::create_polygon(std
 		return plain.error();
 	}
 	std::vector<Real> mass_shares;
+	Holes holes = options.holes;
+	for (std::vector<Vec2> &hole : holes) {
+		for (Vec2 &p : hole) {
+			p -= plain.value()->origin_offset();
+		}
+	}
 	if (options.elastic_triangles) {
-		Result<TriangleMesh> mesh = make_triangle_mesh(plain.value()->rest_positions(), count);
+		Result<TriangleMesh> mesh = make_triangle_mesh(plain.value()->rest_positions(), count, holes);
 		if (!mesh) {
 			return mesh.error();
 		}
 		mass_shares = std::move(mesh.value().mass_shares);
 		description.triangles = std::move(mesh.value().triangles);
 	} else {
-		ElasticReduction reduction = reduce_solid(plain.value()->rest_positions(), count, options.balanced_mass);
+		ElasticReduction reduction = reduce_solid(plain.value()->rest_positions(), count, options.balanced_mass, holes);
 		mass_shares = std::move(reduction.mass_shares);
 		description.modes = std::move(reduction.modes);
 	}

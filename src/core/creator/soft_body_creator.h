@@ -5,6 +5,7 @@
 #include "core/base/constants.h"
 #include "core/base/error.h"
 #include "core/creator/structure.h"
+#include "core/geometry/holed_polygon.h"
 #include "core/model/soft_body_shape.h"
 
 #include <cstdint>
@@ -23,6 +24,9 @@ struct StructureOptions {
 	Real damping = 1; ///< c of every spring [force·s/length], >= 0
 	bool center_point = true; ///< add a point at the hull's mean; the automatic springs join it to every hull point
 	std::vector<Vec2> inner_points = {}; ///< further points, meant to lie inside the outline [length]
+	/// Holes of the body [length]. Its masses have the center and the moment of inertia of the outline less its holes, the latter where an
+	/// inner point can take up mass. Elastic modes and triangles are those of a solid with the holes; springs do not know of them.
+	Holes holes = {};
 	std::vector<SpringEnds> springs = {}; ///< all springs of the body; empty: the automatic ones
 	// Factors on the values above and on the length as designed, one a spring; empty: all 1. A body painted with
 	// factors still follows the common values and its outline.
@@ -60,7 +64,7 @@ class SoftBodyCreator {
 public:
 	/// Any simple polygon, convex or not; the center point sits at the mean of its points. A hull of negative winding
 	/// is reversed about its first point: point i becomes (n - i) mod n, springs follow, and their order stays. Refuses
-	/// a bad hull (see `check_hull`), mass <= 0, negative or non-finite values, a center that coincides with a hull
+	/// a bad hull (see `check_hull`), bad holes (see `check_holes`), mass <= 0, negative or non-finite values, a center that coincides with a hull
 	/// point unless springs are given, more than MAX_HULL_POINTS inner points, inner points that cannot be corners of
 	/// triangles where there are triangles, springs that name a point twice or a missing point, repeat another or have
 	/// no length, and a number of scales other than that of the springs.

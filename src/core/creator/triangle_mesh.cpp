@@ -2,7 +2,9 @@
 // Fills an outline with evenly placed points and with triangles between them.
 #include "core/creator/triangle_mesh.h"
 
+#include "core/creator/balanced_masses.h"
 #include "core/creator/elastic_modes.h"
+#include "core/creator/simplify_outline.h"
 #include "core/geometry/aabb.h"
 #include "core/geometry/polygon.h"
 #include "core/skin/triangulation.h"
@@ -34,10 +36,15 @@ constexpr std::array<std::array<double, 2>, 6> PLACES = { { { 0, 0 }, { 0.5, 0 }
 // Smallest area of a triangle over the square of its longest edge [1]. Float coordinates carry seven digits.
 constexpr double LEAST_AREA = 1e-5;
 
+constexpr int LEAST_HOLE_POINTS = 6;
+
+// Difference of the triangles' area from that of the body with its holes, as a share of it, from which on they do not follow a hole.
+constexpr double MOST_HOLE_ERROR = 0.05;
+
 class Lattice {
 public:
-	Lattice(std::span<const Vec2> hull, std::span<const Vec2> own_points) :
-			hull_(hull), own_points_(own_points), middle_(area_centroid(hull)), box_(bounding_box(hull)) {}
+	Lattice(std::span<const Vec2> hull, std::span<const Vec2> own_points, const Holes &holes) :
+			hull_(hull), own_points_(own_points), holes_(holes), middle_(area_centroid(hull)), box_(bounding_box(hull)) {}
 
 	std::vector<Vec2> points(double spacing, std::array<double, 2> place) const {
 		std::vector<Vec2> found;
@@ -64,7 +71,10 @@ public:
 	bool is_clear(Vec2 p, double distance) const {
 		const double least = distance * distance;
 		return !(double(nearest_place(hull_, p).distance_squared) < least) &&
-				std::ranges::none_of(own_points_, [&](Vec2 own) { return double(length_squared(own - p)) < least; });
+				std::ranges::none_of(own_points_, [&](Vec2 own) { return double(length_squared(own - p)) < least; }) &&
+				std::ranges::none_of(holes_, [&](const std::vector<Vec2> &hole) {
+					return point_in_polygon(p, hole) || double(nearest_place(hole, p).distance_squared) < least;
+				});
 	}
 
 private:
@@ -85,6 +95,7 @@ private:
 
 	std::span<const Vec2> hull_;
 	std::span<const Vec2> own_points_;
+	const Holes &holes_;
 	Vec2 middle_;
 	Aabb box_;
 };
@@ -153,21 +164,40 @@ bool is_flat(std::span<const Vec2> points, const Triangle &t) {
 }
 
 // Of the solid itself. Its modes are found with a point in the middle that carries the inner mass.
-std::array<Real, 3> lowest_stiffness(std::span<const Vec2> hull) {
+std::array<Real, 3> lowest_stiffness(std::span<const Vec2> hull, const Holes &holes) {
 	std::vector<Vec2> points(hull.begin(), hull.end());
 	points.push_back(area_centroid(hull));
-	return reduce_solid(points, hull.size()).modes->stiffness[0];
+	return reduce_solid(points, hull.size(), false, holes).modes->stiffness[0];
+}
+
+// The outline of a hole in edges of about `spacing`, with its area.
+std::vector<Vec2> evenly_spaced(const std::vector<Vec2> &hole, double spacing) {
+	SimplifyOptions options;
+	options.fewest_points = LEAST_HOLE_POINTS;
+	options.most_points = std::max(LEAST_HOLE_POINTS, int(std::ceil(double(perimeter(hole)) / spacing)));
+	options.least_edge = Real(spacing / 2);
+	const auto simplified = simplify_outline(hole, options);
+	const std::vector<Vec2> &corners = simplified ? simplified.value().hull : hole;
+	std::vector<Vec2> places;
+	for (std::size_t i = 0; i < corners.size(); ++i) {
+		const Vec2 edge = corners[(i + 1) % corners.size()] - corners[i];
+		const int pieces = std::max(1, int(std::lround(double(length(edge)) / spacing)));
+		for (int k = 0; k < pieces; ++k) {
+			places.push_back(corners[i] + edge * (Real(k) / Real(pieces)));
+		}
+	}
+	return places;
 }
 
 } // namespace
 
-std::vector<Vec2> even_inner_points(std::span<const Vec2> hull, std::span<const Vec2> own_points, std::size_t count) {
-	if (count == 0) {
+std::vector<Vec2> even_inner_points(std::span<const Vec2> hull, std::span<const Vec2> own_points, std::size_t count, const Holes &holes) {
+	if (count == 0 && holes.empty()) {
 		return {};
 	}
-	const Lattice lattice(hull, own_points);
-	const double area = std::abs(double(signed_area(hull)));
-	const double spacing = std::sqrt(area / (double(count) * ROW_HEIGHT)); // without clearance
+	const Lattice lattice(hull, own_points, holes);
+	const double area = holes.empty() ? std::abs(double(signed_area(hull))) : area_moments(hull, holes).area;
+	const double spacing = std::sqrt(area / (double(std::max<std::size_t>(count, 1)) * ROW_HEIGHT)); // without clearance
 	std::vector<Vec2> best;
 	for (const std::array<double, 2> &place : PLACES) {
 		std::vector<Vec2> found = nearest_count(lattice, spacing, place, count);
@@ -181,18 +211,27 @@ std::vector<Vec2> even_inner_points(std::span<const Vec2> hull, std::span<const 
 	}
 	std::vector<Vec2> points(hull.begin(), hull.end());
 	points.insert(points.end(), own_points.begin(), own_points.end());
+	const std::size_t own = points.size();
+	for (const std::vector<Vec2> &hole : holes) {
+		const std::vector<Vec2> places = evenly_spaced(hole, spacing);
+		points.insert(points.end(), places.begin(), places.end());
+	}
 	const std::size_t first = points.size();
 	points.insert(points.end(), best.begin(), best.end());
 	relax(points, hull.size(), first, lattice, spacing * RELAXED_CLEARANCE);
-	return { points.begin() + std::ptrdiff_t(first), points.end() };
+	return { points.begin() + std::ptrdiff_t(own), points.end() };
 }
 
-Result<TriangleMesh> make_triangle_mesh(std::span<const Vec2> points, std::size_t hull_count) {
+Result<TriangleMesh> make_triangle_mesh(std::span<const Vec2> points, std::size_t hull_count, const Holes &holes) {
 	const std::vector<Triangle> fill = triangulate(points, hull_count);
 	std::vector<double> shares(points.size(), 0);
 	double area = 0;
 	auto triangles = std::make_shared<ElasticTriangles>();
 	for (const Triangle &corners : fill) {
+		const Vec2 middle = (points[corners[0]] + points[corners[1]] + points[corners[2]]) * (Real(1) / 3);
+		if (std::ranges::any_of(holes, [&](const std::vector<Vec2> &hole) { return point_in_polygon(middle, hole); })) {
+			continue;
+		}
 		if (is_flat(points, corners)) {
 			return Error{ "hull", "points in a row", "must leave triangles of positive area inside the outline",
 				"move or remove points that lie almost on a line, or add inner points" };
@@ -204,6 +243,15 @@ Result<TriangleMesh> make_triangle_mesh(std::span<const Vec2> points, std::size_
 		area += double(triangles->triangles.back().area);
 	}
 	TriangleMesh mesh;
+	if (!holes.empty()) {
+		const AreaMoments moments = area_moments(points.first(hull_count), holes);
+		if (!(std::abs(area - moments.area) < MOST_HOLE_ERROR * moments.area)) {
+			return Error{ "holes", "triangles that do not follow them", "must leave walls as wide as the points are apart", "simulate more points, or choose MODES" };
+		}
+		if (std::ranges::all_of(shares, [](double share) { return share > 0; })) {
+			give_moments(points, points.size(), moments, shares);
+		}
+	}
 	for (std::size_t i = 0; i < points.size(); ++i) {
 		if (!(shares[i] > 0)) {
 			return Error{ "inner_points[" + std::to_string(i - hull_count) + "]", "outside the outline or on another point",
@@ -211,7 +259,7 @@ Result<TriangleMesh> make_triangle_mesh(std::span<const Vec2> points, std::size_
 		}
 		mesh.mass_shares.push_back(Real(shares[i] / area));
 	}
-	triangles->lowest_stiffness = lowest_stiffness(points.first(hull_count));
+	triangles->lowest_stiffness = lowest_stiffness(points.first(hull_count), holes);
 	mesh.triangles = std::move(triangles);
 	return mesh;
 }

@@ -173,6 +173,7 @@ void ActiveBodies::add_body(std::uint32_t body_index, KindFinder &finder, Real d
 	solver_body.inverse_mass = body.is_free() ? 1 / body.shape().total_mass() : Real(0);
 	solver_body.width = body.shape().width();
 	solver_body.friction = signed_friction(settings.friction, settings.rough);
+	solver_body.restitution = signed_restitution(settings.restitution, settings.absorbent);
 	solver_body.rolling_resistance = settings.rolling_resistance;
 	solver_body.rest_radius = body.shape().radius();
 	solver_body.body_index = body_index;

@@ -47,6 +47,12 @@ void BodyStepper::advance(const Batch &batch, const TimeSlice &slice, StatePrefe
 	}
 	prefetch.ask_all();
 	for (std::size_t lane = 0; lane < batch.count; ++lane) {
+		if (slice.is_coupled && context_->pairs_bounce) {
+			SolverBody &solver_body = context_->bodies.solver_body(batch.active_indices[lane]);
+			const Translation motion = measure_translation(body(batch.body_indices[lane]));
+			solver_body.mass_center = motion.center;
+			solver_body.mass_velocity = motion.velocity;
+		}
 		batch.shape->chain() != nullptr ? advance_chain(batch, lane, slice) : advance_one(batch, lane, slice);
 		if (slice.is_coupled) {
 			context_->bodies.solver_body(batch.active_indices[lane]).measure_extent();
@@ -65,10 +71,8 @@ bool BodyStepper::can_use_lanes(const Batch &batch) const {
 
 std::uint32_t BodyStepper::lanes_solved_alone(const Batch &batch, const TimeSlice &slice) {
 	std::uint32_t lanes = 0;
-	for (std::uint32_t lane = 0; lane < batch.count; ++lane) { // each body has its own memory of bounces
-		const bool can_bounce =
-				context_->borders_bounce || batch.settings->restitution > 0 || context_->bodies.has_touch(batch.active_indices[lane]);
-		lanes |= std::uint32_t(can_bounce && collision_.may_bounce(context_->world, body(batch.body_indices[lane]), slice.duration, lane)) << lane;
+	if (may_bounce_on_borders(batch) && bounces_by_points(*batch.shape, *batch.settings)) {
+		lanes = (1u << batch.count) - 1;
 	}
 	for (std::uint32_t lane = 0; lane < batch.count && (context_->colliders.has_colliders() || lanes != 0); ++lane) {
 		const bool is_near =
@@ -76,6 +80,10 @@ std::uint32_t BodyStepper::lanes_solved_alone(const Batch &batch, const TimeSlic
 		lanes |= std::uint32_t(is_near) << lane;
 	}
 	return lanes;
+}
+
+bool BodyStepper::may_bounce_on_borders(const Batch &batch) const {
+	return context_->borders_bounce || (batch.settings->restitution > 0 && !context_->world.borders().empty());
 }
 
 // Other bodies, or the body itself, may have pushed it through a thin wall since its contacts with colliders were last
@@ -117,6 +125,11 @@ void BodyStepper::advance_lanes(const Batch &batch, const TimeSlice &slice, Stat
 	lanes.borders = world.borders();
 	lanes.solved_alone = lanes_solved_alone(batch, slice);
 	lanes.scratch = limited_;
+	lanes.may_bounce = may_bounce_on_borders(batch);
+	for (std::uint32_t lane = 0; lane < batch.count; ++lane) {
+		lanes.touching |= std::uint32_t(context_->bodies.has_touch(batch.active_indices[lane]) != 0) << lane;
+	}
+	lanes.touching &= ~lanes.solved_alone;
 	struct Contacts final : LoneContacts {
 		BodyStepper &stepper;
 		const Batch &batch;
@@ -133,9 +146,17 @@ void BodyStepper::advance_lanes(const Batch &batch, const TimeSlice &slice, Stat
 			std::ranges::copy(data.hull(), before(lane).begin());
 			return contacts;
 		}
+		bool follow_bounce(std::size_t lane, const ContactLoad &load, Vec2 velocity) override {
+			TouchMemory &touch = stepper.body(batch.body_indices[lane]).touch_memory();
+			const Real threshold = RESTITUTION_SUBSTEPS * length(stepper.body(batch.body_indices[lane]).total_acceleration(stepper.context_->world.gravity())) * h;
+			softbody::follow_bounce(touch, load, velocity, batch.shape->total_mass(), threshold, h);
+			stepper.context_->bodies.has_touch(batch.active_indices[lane]) = char(touch.touching);
+			return touch.touching;
+		}
 		void report(const ContactPoint &contact) override { stepper.log().add(contact); }
 	} contacts(*this, batch, lanes.h);
 	lanes.lone_contacts = &contacts;
+	lanes.pairs_bounce = slice.is_coupled && context_->pairs_bounce;
 	for (std::size_t lane = 0; slice.is_coupled && lane < batch.count; ++lane) {
 		lanes.solver_bodies[lane] = &context_->bodies.solver_body(batch.active_indices[lane]);
 	}
@@ -192,7 +213,6 @@ void BodyStepper::advance_one(const Batch &batch, std::size_t lane, const TimeSl
 	SubstepInput input{ world.gravity(), external_, h, plan.implicit_share };
 	const std::span<Vec2> before(before_.data(), count);
 	collision_.begin_body(context_->colliders, data, slice.elapsed, slice.duration);
-	collision_.may_bounce(world, data, slice.duration);
 	const bool meets_itself = data.settings().self_collision && !slice.is_coupled;
 	const bool may_dent = data.settings().can_dent() && data.takes_damage();
 	bool is_dented = false;

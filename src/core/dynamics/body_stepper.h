@@ -75,9 +75,9 @@ private:
 	void advance_lanes(const Batch &batch, const TimeSlice &slice, StatePrefetch &prefetch);
 	bool can_use_lanes(const Batch &batch) const;
 	LaneStepper &lanes_for(const Batch &batch) { return batch.count == WIDE_WIDTH ? *wide_ : *narrow_; }
-	/// Bit mask of the lanes that have more contacts than those with borders that do not bounce: near colliders, or
-	/// a touch.
+	/// Bit mask of the lanes with contacts that lanes cannot solve: with colliders nearby, or of points that bounce by themselves.
 	std::uint32_t lanes_solved_alone(const Batch &batch, const TimeSlice &slice);
+	bool may_bounce_on_borders(const Batch &batch) const;
 	/// Stores the state of a body at the start of a slice.
 	void keep_start(const Batch &batch, std::size_t lane);
 	void restore_start(const Batch &batch, std::size_t lane) const;

@@ -25,7 +25,6 @@ void BodyStepper::advance_chain(const Batch &batch, std::size_t lane, const Time
 	keep_start(batch, lane);
 	const Vec2 gravity = data.total_acceleration(context_->world.gravity());
 	collision_.begin_body(context_->colliders, data, slice.elapsed, slice.duration);
-	collision_.may_bounce(context_->world, data, slice.duration);
 	const bool meets_itself = data.settings().self_collision && !slice.is_coupled;
 	std::vector<Vec2> &outside = data.last_valid_hull();
 	const Vec2 *sweep = sweep_start(active_index, body_index, slice);

@@ -79,19 +79,29 @@ void BounceLedger::begin_step(ActiveBodies &bodies, Vec2 gravity, const Parallel
 	gravity_ = gravity;
 	starts_.resize(bodies.count());
 	const std::span<const std::uint32_t> awake = bodies.awake();
+	std::size_t size = 0;
+	for (const std::uint32_t i : awake) {
+		starts_[i].state = size;
+		size += 2 * bodies.solver_body(i).positions.size();
+	}
+	states_.resize(size);
 	run_slices(parallel_for, awake.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
 		for (const std::uint32_t i : awake.subspan(begin, end - begin)) {
 			SoftBodyData &body = bodies.data(i);
-			const bool is_driven = !body.external_forces().empty() || body.queued_load() != RigidLoad{} || !body.pin_targets().empty();
-			starts_[i] = { stored_energy(body), measure_translation(body).center, is_driven };
+			Start &start = starts_[i];
+			const auto velocities = std::ranges::copy(body.positions(), states_.begin() + std::ptrdiff_t(start.state)).out;
+			std::ranges::copy(body.velocities(), velocities);
+			start.energy = body.settings().can_dent() ? stored_energy(body) : 0.0; // by its shape before
+			start.is_driven = !body.external_forces().empty() || body.queued_load() != RigidLoad{} || !body.pin_targets().empty();
 			body.touch_memory().work = 0;
 		}
 	});
 }
 
-void BounceLedger::end_step(std::span<const BodyPair> pairs, std::span<PairTouch> touches, std::span<const BodyPair> joined, Real dt) {
+void BounceLedger::end_step(std::span<const BodyPair> pairs, std::span<PairTouch> touches, std::span<const BodyPair> joined, Real dt,
+		const ParallelFor &parallel_for) {
 	form_islands(pairs, touches, joined);
-	book();
+	book(parallel_for);
 	pay_bounces();
 	pay_pair_bounces(pairs, touches, dt);
 	settle(dt);
@@ -110,7 +120,7 @@ void BounceLedger::form_islands(std::span<const BodyPair> pairs, std::span<const
 	}
 	const auto add = [](Island &island, const auto &touch, double mass) {
 		island.touches |= touch.touching;
-		island.has_touched |= touch.touching || touch.ended;
+		island.asks |= (touch.touching || touch.ended) && touch.approach > 0;
 		island.most += touch.touching ? mass * double(touch.approach) * double(touch.approach) / 2 : 0.0;
 	};
 	for (std::size_t k = 0; k < touches.size(); ++k) {
@@ -122,19 +132,34 @@ void BounceLedger::form_islands(std::span<const BodyPair> pairs, std::span<const
 	}
 }
 
-void BounceLedger::book() {
-	for (const std::uint32_t i : bodies_->awake()) {
-		const SoftBodyData &body = bodies_->data(i);
-		Island &island = island_of(i);
-		const TouchMemory &touch = bodies_->data(i).touch_memory();
-		island.mass += double(body.shape().total_mass());
-		island.account += touch.account;
-		if (island.has_touched && !starts_[i].is_driven) {
-			const Vec2 way = measure_translation(body).center - starts_[i].center;
-			const double work = double(body.shape().total_mass()) * double(dot(body.total_acceleration(gravity_), way)) + touch.work;
-			const double lost = starts_[i].energy + work - stored_energy(body);
-			island.account += std::isfinite(lost) ? lost : 0.0;
+double BounceLedger::loss_of(std::uint32_t active_index) const {
+	SoftBodyData &body = bodies_->data(active_index);
+	const Start &start = starts_[active_index];
+	const std::span<const Vec2> positions = std::span(states_).subspan(start.state, body.point_count());
+	const std::span<const Vec2> velocities = std::span(states_).subspan(start.state + body.point_count(), body.point_count());
+	const double energy = body.settings().can_dent() ? start.energy : measure_energy(body, positions, velocities, {}).total();
+	const Vec2 way = measure_translation(body).center - measure_translation(body, positions, velocities).center;
+	const double work = double(body.shape().total_mass()) * double(dot(body.total_acceleration(gravity_), way)) + body.touch_memory().work;
+	const double lost = energy + work - stored_energy(body);
+	return std::isfinite(lost) ? lost : 0.0;
+}
+
+void BounceLedger::book(const ParallelFor &parallel_for) {
+	const std::span<const std::uint32_t> awake = bodies_->awake();
+	for (const std::uint32_t i : awake) {
+		starts_[i].counts = island_of(i).asks && !starts_[i].is_driven;
+	}
+	losses_.resize(bodies_->count());
+	run_slices(parallel_for, awake.size(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
+		for (const std::uint32_t i : awake.subspan(begin, end - begin)) {
+			losses_[i] = starts_[i].counts ? loss_of(i) : 0.0;
 		}
+	});
+	for (const std::uint32_t i : awake) {
+		SoftBodyData &body = bodies_->data(i);
+		Island &island = island_of(i);
+		island.mass += double(body.shape().total_mass());
+		island.account += body.touch_memory().account + losses_[i];
 	}
 }
 

@@ -5,6 +5,8 @@
 #include "core/base/vec2.h"
 #include "core/model/soft_body_data.h"
 
+#include <span>
+
 namespace softbody {
 
 /// Energies in [mass·length²/s²]. All are sums over points or springs, evaluated in double.
@@ -20,6 +22,8 @@ struct Energy {
 	double total() const { return kinetic + springs + pressure + shape + modes + area + gravity + triangles; }
 };
 
+/// Energy of the body with these positions and velocities, one of each for every point. O(points + springs).
+Energy measure_energy(const SoftBodyData &body, std::span<const Vec2> positions, std::span<const Vec2> velocities, Vec2 gravity);
 Energy measure_energy(const SoftBodyData &body, Vec2 gravity);
 
 } // namespace softbody

@@ -5,6 +5,7 @@
 #include "core/base/pack.h"
 #include "core/collision/contact_log.h"
 #include "core/collision/pair_constraint.h"
+#include "core/collision/surface_constraint.h"
 #include "core/dynamics/batch.h"
 #include "core/dynamics/state_prefetch.h"
 #include "core/model/surroundings.h"
@@ -16,7 +17,7 @@
 
 namespace softbody {
 
-/// Contacts of single bodies with the environment, outside of the lanes.
+/// What concerns single bodies of a batch, outside of the lanes.
 class LoneContacts {
 public:
 	/// Solves the contacts of the body in a lane, in the body's own arrays, at the end of a substep. Returns their
@@ -24,6 +25,9 @@ public:
 	virtual std::size_t solve(std::size_t lane) = 0;
 	/// Takes a contact of a monitored body that was solved in a lane.
 	virtual void report(const ContactPoint &contact) = 0;
+	/// Follows the touch of the body in a lane, whose contacts with borders were solved there, through a substep (`follow_bounce`).
+	/// `velocity` [length/s] is that of its center of mass. Returns whether the touch goes on.
+	virtual bool follow_bounce(std::size_t lane, const ContactLoad &load, Vec2 velocity) = 0;
 
 protected:
 	~LoneContacts() = default;
@@ -39,10 +43,13 @@ struct LaneSlice {
 	bool bears_load = false; ///< see `keep_whole`
 	std::span<const Border> borders; ///< of the lanes that are not solved alone
 	std::uint32_t solved_alone = 0; ///< bit mask of the lanes whose contacts `lone_contacts` solves
-	LoneContacts *lone_contacts = nullptr; ///< may be null if `solved_alone` is 0 and the bodies are not monitored
+	bool may_bounce = false; ///< whether contacts with `borders` may bounce
+	std::uint32_t touching = 0; ///< bit mask of the lanes not solved alone whose bodies have a touch to follow
+	LoneContacts *lone_contacts = nullptr; ///< may be null if both masks are 0, nothing may bounce and the bodies are not monitored
 	std::span<Vec2> scratch; ///< room for the positions and velocities of one body
 	/// Bodies whose extents are measured at the end (`SolverBody::measure_extent`), or all null.
 	std::array<SolverBody *, WIDE_WIDTH> solver_bodies{};
+	bool pairs_bounce = false; ///< whether mass center and velocity of `solver_bodies` are measured at the start
 };
 
 /// Results of a time slice in lanes.

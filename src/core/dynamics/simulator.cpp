@@ -76,7 +76,7 @@ StepReport Simulator::simulate(Real dt) {
 	}
 	rigid_contacts_.end_step(dt);
 	if (bounces) {
-		bounce_ledger_.end_step(pair_contacts_.pairs(), pair_contacts_.touches(), joint_solver_.joined(), dt);
+		bounce_ledger_.end_step(pair_contacts_.pairs(), pair_contacts_.touches(), joint_solver_.joined(), dt, parallel_for_);
 	}
 	if (are_coupled) {
 		pair_contacts_.end_step(pair_bodies()); // remembers what the ledger has left unpaid
@@ -129,7 +129,8 @@ void Simulator::begin_step(Real dt) {
 	const bool borders_bounce =
 			std::ranges::any_of(world_.borders(), [](const Border &border) { return border.surface.restitution != 0; });
 	for (BodyStepper &stepper : steppers_) {
-		stepper.begin_step({ world_, surroundings_, bodies_, joint_solver_, has_forces || has_accelerated_bodies_, borders_bounce });
+		stepper.begin_step({ world_, surroundings_, bodies_, joint_solver_, has_forces || has_accelerated_bodies_, borders_bounce,
+				pair_contacts_.bounces() });
 	}
 	pair_contacts_.forget_step();
 	free_.clear();

@@ -57,12 +57,15 @@ private:
 	/// Solves the contacts of a substep. Returns the number of contacts of each lane.
 	T solve_contacts(const BodyLanes<T> &bodies, const LaneSlice &slice);
 	T solve_borders(const BodyLanes<T> &bodies, const LaneSlice &slice);
+	void follow_bounces(const BodyLanes<T> &bodies, const BasicContactLoad<T> &load, const LaneSlice &slice);
+	static void hand_out_motion(const BasicTranslation<T> &motion, const LaneSlice &slice);
 	void hand_out_extents(std::span<const BasicVec2<T>> hull, const LaneSlice &slice) const;
 
 	BasicWorkspace<T> workspace_;
 	std::vector<BasicVec2<T>> positions_;
 	std::vector<BasicVec2<T>> velocities_;
 	std::vector<BasicVec2<T>> before_; ///< hull points at the start
+	std::uint32_t touching_ = 0; ///< bit mask of the lanes with a touch to follow
 	std::vector<BasicPointSolution<T>> solutions_; ///< of a border, at the hull points of monitored bodies
 };
 
@@ -73,15 +76,19 @@ LaneResult BasicLaneStepper<T>::advance(const LaneSlice &slice, StatePrefetch &p
 	workspace_.begin_body(bodies.positions.size());
 	const std::size_t hull_count = slice.solver_bodies[0] != nullptr ? batch.shape->hull_count() : 0;
 	before_.assign(positions_.begin(), positions_.begin() + std::ptrdiff_t(hull_count));
+	if (slice.pairs_bounce) {
+		hand_out_motion(measure_translation<T>(*batch.shape, bodies.positions, bodies.velocities), slice);
+	}
 	const LaneStep<T> step = LANE_STEPS<T>[std::size_t(batch.plan->integrator)];
 	T all_contacts(0);
+	touching_ = slice.touching;
 	for (int i = 0; i < slice.substeps; ++i) {
 		prefetch.ask(2);
 		step(bodies, { slice.gravity, {}, slice.h }, workspace_);
 		workspace_.forces_are_current =
 				both(workspace_.forces_are_current, keep_shape<T>(bodies, slice.h, slice.bears_load, slice.scratch));
 		prefetch.ask(2);
-		if (slice.solved_alone != 0 || !slice.borders.empty()) {
+		if ((slice.solved_alone | touching_) != 0 || !slice.borders.empty()) {
 			const T contacts = solve_contacts(bodies, slice);
 			workspace_.forces_are_current = both(workspace_.forces_are_current, !(contacts > T(0)));
 			all_contacts += contacts;
@@ -167,7 +174,7 @@ T BasicLaneStepper<T>::solve_contacts(const BodyLanes<T> &bodies, const LaneSlic
 	const Batch &batch = *slice.batch;
 	const std::size_t count = bodies.positions.size();
 	const auto is_alone = [&](std::size_t lane) { return (slice.solved_alone >> lane & 1) != 0; };
-	const bool all_at_once = slice.borders.empty() || slice.solved_alone == (1u << LANES<T>)-1;
+	const bool all_at_once = (slice.borders.empty() && touching_ == 0) || slice.solved_alone == (1u << LANES<T>)-1;
 	if (all_at_once) {
 		store(bodies, batch);
 	}
@@ -198,6 +205,7 @@ T BasicLaneStepper<T>::solve_contacts(const BodyLanes<T> &bodies, const LaneSlic
 template <class T>
 T BasicLaneStepper<T>::solve_borders(const BodyLanes<T> &bodies, const LaneSlice &slice) {
 	BasicContactLoad<T> load;
+	load.is_summed = bodies.model.settings.rolling_resistance > 0 || slice.may_bounce || touching_ != 0;
 	for (std::uint32_t i = 0; i < slice.borders.size(); ++i) {
 		const Border &border = slice.borders[i];
 		if (!is_noticed(bodies.model.settings, border.surface)) {
@@ -205,7 +213,7 @@ T BasicLaneStepper<T>::solve_borders(const BodyLanes<T> &bodies, const LaneSlice
 		}
 		const T contacts = load.contacts;
 		solutions_.assign(bodies.model.settings.contact_monitor ? bodies.model.shape.hull_count() : 0, {});
-		solve_border<T>(bodies, border, std::numeric_limits<Real>::infinity(), slice.h, load, solutions_); // none bounces
+		solve_border<T>(bodies, border, std::numeric_limits<Real>::infinity(), slice.h, load, solutions_); // no point bounces by itself
 		for (std::uint32_t point = 0; any(load.contacts > contacts) && point < solutions_.size(); ++point) {
 			for (std::size_t lane = 0; lane < LANES<T>; ++lane) {
 				const bool is_alone = (slice.solved_alone >> lane & 1) != 0;
@@ -217,7 +225,37 @@ T BasicLaneStepper<T>::solve_borders(const BodyLanes<T> &bodies, const LaneSlice
 		}
 	}
 	resist_rolling<T>(bodies, load);
+	if ((slice.may_bounce && any(load.restitution > T(0))) || touching_ != 0) {
+		follow_bounces(bodies, load, slice);
+	}
 	return load.contacts;
+}
+
+template <class T>
+void BasicLaneStepper<T>::follow_bounces(const BodyLanes<T> &bodies, const BasicContactLoad<T> &load, const LaneSlice &slice) {
+	const auto velocity = measure_translation<T>(bodies.model.shape, bodies.positions, bodies.velocities).velocity;
+	for (std::size_t lane = 0; lane < LANES<T>; ++lane) {
+		const std::uint32_t bit = 1u << lane;
+		if ((slice.solved_alone & bit) != 0 || ((touching_ & bit) == 0 && !(load.restitution[lane] > 0))) {
+			continue;
+		}
+		ContactLoad own;
+		own.normal_impulse = load.normal_impulse[lane];
+		own.impulse = lane_of(load.impulse, lane);
+		own.restitution = load.restitution[lane];
+		own.surface_velocity = lane_of(load.surface_velocity, lane);
+		own.work = load.work[lane];
+		const bool goes_on = slice.lone_contacts->follow_bounce(lane, own, lane_of(velocity, lane));
+		touching_ = goes_on ? touching_ | bit : touching_ & ~bit;
+	}
+}
+
+template <class T>
+void BasicLaneStepper<T>::hand_out_motion(const BasicTranslation<T> &motion, const LaneSlice &slice) {
+	for (std::size_t lane = 0; lane < LANES<T>; ++lane) {
+		slice.solver_bodies[lane]->mass_center = lane_of(motion.center, lane);
+		slice.solver_bodies[lane]->mass_velocity = lane_of(motion.velocity, lane);
+	}
 }
 
 template <class T>

@@ -18,6 +18,7 @@ struct StepContext {
 	JointSolver &joints; ///< of which bodies read what is fastened to them
 	bool has_forces = false; ///< whether any body may have external forces or an acceleration of its own
 	bool borders_bounce = false; ///< whether any border has restitution
+	bool pairs_bounce = false; ///< whether bodies may bounce off one another
 };
 
 /// One of `parts` equal slices of a step. Each body takes its share of its substeps in a slice.

@@ -225,13 +225,15 @@ double largest_stable_step(Integrator integrator, const FrequencyBounds &bounds,
 
 SubstepPlan plan_near_rest(const SubstepPlan &plan, const SoftBodyShape &shape, const BodySettings &settings, Real dt) {
 	SubstepPlan calm = plan;
-	if (plan.reason != PlanReason::STABILITY || plan.integrator != Integrator::SEMI_IMPLICIT_EULER || settings.pressure_stiffness > 0 ||
-			settings.restitution > 0) {
+	if (plan.reason != PlanReason::STABILITY || plan.integrator != Integrator::SEMI_IMPLICIT_EULER || settings.pressure_stiffness > 0) {
 		return calm;
 	}
 	FrequencyBounds bounds = frequency_bounds(shape, settings);
 	bounds.frequency_squared -= double(settings.spring_stiffness_scale) * (shape.spring_frequency_squared() - shape.rest_spring_frequency_squared());
 	bounds.damping_rate -= double(settings.spring_damping_scale) * (shape.spring_damping_rate() - shape.rest_spring_damping_rate());
+	if (!(bounds.damping_rate > 2 * CALM_DAMPING * std::sqrt(bounds.frequency_squared))) {
+		return calm; // what a moment out of the bounds has added would stay
+	}
 	const double wanted = std::ceil(double(dt) / std::abs(largest_stable_step(plan.integrator, bounds, STABILITY_BUDGET)));
 	calm.substeps = std::min(std::max(int(wanted), substeps_of_step(MIN_CONTACT_SUBSTEPS, dt)), plan.substeps);
 	return calm;

@@ -85,8 +85,8 @@ int substeps_of_step(int in_usual_step, Real dt);
 SubstepPlan plan_substeps(const SoftBodyShape &shape, const BodySettings &settings, Real dt, bool has_contacts);
 /// The plan for a step of `dt` [s] that a body begins near its rest shape (CALM_STRAIN), where `plan` is the one for any
 /// shape. Springs that point in different directions are slower together than the same springs in one line, so that
-/// semi-implicit Euler needs fewer substeps. Another method, a body that bounces, one under pressure, or a count that is
-/// fixed or due to contacts keeps `plan`.
+/// semi-implicit Euler needs fewer substeps. Another method, a body with hardly any damping (CALM_DAMPING), one under pressure, or a
+/// count that is fixed or due to contacts keeps `plan`.
 SubstepPlan plan_near_rest(const SubstepPlan &plan, const SoftBodyShape &shape, const BodySettings &settings, Real dt);
 /// The plan of a body in its present state, which differs while pressure acts on a stretched hull.
 SubstepPlan plan_substeps(const SoftBodyData &body, Real dt, bool has_contacts);

@@ -18,8 +18,12 @@ BodyFrame measure_frame(const SoftBodyData &body) {
 	return measure_frame(body, body.positions(), body.velocities());
 }
 
+Translation measure_translation(const SoftBodyData &body, std::span<const Vec2> positions, std::span<const Vec2> velocities) {
+	return measure_translation<Real>(body.shape(), positions, velocities);
+}
+
 Translation measure_translation(const SoftBodyData &body) {
-	return measure_translation<Real>(body.shape(), body.positions(), body.velocities());
+	return measure_translation(body, body.positions(), body.velocities());
 }
 
 } // namespace softbody

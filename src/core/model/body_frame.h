@@ -34,6 +34,7 @@ using Translation = BasicTranslation<Real>;
 template <class T>
 BasicTranslation<T> measure_translation(const SoftBodyShape &shape, std::span<const BasicVec2<T>> positions,
 		std::span<const BasicVec2<T>> velocities);
+Translation measure_translation(const SoftBodyData &body, std::span<const Vec2> positions, std::span<const Vec2> velocities);
 Translation measure_translation(const SoftBodyData &body);
 
 /// Measures the frame of any state of a body's points. The rotation minimizes sum m |x - c - R q|², which in 2D is

@@ -34,6 +34,10 @@ struct ElasticModes {
 	/// Largest factor by which the removal of dilation may raise a squared frequency [1], >= 1.
 	Real projection_bound = 1;
 
+	/// Relative growth of the hull's area under a pressure inside of 1, times the shear modulus, at each of MODE_POISSON_RATIOS [1]: of a solid
+	/// with holes, whose hull gives way where the solid would not. Zeros without holes, where it follows from the bulk modulus.
+	std::array<Real, 3> hull_compliance{};
+
 	std::span<const Vec2> shape_of_point(std::size_t point) const { return { shapes.data() + point * count, count }; }
 };
 

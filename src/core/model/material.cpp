@@ -38,6 +38,11 @@ Status apply_solid(const Material &material, ElasticModel model, const SoftBodyS
 	}
 	settings.shear_modulus = material.shear_modulus();
 	settings.area_stiffness = material.bulk_modulus();
+	if (model == ElasticModel::MODES && shape.modes()->hull_compliance[0] > 0) { // with holes: nearly linear in ν, as 1 / K is
+		const std::array<Real, 3> weights = mode_weights(material.poisson_ratio);
+		const std::array<Real, 3> &compliance = shape.modes()->hull_compliance;
+		settings.area_stiffness = settings.shear_modulus / (weights[0] * compliance[0] + weights[1] * compliance[1] + weights[2] * compliance[2]);
+	}
 	return {};
 }
 
@@ -131,6 +136,12 @@ Status apply_material(const Material &material, ElasticModel model, const SoftBo
 	}
 	settings = changed;
 	return {};
+}
+
+double softness_by_holes(const SoftBodyShape &shape) {
+	Material material;
+	material.poisson_ratio = Real(0.45);
+	return std::max(1.0, DISK_FREQUENCY_SQUARED / lowest_stiffness(material, shape));
 }
 
 Status apply_network(const SpringNetwork &network, double mass, const SoftBodyShape &shape, BodySettings &settings) {

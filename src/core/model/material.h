@@ -67,4 +67,8 @@ Status check_spring_rates(const BodySettings &settings, const SoftBodyShape &sha
 /// [force/length]. Their bulk modulus is twice that, as in every network of central forces (Cauchy's relation).
 double spring_shear_modulus(const SoftBodyShape &shape);
 
+/// How much softer the shape's lowest mode is than that of a disk, at Poisson's ratio 0.45 [1], >= 1: for shapes with holes, whose walls
+/// would not carry their weight as a solid does. 1 for shapes without elastic modes or triangles.
+double softness_by_holes(const SoftBodyShape &shape);
+
 } // namespace softbody

@@ -82,14 +82,18 @@ std::vector<Real> curve_weights(std::size_t pieces) {
 
 } // namespace
 
-FillMesh::FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Options &options) :
-		options_(options), rest_(rest.begin(), rest.end()), hull_count_(hull_count) {
-	assert(hull_count >= 3 && hull_count <= rest.size() && options.pieces >= 1);
+FillMesh::FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Options &options, std::span<const std::size_t> holes) :
+		options_(options), rest_(rest.begin(), rest.end()), hull_count_(hull_count), loops_{ hull_count }, loop_points_(hull_count) {
+	for (const std::size_t hole : holes) {
+		loops_.push_back(hole);
+		loop_points_ += hole;
+	}
+	assert(hull_count >= 3 && loop_points_ <= rest.size() && options.pieces >= 1);
 	side_ = signed_area(rest.first(hull_count)) < 0 ? Real(-1) : Real(1);
 	curve_ = curve_weights(options_.pieces);
 	fill();
 	for (std::size_t i = hull_count; i < rest_.size(); ++i) {
-		inner_weights_.push_back(mean_value_weights(rest_[i], rest.first(hull_count)));
+		(i < loop_points_ ? hole_weights_ : inner_weights_).push_back(mean_value_weights(rest_[i], rest.first(hull_count)));
 	}
 	if (has_mean_) {
 		inner_weights_.push_back(std::vector<Real>(hull_count, 1 / Real(hull_count)));
@@ -108,21 +112,31 @@ FillMesh::FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Opt
 }
 
 void FillMesh::add_ring(std::size_t inner) {
-	const std::uint32_t rim = std::uint32_t(rim_count());
-	const std::uint32_t inside = std::uint32_t(inner);
-	const std::uint32_t outside = std::uint32_t(vertex_count_);
-	vertex_count_ += rim;
-	for (std::uint32_t i = 0; i < rim; ++i) {
-		const std::uint32_t next = (i + 1) % rim;
-		triangles_.push_back({ inside + i, inside + next, outside + next });
-		triangles_.push_back({ inside + i, outside + next, outside + i });
-	}
+	const std::size_t outer = vertex_count_;
+	vertex_count_ += rim_count();
+	for_rims([&](std::size_t start, std::size_t count) {
+		const std::uint32_t inside = std::uint32_t(inner + start);
+		const std::uint32_t outside = std::uint32_t(outer + start);
+		const std::uint32_t rim = std::uint32_t(count);
+		for (std::uint32_t i = 0; i < rim; ++i) {
+			const std::uint32_t next = (i + 1) % rim;
+			triangles_.push_back({ inside + i, inside + next, outside + next });
+			triangles_.push_back({ inside + i, outside + next, outside + i });
+		}
+	});
 }
 
 void FillMesh::fill() {
 	std::vector<Vec2> points(rim_count());
 	place_rim(rest_, points);
 	const std::uint32_t rim = std::uint32_t(points.size());
+	if (loops_.size() > 1) {
+		std::vector<std::size_t> rims;
+		for_rims([&](std::size_t, std::size_t count) { rims.push_back(count); });
+		points.insert(points.end(), rest_.begin() + std::ptrdiff_t(loop_points_), rest_.end());
+		triangles_ = triangulate(points, rims);
+		return;
+	}
 	const std::size_t inner = rest_.size() - hull_count_;
 	const Vec2 middle = inner == 1 ? rest_.back() : mean_of(std::span<const Vec2>(rest_).first(hull_count_));
 	const bool is_slim = is_slender(std::span<const Vec2>(rest_).first(hull_count_));
@@ -143,7 +157,7 @@ void FillMesh::fill() {
 
 void FillMesh::place_rim(std::span<const Vec2> points, std::span<Vec2> rim) const {
 	if (options_.pieces == 1) {
-		std::copy_n(points.begin(), hull_count_, rim.begin());
+		std::copy_n(points.begin(), loop_points_, rim.begin());
 		return;
 	}
 	Vec2 *write = rim.data();
@@ -153,21 +167,24 @@ void FillMesh::place_rim(std::span<const Vec2> points, std::span<Vec2> rim) cons
 void FillMesh::place(std::span<const Vec2> points, std::span<const Vec2> rim, std::span<Vec2> vertices) const {
 	assert(points.size() >= rest_.size() && vertices.size() >= vertex_count_);
 	std::ranges::copy(rim, vertices.begin());
-	const std::span<const Vec2> inner = points.subspan(hull_count_, rest_.size() - hull_count_);
+	const std::span<const Vec2> inner = points.subspan(loop_points_, rest_.size() - loop_points_);
 	std::ranges::copy(inner, vertices.begin() + std::ptrdiff_t(rim.size()));
 	if (has_mean_) {
 		vertices[rim.size()] = mean_of(points.first(hull_count_));
 	}
 	if (options_.soft_edge > 0) {
 		const Real half = options_.soft_edge / 2 * side_;
-		if (faded_start_ != band_start_) {
-			move_corners(rim, { options_.band * side_, half, -half }, { vertices.first(rim.size()), vertices.subspan(band_start_, rim.size()), vertices.subspan(faded_start_, rim.size()) });
-			return;
-		}
-		move_corners(rim, half, vertices.first(rim.size()));
-		move_corners(rim, -half, vertices.subspan(faded_start_, rim.size()));
+		for_rims([&](std::size_t start, std::size_t count) {
+			const std::span<const Vec2> loop = rim.subspan(start, count);
+			if (faded_start_ != band_start_) {
+				move_corners(loop, { options_.band * side_, half, -half }, { vertices.subspan(start, count), vertices.subspan(band_start_ + start, count), vertices.subspan(faded_start_ + start, count) });
+				return;
+			}
+			move_corners(loop, half, vertices.subspan(start, count));
+			move_corners(loop, -half, vertices.subspan(faded_start_ + start, count));
+		});
 	} else if (options_.inset > 0) {
-		move_corners(rim, options_.inset * side_, vertices.first(rim.size()));
+		for_rims([&](std::size_t start, std::size_t count) { move_corners(rim.subspan(start, count), options_.inset * side_, vertices.subspan(start, count)); });
 	}
 }
 

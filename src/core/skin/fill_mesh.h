@@ -14,7 +14,7 @@ namespace softbody {
 
 /// The mesh of a body's inside. It is made once from the rest shape; a frame only places its vertices.
 ///
-/// Vertices, in this order: the rim, which is the hull or a curve through it; the body's inner points; if there are
+/// Vertices, in this order: the rim, which is the hull or a curve through it, and then those of the holes; the body's inner points; if there are
 /// none and the middle sees the whole hull, a middle, the mean of the hull; with a shaded band, its outer line; with a
 /// soft edge, the rim again, farther out. Triangles spread out from the middle if it sees the whole rim of a body that is not
 /// slender, and otherwise are those of `triangulate`.
@@ -35,16 +35,25 @@ public:
 	};
 
 	FillMesh() = default;
-	/// `rest` are all points at rest, the hull first, accepted by `check_hull`, of either winding. Usually O(rim²).
-	FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Options &options);
+	/// `rest` are all points at rest, the hull first, accepted by `check_hull`, of either winding. Usually O(rim²). `holes` are the numbers of
+	/// points of its holes, which come next in `rest`, accepted by `check_holes`, each of the other winding than the hull.
+	FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Options &options, std::span<const std::size_t> holes = {});
 
 	/// Whether the constructor would make the same mesh of these.
-	bool is_made_of(std::span<const Vec2> rest, std::size_t hull_count, const Options &options) const {
-		return hull_count == hull_count_ && options == options_ && std::ranges::equal(rest, rest_);
+	bool is_made_of(std::span<const Vec2> rest, std::size_t hull_count, const Options &options, std::span<const std::size_t> holes = {}) const {
+		return hull_count == hull_count_ && options == options_ && std::ranges::equal(rest, rest_) && std::ranges::equal(holes, std::span(loops_).subspan(1));
 	}
 
 	std::size_t vertex_count() const { return vertex_count_; }
-	std::size_t rim_count() const { return hull_count_ * options_.pieces; }
+	std::size_t rim_count() const { return loop_points_ * options_.pieces; }
+	/// Calls `each(start, count)` with the part of the rim that is the hull's, and then with those of the holes.
+	void for_rims(const auto &each) const {
+		std::size_t start = 0;
+		for (const std::size_t loop : loops_) {
+			each(start * options_.pieces, loop * options_.pieces);
+			start += loop;
+		}
+	}
 	/// First vertex of the band's outer line; `faded_start()` without a band.
 	std::size_t band_start() const { return band_start_; }
 	/// First vertex of the faded rim; `vertex_count()` without a soft edge.
@@ -59,7 +68,8 @@ public:
 	void place(std::span<const Vec2> points, std::span<const Vec2> rim, std::span<Vec2> vertices) const;
 
 	/// Gives every vertex a value, from values of the hull points: along the rim as `place_rim` does, inside by mean
-	/// value coordinates of the rest shape (Floater 2003), which are smooth and reproduce linear maps.
+	/// value coordinates of the rest shape (Floater 2003), which are smooth and reproduce linear maps; along the rims of holes by the values
+	/// that its points have so.
 	template <class Value>
 	std::vector<Value> spread(std::span<const Value> hull_values) const;
 
@@ -67,13 +77,17 @@ private:
 	void fill();
 	/// Adds vertices along the rim again, and triangles from those that begin at `inner` to them.
 	void add_ring(std::size_t inner);
-	/// Calls `each` with the value of every rim vertex, in order.
+	/// Calls `each` with the value of every rim vertex, in order, for values of the points of the hull and of the holes.
 	template <class Value>
-	void for_rim(std::span<const Value> hull_values, const auto &each) const;
+	void for_rim(std::span<const Value> values, const auto &each) const;
+	template <class Value>
+	Value mean_by(const std::vector<Real> &weights, std::span<const Value> hull_values) const;
 
 	Options options_;
 	std::vector<Vec2> rest_;
 	std::size_t hull_count_ = 0;
+	std::vector<std::size_t> loops_{ 0 }; ///< number of points of the hull and of each hole
+	std::size_t loop_points_ = 0; ///< of the hull and the holes
 	bool has_mean_ = false; ///< whether the middle is a vertex of its own
 	Real side_ = 1;
 	std::size_t band_start_ = 0;
@@ -81,37 +95,56 @@ private:
 	std::size_t vertex_count_ = 0;
 	std::vector<Triangle> triangles_;
 	std::vector<Real> curve_; ///< four weights for each piece of an edge: of the points before, at, after, after that
-	std::vector<std::vector<Real>> inner_weights_; ///< of the hull points, for each inner vertex
+	std::vector<std::vector<Real>> hole_weights_; ///< of the hull points, for each point of a hole
+	std::vector<std::vector<Real>> inner_weights_; ///< the same for each inner vertex
 };
 
 template <class Value>
-void FillMesh::for_rim(std::span<const Value> hull_values, const auto &each) const {
-	Value before = hull_values[hull_count_ - 1];
-	Value at = hull_values[0];
-	Value after = hull_values[1];
-	for (std::size_t i = 0; i < hull_count_; ++i) {
-		const Value next = hull_values[(i + 2) % hull_count_];
-		for (std::size_t piece = 0; piece < options_.pieces; ++piece) {
-			const Real *weight = &curve_[4 * piece];
-			each(before * weight[0] + at * weight[1] + after * weight[2] + next * weight[3]);
+void FillMesh::for_rim(std::span<const Value> values, const auto &each) const {
+	const Value *loop_values = values.data();
+	for (const std::size_t count : loops_) {
+		Value before = loop_values[count - 1];
+		Value at = loop_values[0];
+		Value after = loop_values[1];
+		for (std::size_t i = 0; i < count; ++i) {
+			const Value next = loop_values[(i + 2) % count];
+			for (std::size_t piece = 0; piece < options_.pieces; ++piece) {
+				const Real *weight = &curve_[4 * piece];
+				each(before * weight[0] + at * weight[1] + after * weight[2] + next * weight[3]);
+			}
+			before = at;
+			at = after;
+			after = next;
 		}
-		before = at;
-		at = after;
-		after = next;
+		loop_values += count;
 	}
+}
+
+template <class Value>
+Value FillMesh::mean_by(const std::vector<Real> &weights, std::span<const Value> hull_values) const {
+	Value sum = hull_values[0] * weights[0];
+	for (std::size_t i = 1; i < hull_count_; ++i) {
+		sum += hull_values[i] * weights[i];
+	}
+	return sum;
 }
 
 template <class Value>
 std::vector<Value> FillMesh::spread(std::span<const Value> hull_values) const {
 	std::vector<Value> values;
 	values.reserve(vertex_count_);
-	for_rim(hull_values, [&](const Value &value) { values.push_back(value); });
-	for (const std::vector<Real> &weights : inner_weights_) {
-		Value sum = hull_values[0] * weights[0];
-		for (std::size_t i = 1; i < hull_count_; ++i) {
-			sum += hull_values[i] * weights[i];
+	const auto add = [&](const Value &value) { values.push_back(value); };
+	if (hole_weights_.empty()) {
+		for_rim(hull_values, add);
+	} else {
+		std::vector<Value> of_loops(hull_values.begin(), hull_values.begin() + std::ptrdiff_t(hull_count_));
+		for (const std::vector<Real> &weights : hole_weights_) {
+			of_loops.push_back(mean_by(weights, hull_values));
 		}
-		values.push_back(sum);
+		for_rim(std::span<const Value>(of_loops), add);
+	}
+	for (const std::vector<Real> &weights : inner_weights_) {
+		values.push_back(mean_by(weights, hull_values));
 	}
 	for (std::size_t i = 0; band_start_ + i < vertex_count_; ++i) {
 		values.push_back(values[i % rim_count()]);

@@ -3,10 +3,12 @@
 #include "core/skin/triangulation.h"
 
 #include "core/geometry/polygon.h"
+#include "core/skin/bridged_loops.h"
 
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <utility>
 
 namespace softbody {
 
@@ -20,12 +22,14 @@ constexpr double CIRCLE_TOLERANCE = 1e-7;
 
 class Filling {
 public:
-	Filling(std::span<const Vec2> points, std::size_t hull_count) :
-			points_(points), hull_count_(std::uint32_t(hull_count)) {}
+	/// Further points begin at `first_inner`.
+	Filling(std::span<const Vec2> points, std::size_t first_inner) :
+			points_(points), first_inner_(std::uint32_t(first_inner)) {}
 
-	std::vector<Triangle> make() {
-		cut_ears();
-		for (std::uint32_t i = hull_count_; i < points_.size(); ++i) {
+	/// `outline` are indices of a polygon of positive winding, which may run along a line there and back.
+	std::vector<Triangle> make(std::vector<std::uint32_t> outline) {
+		cut_ears(std::move(outline));
+		for (std::uint32_t i = first_inner_; i < points_.size(); ++i) {
 			insert(i);
 		}
 		join();
@@ -38,13 +42,7 @@ private:
 		return signed_double_area(points_[a], points_[b], points_[c]);
 	}
 
-	// A polygon of negative winding is read backwards.
-	void cut_ears() {
-		std::vector<std::uint32_t> rest(hull_count_);
-		std::iota(rest.begin(), rest.end(), 0u);
-		if (signed_area(points_.first(hull_count_)) < 0) {
-			std::ranges::reverse(rest);
-		}
+	void cut_ears(std::vector<std::uint32_t> rest) {
 		std::size_t at = 0;
 		std::size_t misses = 0;
 		while (rest.size() > 3) {
@@ -193,7 +191,7 @@ private:
 	}
 
 	std::span<const Vec2> points_;
-	std::uint32_t hull_count_;
+	std::uint32_t first_inner_;
 	std::vector<Triangle> triangles_;
 	std::vector<Triangle> neighbors_; ///< across the edge opposite to each corner
 };
@@ -202,7 +200,21 @@ private:
 
 std::vector<Triangle> triangulate(std::span<const Vec2> points, std::size_t hull_count) {
 	assert(hull_count >= 3 && hull_count <= points.size());
-	return Filling(points, hull_count).make();
+	std::vector<std::uint32_t> outline(hull_count);
+	std::iota(outline.begin(), outline.end(), 0u);
+	if (signed_area(points.first(hull_count)) < 0) { // of negative winding it is read backwards
+		std::ranges::reverse(outline);
+	}
+	return Filling(points, hull_count).make(std::move(outline));
+}
+
+std::vector<Triangle> triangulate(std::span<const Vec2> points, std::span<const std::size_t> loops) {
+	std::size_t count = 0;
+	for (const std::size_t loop : loops) {
+		count += loop;
+	}
+	assert(!loops.empty() && count <= points.size());
+	return Filling(points, count).make(bridge_loops(points, loops));
 }
 
 } // namespace softbody

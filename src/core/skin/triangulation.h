@@ -23,4 +23,9 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Source: ear clipping (Meisters 1975), then edge flips (Lawson 1977).
 std::vector<Triangle> triangulate(std::span<const Vec2> points, std::size_t hull_count);
 
+/// The same for a polygon with holes: `loops` are the numbers of points of the polygon and of its holes, which lie one after the other in
+/// `points`, each of either winding. No triangle is in a hole. Preconditions: `check_hull` and `check_holes` accept them.
+/// Source: each hole is joined to what lies around it by a cut between two points that see each other (Eberly 2002).
+std::vector<Triangle> triangulate(std::span<const Vec2> points, std::span<const std::size_t> loops);
+
 } // namespace softbody

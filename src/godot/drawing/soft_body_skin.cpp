@@ -2,6 +2,8 @@
 // The looks of a body: two meshes whose vertices follow its points.
 #include "godot/drawing/soft_body_skin.h"
 
+#include "core/geometry/polygon.h"
+
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/math.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
@@ -59,10 +61,10 @@ RID rid_of(const Ref<Texture2D> &p_texture) {
 }
 
 // Crowds come of one kind at a time, so the last mesh is the one that is asked for again.
-std::shared_ptr<const FillMesh> fill_mesh_of(std::span<const Vec2> rest, std::size_t hull_count, const FillMesh::Options &options) {
+std::shared_ptr<const FillMesh> fill_mesh_of(std::span<const Vec2> rest, std::size_t hull_count, const FillMesh::Options &options, std::span<const std::size_t> holes) {
 	static std::shared_ptr<const FillMesh> last;
-	if (last == nullptr || !last->is_made_of(rest, hull_count, options)) {
-		last = std::make_shared<const FillMesh>(rest, hull_count, options);
+	if (last == nullptr || !last->is_made_of(rest, hull_count, options, holes)) {
+		last = std::make_shared<const FillMesh>(rest, hull_count, options, holes);
 	}
 	return last;
 }
@@ -141,7 +143,8 @@ void SoftBodySkin::copy_look(const SoftBodySkin &other) {
 	is_tinted_ = other.is_tinted_;
 }
 
-void SoftBodySkin::set_rest(std::vector<Vec2> rest, PointOrder order, Real pixel) {
+void SoftBodySkin::set_rest(std::vector<Vec2> rest, PointOrder order, Real pixel, std::span<const std::size_t> holes) {
+	holes_.assign(holes.begin(), holes.end());
 	rest_ = std::move(rest);
 	hull_count_ = std::size_t(order.hull_count);
 	order_ = order;
@@ -223,14 +226,29 @@ std::vector<Color> SoftBodySkin::colors() const {
 	return colors;
 }
 
+// Rough width of what is between the hull and the holes: twice its area over the length of all outlines, as SoftBodyShape::width.
+Real SoftBodySkin::wall_width() const {
+	const std::span<const Vec2> points = rest_;
+	Real area = std::abs(signed_area(points.first(hull_count_)));
+	Real around = perimeter(points.first(hull_count_));
+	std::size_t start = hull_count_;
+	for (const std::size_t count : holes_) {
+		area -= std::abs(signed_area(points.subspan(start, count)));
+		around += perimeter(points.subspan(start, count));
+		start += count;
+	}
+	return 2 * area / around;
+}
+
 void SoftBodySkin::make_fill() {
 	// A hard edge must not show through the soft one of an outline on top of it.
 	const Real soft_edge = drawn_.antialiased && !has_outline() ? pixel_ : 0;
 	const Real inset = drawn_.antialiased && has_outline() ? std::min(pixel_, Real(drawn_.outline_width) / 2) : 0;
-	const Real band = is_soft() ? soft_rim_width(style_, std::span<const Vec2>(rest_).first(hull_count_)) : 0;
+	const Real rim_width = is_soft() ? soft_rim_width(style_, std::span<const Vec2>(rest_).first(hull_count_)) : 0;
+	const Real band = holes_.empty() ? rim_width : std::min(rim_width, wall_width() / 3);
 	const bool is_curved = drawn_.smooth && hull_count_ <= MOST_SMOOTHED_POINTS;
 	const std::size_t pieces = is_soft() ? soft_pieces(hull_count_) : SMOOTH_PIECES;
-	fill_ = fill_mesh_of(rest_, hull_count_, { is_curved ? pieces : 1, soft_edge, inset, band });
+	fill_ = fill_mesh_of(rest_, hull_count_, { is_curved ? pieces : 1, soft_edge, inset, band }, holes_);
 	if (has_fill()) {
 		fill_mesh_.make(fill_->triangles(), texture_coordinates(), colors());
 	} else {
@@ -239,7 +257,8 @@ void SoftBodySkin::make_fill() {
 }
 
 std::vector<std::uint8_t> SoftBodySkin::cut_edges() const {
-	const std::size_t pieces = fill_->rim_count() / hull_count_; // of the rim, for each edge of the hull
+	std::size_t pieces = 1; // of the rim, for each edge of the hull
+	fill_->for_rims([&](std::size_t start, std::size_t count) { pieces = start == 0 ? count / hull_count_ : pieces; });
 	std::vector<std::uint8_t> edges(fill_->rim_count(), 0);
 	for (std::size_t i = 0; i < hull_count_; ++i) {
 		if (drawn_.cut_edges.has(order_.mirror_edge(int(i)))) {
@@ -249,7 +268,7 @@ std::vector<std::uint8_t> SoftBodySkin::cut_edges() const {
 	return edges;
 }
 
-OutlineBand SoftBodySkin::make_band(Mesh &r_mesh, std::span<const Vec2> rim, Real width, const Ref<Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const {
+std::vector<OutlineBand> SoftBodySkin::make_bands(Mesh &r_mesh, std::span<const Vec2> rim, Real width, const Ref<Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const {
 	const std::uint32_t arc = drawn_.smooth ? SMOOTH_ARC_POINTS : ARC_POINTS;
 	std::vector<OutlineBand::Rail> rails;
 	if (drawn_.antialiased) {
@@ -258,29 +277,52 @@ OutlineBand SoftBodySkin::make_band(Mesh &r_mesh, std::span<const Vec2> rim, Rea
 	} else {
 		rails = { { 0, 1 }, { width, arc } };
 	}
-	const OutlineBand band(fill_->rim_count(), rails, edges);
-
-	std::vector<Real> way{ 0 }; // along the rim at rest
-	for (std::size_t i = 0; i < rim.size(); ++i) {
-		way.push_back(way.back() + length(rim[(i + 1) % rim.size()] - rim[i]));
-	}
 	const TexturePart part = part_of(texture);
 	// A whole number of tiles, so that the last tile ends where the first begins.
 	const Real tile = width * Real(part.size.x / part.size.y);
-	const Real tiles = is_tiled ? std::max(Real(1), std::round(way.back() / tile)) : Real(1);
-	std::vector<Vector2> uvs(band.vertex_count());
-	std::vector<Color> colors(drawn_.antialiased ? band.vertex_count() : 0, Color(1, 1, 1));
-	band.for_vertices([&](std::size_t vertex, std::size_t corner, std::size_t rail) {
-		const Vector2 uv(way[corner] / way.back() * tiles, CLAMP(rails[rail].distance / width, Real(0), Real(1)));
-		uvs[vertex] = is_tiled ? uv : part.start + uv * part.share;
-		if (!colors.empty() && (rail == 0 || rail + 1 == rails.size())) {
-			colors[vertex].a = 0;
+	std::vector<OutlineBand> bands;
+	std::vector<Triangle> triangles;
+	std::vector<Vector2> uvs;
+	std::vector<Color> colors;
+	fill_->for_rims([&](std::size_t start, std::size_t count) {
+		const std::span<const Vec2> loop = rim.subspan(start, count);
+		const OutlineBand band(count, rails, edges.empty() ? edges : edges.subspan(start, count));
+		std::vector<Real> way{ 0 }; // along the rim at rest
+		for (std::size_t i = 0; i < loop.size(); ++i) {
+			way.push_back(way.back() + length(loop[(i + 1) % loop.size()] - loop[i]));
 		}
+		const Real tiles = is_tiled ? std::max(Real(1), std::round(way.back() / tile)) : Real(1);
+		const std::size_t first = uvs.size();
+		uvs.resize(first + band.vertex_count());
+		colors.resize(drawn_.antialiased ? uvs.size() : 0, Color(1, 1, 1));
+		band.for_vertices([&](std::size_t vertex, std::size_t corner, std::size_t rail) {
+			const Vector2 uv(way[corner] / way.back() * tiles, CLAMP(rails[rail].distance / width, Real(0), Real(1)));
+			uvs[first + vertex] = is_tiled ? uv : part.start + uv * part.share;
+			if (!colors.empty() && (rail == 0 || rail + 1 == rails.size())) {
+				colors[first + vertex].a = 0;
+			}
+		});
+		for (Triangle triangle : band.triangles()) {
+			for (std::uint32_t &corner : triangle) {
+				corner += std::uint32_t(first);
+			}
+			triangles.push_back(triangle);
+		}
+		bands.push_back(band);
 	});
-	if (!band.triangles().empty()) { // of a piece that was cut all around there is no outline
-		r_mesh.make(band.triangles(), uvs, colors);
+	if (!triangles.empty()) { // of a piece that was cut all around there is no outline
+		r_mesh.make(triangles, uvs, colors);
 	}
-	return band;
+	return bands;
+}
+
+void SoftBodySkin::place_bands(const std::vector<OutlineBand> &bands, std::span<const Vec2> rim, std::span<Vec2> vertices) const {
+	std::size_t band = 0;
+	fill_->for_rims([&](std::size_t start, std::size_t count) {
+		bands[band].place(rim.subspan(start, count), fill_->side(), vertices);
+		vertices = vertices.subspan(bands[band].vertex_count());
+		band++;
+	});
 }
 
 // The outline lies inside the hull: its outer edge is where the body touches other things.
@@ -297,13 +339,13 @@ void SoftBodySkin::make_outline(std::span<const Vec2> rim) {
 		}
 	}
 	const bool is_tiled = drawn_.outline_texture_mode == SkinStyle::OUTLINE_TEXTURE_TILE;
-	outline_ = make_band(outline_mesh_, rim, Real(drawn_.outline_width), drawn_.outline_texture, is_tiled, edges);
+	outline_ = make_bands(outline_mesh_, rim, Real(drawn_.outline_width), drawn_.outline_texture, is_tiled, edges);
 }
 
 void SoftBodySkin::make_cuts(std::span<const Vec2> rim) {
 	cut_mesh_.free();
 	if (has_cuts()) {
-		cut_band_ = make_band(cut_mesh_, rim, Real(drawn_.cut_width), drawn_.cut_texture, true, cut_edges());
+		cut_bands_ = make_bands(cut_mesh_, rim, Real(drawn_.cut_width), drawn_.cut_texture, true, cut_edges());
 	}
 }
 
@@ -354,11 +396,11 @@ void SoftBodySkin::update(std::span<const Vec2> points) {
 		fill_mesh_.send();
 	}
 	if (outline_mesh_.rid.is_valid()) {
-		outline_.place(rim, fill_->side(), outline_mesh_.vertices());
+		place_bands(outline_, rim, outline_mesh_.vertices());
 		outline_mesh_.send();
 	}
 	if (cut_mesh_.rid.is_valid()) {
-		cut_band_.place(rim, fill_->side(), cut_mesh_.vertices());
+		place_bands(cut_bands_, rim, cut_mesh_.vertices());
 		cut_mesh_.send();
 	}
 }

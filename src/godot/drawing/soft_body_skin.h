@@ -50,8 +50,8 @@ public:
 	/// The fill color, as the look has it.
 	godot::Color color_in_use() const { return color_of_look(style_, is_soft()); }
 	/// Sets all points of the body at rest, the hull first, in the order of the core, and how that order is the user's.
-	/// One pixel is `pixel` long there.
-	void set_rest(std::vector<Vec2> rest, PointOrder order, Real pixel);
+	/// One pixel is `pixel` long there. `holes` as for FillMesh.
+	void set_rest(std::vector<Vec2> rest, PointOrder order, Real pixel, std::span<const std::size_t> holes = {});
 
 	std::span<const Vec2> rest() const { return rest_; }
 
@@ -86,14 +86,16 @@ private:
 	bool has_cuts() const { return style_.cut_width > 0 && !style_.cut_edges.is_empty(); }
 	void make();
 	void make_fill();
+	Real wall_width() const;
 	void make_outline(std::span<const Vec2> rim);
 	void make_cuts(std::span<const Vec2> rim);
+	void place_bands(const std::vector<OutlineBand> &bands, std::span<const Vec2> rim, std::span<Vec2> vertices) const;
 	/// Places of the rim for these points. Valid until the next call for any body.
 	std::span<Vec2> rim_at(std::span<const Vec2> points) const;
 	/// For each edge of the rim whether a cut made it.
 	std::vector<std::uint8_t> cut_edges() const;
-	/// A band inside the rim, with a texture along it: a whole number of tiles all around, or one that is stretched.
-	OutlineBand make_band(Mesh &r_mesh, std::span<const Vec2> rim, Real width, const godot::Ref<godot::Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const;
+	/// Bands inside the rim, one after the other, with a texture along each: a whole number of tiles all around, or one that is stretched.
+	std::vector<OutlineBand> make_bands(Mesh &r_mesh, std::span<const Vec2> rim, Real width, const godot::Ref<godot::Texture2D> &texture, bool is_tiled, std::span<const std::uint8_t> edges) const;
 	/// Before offset, scale and rotation [px of the texture].
 	std::vector<Vec2> corner_pixels(godot::Vector2 part_size) const;
 	bool has_own_uv() const { return std::size_t(style_.uv.size()) == hull_count_; }
@@ -105,13 +107,14 @@ private:
 	SkinStyle drawn_; ///< the style as the look has it; made with the meshes
 	std::vector<Vec2> rest_;
 	std::size_t hull_count_ = 0;
+	std::vector<std::size_t> holes_; ///< number of points of each
 	PointOrder order_;
 	Real pixel_ = 1;
 	bool is_stale_ = true;
 
 	std::shared_ptr<const FillMesh> fill_; ///< one for like bodies
-	OutlineBand outline_;
-	OutlineBand cut_band_;
+	std::vector<OutlineBand> outline_; ///< along the hull and along each hole
+	std::vector<OutlineBand> cut_bands_;
 	Mesh fill_mesh_;
 	Mesh outline_mesh_;
 	Mesh cut_mesh_;

@@ -18,7 +18,8 @@ namespace softbody {
 struct BodyDesign {
 	std::shared_ptr<const SoftBodyShape> shape;
 	godot::Transform2D scale;
-	double area = 0; ///< inside the hull at that scale [px²]
+	double area = 0; ///< inside the polygon less its holes at that scale [px²]
+	bool has_holes = false;
 	double mass = 0; ///< [kg]
 	BodyProperties::ModelChoice wanted; ///< model by the node's properties
 	BodyProperties::ModelChoice used;

@@ -75,6 +75,9 @@ std::shared_ptr<const DrawnOutline> BodyStructure::make_outline(BodyProperties::
 	if (p_mode == BodyProperties::DETAIL_MODE_POINT_COUNT) {
 		options.most_points = detail_.point_count;
 	}
+	if (detail_.weights.size() == values_.polygon.size()) {
+		options.weights.assign(detail_.weights.ptr(), detail_.weights.ptr() + detail_.weights.size());
+	}
 	return DrawnOutline::find_or_make(values_.polygon, options);
 }
 
@@ -82,8 +85,20 @@ const DrawnOutline *BodyStructure::outline() const {
 	if (!is_outline_known_) {
 		outline_ = make_outline(detail_.mode);
 		is_outline_known_ = true;
+		const bool has_holes = !values_.holes.empty() && !check_holes("holes", values_.holes, to_core(values_.polygon));
+		holes_ = has_holes ? std::make_shared<const DrawnHoles>(values_.holes, values_.polygon, hull()) : nullptr;
 	}
 	return outline_.get();
+}
+
+const DrawnHoles *BodyStructure::holes() const {
+	outline();
+	return holes_.get();
+}
+
+const Holes &BodyStructure::holes_in_use() const {
+	static const Holes NONE;
+	return holes() != nullptr ? values_.holes : NONE;
 }
 
 std::shared_ptr<const DrawnOutline> BodyStructure::outline_at_tolerance() const {
@@ -91,6 +106,9 @@ std::shared_ptr<const DrawnOutline> BodyStructure::outline_at_tolerance() const 
 }
 
 Status BodyStructure::check_as_drawn() const {
+	if (holes() != nullptr) {
+		return Error{ "holes", std::to_string(values_.holes.size()), "must be none for cuts and tears", "clear holes" };
+	}
 	if (outline() == nullptr) {
 		return {};
 	}
@@ -109,6 +127,9 @@ StructureOptions BodyStructure::options(const Transform2D &p_scale) const {
 	options.center_point = values_.center_point;
 	options.balanced_mass = outline() != nullptr;
 	options.inner_points = to_core(p_scale.xform(values_.inner_points));
+	for (const std::vector<Vec2> &hole : holes_in_use()) {
+		options.holes.push_back(to_core(p_scale.xform(to_godot(std::span<const Vec2>(hole)))));
+	}
 	for (int64_t i = 0; i + 1 < values_.springs.size(); i += 2) {
 		options.springs.push_back({ uint32_t(values_.springs[i]), uint32_t(values_.springs[i + 1]) });
 	}
@@ -149,6 +170,14 @@ Result<std::shared_ptr<const SoftBodyShape>> BodyStructure::make_shape(std::span
 
 void BodyStructure::append_warnings(PackedStringArray &r_warnings) const {
 	const std::vector<Vec2> hull = to_core(values_.polygon);
+	if (!detail_.weights.is_empty() && detail_.weights.size() != values_.polygon.size()) {
+		r_warnings.push_back("'detail_weights' has " + String::num_int64(detail_.weights.size()) + " entries and the polygon " + String::num_int64(values_.polygon.size()) + " points, so it is not used. Give it one entry for each point of the polygon, or none.");
+	}
+	if (!values_.holes.empty()) {
+		if (const Status status = check_holes("holes", values_.holes, hull)) {
+			r_warnings.push_back("The body has no holes, as they do not fit the polygon: " + to_godot(*status) + ".");
+		}
+	}
 	for (int64_t i = 0; i < values_.inner_points.size(); i++) {
 		if (!point_in_polygon(to_core(values_.inner_points[i]), hull)) {
 			r_warnings.push_back("inner_points[" + String::num_int64(i) + "] lies outside the polygon: it is part of the body, but touches nothing. Move it inside.");

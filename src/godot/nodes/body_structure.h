@@ -4,7 +4,9 @@
 
 #include "core/base/error.h"
 #include "core/creator/soft_body_creator.h"
+#include "core/geometry/holed_polygon.h"
 #include "godot/convert.h"
+#include "godot/drawing/drawn_holes.h"
 #include "godot/drawing/drawn_outline.h"
 #include "godot/nodes/body_properties.h"
 
@@ -41,6 +43,7 @@ class BodyStructure {
 public:
 	struct Values {
 		godot::PackedVector2Array polygon;
+		Holes holes; ///< that may not fit a polygon set later
 		godot::PackedVector2Array inner_points;
 		godot::PackedInt32Array springs; ///< pairs of points; empty: the automatic springs
 		godot::PackedFloat32Array stiffness_scales; ///< one a spring, like the next two; empty: all 1
@@ -53,6 +56,7 @@ public:
 		BodyProperties::DetailMode mode = BodyProperties::DETAIL_MODE_AS_DRAWN;
 		double tolerance = 0.03; ///< see SimplifyOptions
 		int point_count = 24; ///< in DETAIL_MODE_POINT_COUNT
+		godot::PackedFloat32Array weights; ///< one for each point of the polygon; of another number: not used
 	};
 
 	/// Least width of a body that has been scaled down [px].
@@ -88,9 +92,13 @@ public:
 	int polygon_count() const { return int(values_.polygon.size()); }
 	/// How the polygon follows the hull; null where the polygon is the hull.
 	const DrawnOutline *outline() const;
+	/// How the holes follow the hull; null where there are none that fit the polygon.
+	const DrawnHoles *holes() const;
+	/// The holes, or none where they do not fit the polygon.
+	const Holes &holes_in_use() const;
 	/// The outline that DETAIL_MODE_AUTOMATIC would have; null where it would simulate the polygon as drawn.
 	std::shared_ptr<const DrawnOutline> outline_at_tolerance() const;
-	/// Refuses a hull that is not the polygon itself.
+	/// Refuses a hull that is not the polygon itself, and holes.
 	Status check_as_drawn() const;
 	/// What is simulated, in the user's order.
 	const godot::PackedVector2Array &hull() const { return outline() != nullptr ? outline_->hull() : values_.polygon; }
@@ -122,7 +130,8 @@ private:
 	Values values_;
 	DetailValues detail_;
 	mutable std::shared_ptr<const DrawnOutline> outline_;
-	mutable bool is_outline_known_ = true; ///< whether `outline_` is that of the present values; the empty polygon has none
+	mutable std::shared_ptr<const DrawnHoles> holes_;
+	mutable bool is_outline_known_ = true; ///< whether `outline_` and `holes_` are those of the present values; the empty polygon has none
 };
 
 } // namespace softbody

@@ -199,7 +199,7 @@ void SoftBody2D::_notification(int p_what) {
 // Where the node belongs so that its hull, as designed, lies on the body's best-fitting frame.
 Transform2D SoftBody2D::transform_at(const softbody::BodyFrame &p_frame) const {
 	const softbody::Vec2 origin = p_frame.center - p_frame.rotation.apply(body()->shape().origin_offset());
-	Transform2D transform = Transform2D(p_frame.rotation.angle(), Vector2()) * built_scale_;
+	Transform2D transform = softbody::to_godot(p_frame.rotation) * built_scale_;
 	transform.set_origin(to_godot(origin));
 	return transform;
 }
@@ -354,15 +354,16 @@ void SoftBody2D::place_node(const Transform2D &p_transform) {
 	const Transform2D before = get_transform();
 	const CanvasItem *parent = is_set_as_top_level() ? nullptr : Object::cast_to<CanvasItem>(get_parent());
 	const Transform2D after = parent != nullptr ? parent->get_global_transform().affine_inverse() * p_transform : p_transform;
-	const real_t turn = before.columns[0].angle_to(after.columns[0]);
-	const Transform2D turned = Transform2D(turn, Vector2()) * before;
+	const softbody::Rotation from = softbody::rotation_of(before), to = softbody::rotation_of(after);
+	const softbody::Rotation turn = { from.c * to.c + from.s * to.s, from.c * to.s - from.s * to.c };
+	const Transform2D turned = softbody::to_godot(turn) * before;
 	if (!softbody::is_same_scale(turned, after, SCALE_TOLERANCE)) { // under a skewed parent, a rotation is more than a rotation
 		set_global_transform(p_transform);
 		is_mirrored_x_ = false;
 		return;
 	}
 	set_position(after.get_origin());
-	set_rotation(real_t(std::remainder(double(get_rotation()) + double(turn), Math_TAU)));
+	set_rotation(real_t(std::remainder(double(get_rotation()) + double(turn.angle()), Math_TAU)));
 }
 
 void SoftBody2D::follow_body() {

@@ -122,10 +122,14 @@ public:
 	Look get_look_in_use() const { return skin_.is_soft() ? LOOK_SOFT : LOOK_PLAIN; }
 	Color get_color_in_use() const { return skin_.color_in_use(); }
 	PackedVector2Array get_interpolated_polygon(double p_fraction) const;
+	TypedArray<PackedVector2Array> get_interpolated_holes(double p_fraction) const;
 	Transform2D get_interpolated_transform(double p_fraction) const;
 
 	// Structure: soft_body_2d_structure.cpp.
 	PackedVector2Array get_polygon() const { return structure_.values().polygon; }
+	void set_holes(const TypedArray<PackedVector2Array> &p_holes);
+	TypedArray<PackedVector2Array> get_holes() const;
+	static String get_holes_problem(const TypedArray<PackedVector2Array> &p_holes, const PackedVector2Array &p_polygon);
 	/// What keeps these points from being a polygon of a body, as the setter would say it; empty when nothing does.
 	static String get_polygon_problem(const PackedVector2Array &p_polygon);
 	static PackedVector2Array make_circle_polygon(double p_radius, int p_point_count);
@@ -295,7 +299,6 @@ protected:
 	static void bind_body_methods();
 	static void bind_structure_methods();
 	static void bind_enumerations();
-
 	// Friction and bounce were properties of the node in earlier versions: soft_body_2d_material.cpp.
 	static bool is_former_surface(const StringName &p_name);
 	void set_former_surface(const StringName &p_name, const Variant &p_value);
@@ -305,14 +308,12 @@ protected:
 	/// One for each member of `Values`, `BodyStructure::Values` and `SkinStyle` that is a property; `bind_value` fills it.
 	template <auto VALUE>
 	static inline ValueRule rule_of;
-
 	/// Binds a property whose setter and getter are templates.
 	template <auto VALUE>
 	static void bind_value(const ValueRule &p_rule, PropertyHint p_hint = PROPERTY_HINT_NONE, const char *p_hint_string = "",
 			const char *p_getter_name = nullptr, const char *p_setter_name = nullptr);
 
 	static const char *const REASON_NETWORK_VALUES;
-
 	/// Mass of the default body [kg], and its area [px²].
 	static constexpr double DEFAULT_MASS = 1;
 	static double default_area();
@@ -320,7 +321,7 @@ protected:
 	softbody::SizedHull sized_hull(const Transform2D &p_transform) const;
 	using Design = softbody::BodyDesign;
 
-	/// A callable of a bound method that may be kept: it is by name, as a reload of the extension exchanges the node's code.
+	/// Of a bound method, and may be kept: it is by name, as a reload of the extension exchanges the node's code.
 	Callable own_callable(const char *p_method) { return Callable(this, p_method); }
 	bool accept(const StringName &p_property, const softbody::Status &p_status);
 	bool accept_shape(const StringName &p_property);
@@ -376,7 +377,6 @@ protected:
 	std::size_t core_index(int p_index) const { return std::size_t(order().mirror(p_index)); }
 	softbody::PointOrder order() const { return structure_.order(polygon_reversed_); }
 	bool check_index(int p_index) const;
-
 	void enter_space();
 	void leave_space();
 	void rebuild_body(bool p_keeps_motion);
@@ -429,6 +429,8 @@ protected:
 	void note_look();
 	void note_move_by_user(const Transform2D &p_from, const Transform2D &p_to);
 	std::span<const softbody::Vec2> drawn_points(double p_fraction) const; ///< as `local_points`, for the skin
+	double area_of_holes() const;
+	std::span<const softbody::Vec2> with_holes(std::span<const softbody::Vec2> p_outline, std::span<const softbody::Vec2> p_points) const;
 	bool check_fraction(double &r_fraction) const;
 	void draw();
 	void place_canvas_item(double p_fraction);
@@ -437,7 +439,6 @@ protected:
 	void enter_screen();
 	void leave_screen();
 	bool is_off_screen() const;
-
 	Values values_;
 	softbody::BodyStructure structure_;
 	softbody::BodyMaterial material_;
@@ -482,7 +483,6 @@ protected:
 	bool knows_areas_ = false; ///< whether the body has been told what areas do to it
 	bool moving_ = false; ///< whether the last tick stepped the body
 	bool has_stopped_ = false; ///< whether the tick before it did
-
 	softbody::SoftBodySkin skin_;
 	softbody::BodyInterpolation interpolation_;
 	std::unique_ptr<softbody::DebugDrawing> debug_drawing_; ///< while collision shapes are visible

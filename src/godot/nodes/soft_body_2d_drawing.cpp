@@ -11,6 +11,9 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
+#include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 using softbody::Aabb;
@@ -44,11 +47,16 @@ void SoftBody2D::update_topology() {
 	const Vector2 scale = built_scale_.get_scale().abs();
 	const real_t pixel = 1 / MAX(real_t(1e-3), (scale.x + scale.y) / 2);
 	rest_points_ = structure_.rest_points(polygon_reversed_);
-	if (const softbody::DrawnOutline *outline = structure_.outline()) {
-		skin_.set_rest(outline->drawn_rest(rest_points_), { structure_.polygon_count(), false }, softbody::Real(pixel));
-	} else {
-		skin_.set_rest(rest_points_, order(), softbody::Real(pixel));
+	const softbody::DrawnOutline *outline = structure_.outline();
+	const softbody::PointOrder drawn_order = outline != nullptr ? softbody::PointOrder{ structure_.polygon_count(), false } : order();
+	std::vector<Vec2> rest = outline != nullptr ? outline->drawn_rest(rest_points_) : rest_points_;
+	std::span<const std::size_t> holes;
+	if (structure_.holes() != nullptr) {
+		const std::span<const Vec2> drawn = with_holes(std::span<const Vec2>(rest).first(std::size_t(structure_.polygon_count())), rest_points_);
+		rest.assign(drawn.begin(), drawn.end());
+		holes = structure_.holes()->counts();
 	}
+	skin_.set_rest(std::move(rest), drawn_order, softbody::Real(pixel), holes);
 	remake_skin();
 }
 
@@ -143,7 +151,9 @@ std::span<const Vec2> SoftBody2D::local_points(double p_fraction) const {
 
 std::span<const Vec2> SoftBody2D::drawn_points(double p_fraction) const {
 	const softbody::DrawnOutline *outline = structure_.outline();
-	return outline != nullptr ? outline->follow(local_points(p_fraction), order()) : local_points(p_fraction);
+	const std::span<const Vec2> points = local_points(p_fraction);
+	const std::span<const Vec2> drawn = outline != nullptr ? outline->follow(points, order()) : points;
+	return structure_.holes() != nullptr ? with_holes(drawn.first(std::size_t(structure_.polygon_count())), points) : drawn;
 }
 
 bool SoftBody2D::check_fraction(double &r_fraction) const {

@@ -142,6 +142,8 @@ void SoftBody2D::bind_properties() {
 	bind_value<&Values::substeps>({ "substeps", Range::between(0, softbody::MAX_SUBSTEPS), &SoftBody2D::apply_settings }, PROPERTY_HINT_RANGE, "0,64,1");
 
 	ADD_GROUP("Data", "");
+	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "holes", PROPERTY_HINT_ARRAY_TYPE, String::num_int64(Variant::PACKED_VECTOR2_ARRAY) + ":"), "set_holes", "get_holes");
+	bind_value<&Detail::weights>({ "detail_weights" });
 	bind_value<&Structure::inner_points>({ "inner_points" }, PROPERTY_HINT_NONE, "suffix:px");
 	bind_value<&Structure::springs>({ "springs" });
 	bind_value<&Structure::stiffness_scales>({ "spring_stiffness_scales" });

@@ -34,6 +34,9 @@ void SoftBody2D::bind_structure_methods() {
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_circle_polygon", "radius", "point_count"), &SoftBody2D::make_circle_polygon);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_box_polygon", "size", "spacing"), &SoftBody2D::make_box_polygon);
 	ClassDB::bind_static_method("SoftBody2D", D_METHOD("make_capsule_polygon", "radius", "height", "spacing"), &SoftBody2D::make_capsule_polygon);
+	ClassDB::bind_static_method("SoftBody2D", D_METHOD("get_holes_problem", "holes", "polygon"), &SoftBody2D::get_holes_problem);
+	ClassDB::bind_method(D_METHOD("set_holes", "holes"), &SoftBody2D::set_holes);
+	ClassDB::bind_method(D_METHOD("get_holes"), &SoftBody2D::get_holes);
 	ClassDB::bind_method(D_METHOD("get_simulated_polygon"), &SoftBody2D::get_simulated_polygon);
 	ClassDB::bind_method(D_METHOD("get_detail_report"), &SoftBody2D::get_detail_report);
 	ClassDB::bind_method(D_METHOD("get_spring_count"), &SoftBody2D::get_spring_count);
@@ -72,6 +75,7 @@ void SoftBody2D::bind_structure_methods() {
 	ClassDB::bind_method(D_METHOD("get_look_in_use"), &SoftBody2D::get_look_in_use);
 	ClassDB::bind_method(D_METHOD("get_color_in_use"), &SoftBody2D::get_color_in_use);
 	ClassDB::bind_method(D_METHOD("get_interpolated_polygon", "fraction"), &SoftBody2D::get_interpolated_polygon, DEFVAL(-1.0));
+	ClassDB::bind_method(D_METHOD("get_interpolated_holes", "fraction"), &SoftBody2D::get_interpolated_holes, DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("get_interpolated_transform", "fraction"), &SoftBody2D::get_interpolated_transform, DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("_follow_texture"), &SoftBody2D::follow_texture);
 	ClassDB::bind_method(D_METHOD("_enter_screen"), &SoftBody2D::enter_screen);

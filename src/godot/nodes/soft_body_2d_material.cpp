@@ -114,6 +114,9 @@ SoftBody2D::ModelChoice SoftBody2D::choose_model() const {
 	if (material_.values().has_network_values) {
 		return { ELASTIC_MODEL_NETWORK, REASON_NETWORK_VALUES };
 	}
+	if (structure_.holes() != nullptr) { // springs do not know of holes
+		return modes_or_stand_in(ELASTIC_MODEL_MODES, REASON_MATERIAL);
+	}
 	return modes_or_stand_in(ElasticModel(ELASTIC_MODEL_SPRINGS + int(softbody::choose_elastic_model(std::size_t(structure_.hull_count())))), REASON_MATERIAL);
 }
 
@@ -200,7 +203,8 @@ softbody::Firmness SoftBody2D::firmness_of(const Design &p_design) const {
 		return {};
 	}
 	const double gravity = double(length(project_gravity())) * values_.gravity_scale;
-	return softbody::firmness_for(softbody::load_of(p_design.mass, gravity, p_design.area), material_.values().youngs_modulus);
+	const double load = softbody::load_of(p_design.mass, gravity, p_design.area);
+	return softbody::firmness_for(p_design.has_holes ? load * softbody::softness_by_holes(*p_design.shape) : load, material_.values().youngs_modulus);
 }
 
 double SoftBody2D::get_youngs_modulus_in_use() const {

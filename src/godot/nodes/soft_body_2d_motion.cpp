@@ -175,7 +175,7 @@ Vector2 SoftBody2D::get_gravity() const {
 // Locked rotation. It is the one that the user has given the node last.
 
 void SoftBody2D::lock_rotation() {
-	locked_rotation_ = double(known_transform_.get_rotation());
+	locked_rotation_ = softbody::angle_of(known_transform_);
 	note_change();
 }
 

@@ -69,11 +69,6 @@ int SoftBody2D::get_nearest_point(const Vector2 &p_global_position) const {
 	return nearest;
 }
 
-bool SoftBody2D::has_point(const Vector2 &p_global_position) const {
-	const softbody::SoftBodyData *found = followed_body();
-	return found != nullptr && softbody::point_in_polygon(to_core(p_global_position), found->hull());
-}
-
 // Forces.
 
 void SoftBody2D::apply_point_force(int p_index, const Vector2 &p_force) {
@@ -158,16 +153,6 @@ void SoftBody2D::apply_point_forces(const PackedVector2Array &p_forces) {
 }
 
 // Measures.
-
-double SoftBody2D::get_area() const {
-	const softbody::SoftBodyData *found = followed_body();
-	return found ? double(softbody::signed_area(found->hull())) : get_rest_area();
-}
-
-double SoftBody2D::get_rest_area() const {
-	const softbody::SoftBodyData *found = followed_body();
-	return found ? double(found->shape().rest_area()) : std::abs(double(softbody::signed_area(to_core(get_polygon()))));
-}
 
 double SoftBody2D::get_penetration() const {
 	const softbody::SoftBodyData *found = followed_body();

@@ -281,7 +281,9 @@ PackedStringArray SoftBody2D::get_warnings() const {
 			warnings.push_back("Left out of the body, as it does not fit the rest of its structure: " + problem + ".");
 		}
 	}
-	structure_.append_warnings(warnings);
+	if (rope() == nullptr) { // whose structure follows from its path
+		structure_.append_warnings(warnings);
+	}
 	if (const softbody::Status as_drawn = structure_.check_as_drawn(); as_drawn && material_.values().tear_stretch > 0) {
 		warnings.push_back("tear_stretch does nothing: " + to_godot(*as_drawn) + ".");
 	}

@@ -4,6 +4,7 @@
 
 #include "godot/nodes/soft_body_2d.h"
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -46,7 +47,13 @@ void SoftBody2D::set_structure(softbody::ValueOf<VALUE> p_value) {
 template <auto VALUE>
 void SoftBody2D::set_detail(softbody::ValueOf<VALUE> p_value) {
 	const ValueRule &rule = rule_of<VALUE>;
-	if (p_value == get_detail<VALUE>() || !accept(rule.name, rule.range.check(rule.name, double(p_value)))) {
+	softbody::Status status;
+	if constexpr (std::is_same_v<softbody::ValueOf<VALUE>, PackedFloat32Array>) {
+		status = softbody::check_detail_weights(rule.name, { p_value.ptr(), std::size_t(p_value.size()) });
+	} else {
+		status = rule.range.check(rule.name, double(p_value));
+	}
+	if (p_value == get_detail<VALUE>() || !accept(rule.name, status)) {
 		return;
 	}
 	const softbody::DrawnMotion before = drawn_motion();

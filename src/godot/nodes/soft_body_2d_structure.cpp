@@ -86,6 +86,9 @@ softbody::SizedHull SoftBody2D::sized_hull(const Transform2D &p_transform) const
 	if (structure_.outline() != nullptr) { // the drawn area decides the mass, to the bit
 		made.area = std::abs(double(softbody::signed_area(to_core(sized.rest.xform(get_polygon()))))) * double(sized.size) * double(sized.size);
 	}
+	for (const std::vector<softbody::Vec2> &hole : structure_.holes_in_use()) {
+		made.area -= std::abs(double(softbody::signed_area(to_core(sized.rest.xform(to_godot(std::span<const softbody::Vec2>(hole))))))) * double(sized.size) * double(sized.size);
+	}
 	return made;
 }
 
@@ -100,6 +103,7 @@ softbody::Result<SoftBody2D::Design> SoftBody2D::make_design(const Transform2D &
 	made.used = made.wanted;
 
 	softbody::StructureOptions options = structure_.options(sized.rest);
+	made.has_holes = !options.holes.empty();
 	if (rope() != nullptr) {
 		auto shape = softbody::RopePart::make_shape(hull, options.inner_points, sized.size, softbody::Real(made.mass));
 		if (!shape) {

@@ -43,6 +43,9 @@ struct HashOfDesign {
 			hash.add(std::uint64_t(value));
 		}
 		add_list(hash, options.inner_points);
+		for (const std::vector<Vec2> &hole : options.holes) {
+			add_list(hash, hole);
+		}
 		for (const SpringEnds &ends : options.springs) {
 			hash.add(std::uint64_t(ends[0]) << 32 | ends[1]);
 		}

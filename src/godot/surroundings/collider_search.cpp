@@ -245,7 +245,7 @@ void ColliderSearch::query(PhysicsDirectSpaceState2D *p_state, const Aabb &p_box
 	if (p_splits == 0) {
 		PhysicsServer2D::get_singleton()->shape_set_data(query_shape_, to_godot(p_box.half_size()));
 		await_server(); // The query reads the shape at once.
-		query_->set_transform(Transform2D(0, to_godot(center)));
+		query_->set_transform(transform_to(center));
 		TypedArray<Dictionary> hits = p_state->intersect_shape(query_, FEW_RESULTS);
 		if (hits.size() >= FEW_RESULTS) {
 			hits = p_state->intersect_shape(query_, MANY_RESULTS);

@@ -51,7 +51,7 @@ bool CrowdWatch::is_crowded(PhysicsDirectSpaceState2D *state, const Aabb &box) {
 	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
 	server->shape_set_data(shape_, to_godot(box.half_size()));
 	server->shape_get_type(shape_); // Commands wait in a queue where the server has a thread; the answer comes after them.
-	query_->set_transform(Transform2D(0, to_godot(box.center())));
+	query_->set_transform(transform_to(box.center()));
 	return state->collide_shape(query_, CROWD).size() >= 2 * CROWD; // two ends each
 }
 

@@ -26,7 +26,8 @@ constexpr int ROUND_CORNERS = 32;
 PackedVector2Array round_corners(double radius, double half) {
 	PackedVector2Array corners;
 	for (int i = 0; i < ROUND_CORNERS; i++) {
-		const Vector2 direction = Vector2::from_angle(real_t(Math_TAU * (i + 0.5) / ROUND_CORNERS));
+		const auto [sine, cosine] = sine_cosine(Math_TAU * (i + 0.5) / ROUND_CORNERS);
+		const Vector2 direction = Vector2(real_t(cosine), real_t(sine));
 		corners.push_back(direction * real_t(radius) + Vector2(0, direction.y > 0 ? real_t(half) : -real_t(half)));
 	}
 	return corners;

@@ -194,12 +194,12 @@ bool HullProxy::place(const BodyFrame &frame, bool exactly) {
 	PhysicsServer2D *server = PhysicsServer2D::get_singleton();
 	const RID body = rid();
 	if (std::exchange(is_new_, false)) {
-		server->body_set_state(body, PhysicsServer2D::BODY_STATE_TRANSFORM, Transform2D(0, to_godot(origin_)));
+		server->body_set_state(body, PhysicsServer2D::BODY_STATE_TRANSFORM, transform_to(origin_));
 		return true; // `send_velocity` comes after
 	}
 	server->body_set_mode(body, PhysicsServer2D::BODY_MODE_RIGID);
 	server->body_set_mode(body, PhysicsServer2D::BODY_MODE_KINEMATIC);
-	server->body_set_state(body, PhysicsServer2D::BODY_STATE_TRANSFORM, Transform2D(0, to_godot(origin_)));
+	server->body_set_state(body, PhysicsServer2D::BODY_STATE_TRANSFORM, transform_to(origin_));
 	server->body_set_state(rid(), PhysicsServer2D::BODY_STATE_LINEAR_VELOCITY, to_godot(velocity_));
 	server->body_set_state(rid(), PhysicsServer2D::BODY_STATE_ANGULAR_VELOCITY, double(angular_velocity_));
 	return true;
@@ -433,7 +433,7 @@ void HullProxy::gather_riders(std::span<const Vec2> hull) {
 
 void HullProxy::stir() {
 	PhysicsServer2D::get_singleton()->body_set_state(rid(), PhysicsServer2D::BODY_STATE_TRANSFORM,
-			Transform2D(0, to_godot(origin_)));
+			transform_to(origin_));
 }
 
 void HullProxy::begin_near() {

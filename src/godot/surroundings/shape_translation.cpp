@@ -71,8 +71,8 @@ void add_round(real_t p_radius, real_t p_half, const Transform2D &p_to_frame, Tr
 	std::vector<Vector2> outline;
 	for (int end = 0; end < 2; end++) {
 		for (int i = 0; i <= ARC_POINTS; i++) {
-			const double angle = Math_PI * (end + double(i) / ARC_POINTS);
-			outline.push_back(Vector2(p_radius * std::cos(angle), p_radius * std::sin(angle) + (end == 0 ? p_half : -p_half)));
+			const auto [sine, cosine] = sine_cosine(Math_PI * (end + double(i) / ARC_POINTS));
+			outline.push_back(Vector2(p_radius * cosine, p_radius * sine + (end == 0 ? p_half : -p_half)));
 		}
 	}
 	add_outline(outline, p_to_frame, 0, r_shape);

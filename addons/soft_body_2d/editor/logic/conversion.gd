@@ -17,6 +17,8 @@ const SHARED_WITH_RIGID_BODY: Array[StringName] = [&"collision_layer", &"collisi
 		&"can_sleep", &"sleeping", &"contact_monitor", &"input_pickable", &"disable_mode"]
 ## With fewer points than this a note recommends to resample.
 const FEW_POINTS := 8
+## Of the outline of a frame, about.
+const FRAME_POINTS := 24
 
 ## Why the node cannot be converted, and what to do; empty when it can. The values are of no use then.
 var problem := ""
@@ -33,12 +35,12 @@ static func can_convert(node: Object) -> bool:
 			and not node is PhysicalBone2D)
 
 
-## `traced` is the outline of a Sprite2D's picture, in pixels of what it shows; other nodes need none.
-static func of(node: Node2D, traced := PackedVector2Array()) -> RefCounted:
+## `traced` is the outline of a Sprite2D's picture, in pixels of what it shows, and `traced_holes` are its holes; other nodes need none.
+static func of(node: Node2D, traced := PackedVector2Array(), traced_holes: Array[PackedVector2Array] = []) -> RefCounted:
 	var made: RefCounted = new()
 	made.values = node_values(node)
 	if node is Sprite2D:
-		made._take_sprite(node, traced)
+		made._take_sprite(node, traced, traced_holes)
 	elif node is Polygon2D:
 		made._take_polygon(node)
 	elif node is CollisionPolygon2D:
@@ -87,18 +89,33 @@ func _accept(node: Node, outline: PackedVector2Array) -> bool:
 	return true
 
 
-func _take_sprite(sprite: Sprite2D, traced: PackedVector2Array) -> void:
+func _take_sprite(sprite: Sprite2D, traced: PackedVector2Array, traced_holes: Array[PackedVector2Array]) -> void:
 	if sprite.texture == null:
 		problem = Words.say("'%s' has no texture: give it one, then convert it.") % sprite.name
 	elif _accept(sprite, SpriteOutline.to_local(sprite, traced)):
 		values[&"texture"] = sprite.texture
 		values[&"uv"] = SpriteOutline.to_texture(sprite, traced)
+		var holes: Array[PackedVector2Array] = []
+		for hole in traced_holes:
+			holes.append(SpriteOutline.to_local(sprite, hole))
+		_take_holes(sprite, holes)
+
+
+# Holes that the body can have besides the others; a note names those that it cannot have.
+func _take_holes(node: Node, holes: Array[PackedVector2Array]) -> void:
+	var taken: Array[PackedVector2Array] = []
+	for hole in holes:
+		var with_it := taken.duplicate()
+		with_it.append(hole)
+		if SoftBody2D.get_holes_problem(with_it, values[&"polygon"]) == "":
+			taken = with_it
+	if taken.size() < holes.size():
+		notes.append(Words.say("'%s' has %d holes that touch its outline or each other, and are filled.") % [node.name, holes.size() - taken.size()])
+	if not taken.is_empty():
+		values[&"holes"] = taken
 
 
 func _take_polygon(source: Polygon2D) -> void:
-	if source.invert_enabled:
-		problem = Words.say("'%s' is inverted, which is a frame with a hole; a body has one outline without holes. Switch Invert off, then convert it.") % source.name
-		return
 	if source.polygons.size() > 1:
 		problem = Words.say("'%s' is made of %d polygons; a body has one outline. Clear them in the UV editor, or make a node of each, then convert it.") % [
 				source.name, source.polygons.size()]
@@ -115,6 +132,9 @@ func _take_polygon(source: Polygon2D) -> void:
 		outline.append(source.polygon[i] + source.offset)
 	var kept := distinct(outline)
 	if not _accept(source, _picked(outline, kept)):
+		return
+	if source.invert_enabled:
+		_take_frame(source)
 		return
 	values[&"look"] = SoftBody2D.LOOK_PLAIN # as it was
 	values[&"antialiased"] = source.antialiased
@@ -137,6 +157,30 @@ func _take_polygon(source: Polygon2D) -> void:
 		values[&"color"] = Color.WHITE
 	if not source.skeleton.is_empty():
 		notes.append(Words.say("'%s' no longer follows its skeleton.") % source.name)
+
+
+# An inverted Polygon2D fills the box around its polygon, and its border, but for the polygon.
+func _take_frame(source: Polygon2D) -> void:
+	var hole: PackedVector2Array = values[&"polygon"]
+	var box := PolygonEdit.bounds(hole).grow(source.invert_border)
+	var frame := SoftBody2D.make_box_polygon(box.size, 2 * (box.size.x + box.size.y) / FRAME_POINTS)
+	values[&"polygon"] = Transform2D(0, box.get_center()) * frame
+	var problem_of_hole := SoftBody2D.get_holes_problem([hole] as Array[PackedVector2Array], values[&"polygon"])
+	if problem_of_hole != "":
+		problem = Words.say("'%s' is inverted, and its border is too thin for a body: %s. Give it a wider Invert > Border, then convert it.") % [source.name, problem_of_hole]
+		return
+	values[&"holes"] = [hole] as Array[PackedVector2Array]
+	values[&"look"] = SoftBody2D.LOOK_PLAIN
+	values[&"antialiased"] = source.antialiased
+	values[&"color"] = source.color
+	if source.texture != null:
+		values[&"texture"] = source.texture
+		values[&"texture_offset"] = source.texture_offset
+		values[&"texture_scale"] = source.texture_scale
+		values[&"texture_rotation"] = source.texture_rotation
+		values[&"uv"] = values[&"polygon"]
+	if source.vertex_colors.size() == source.polygon.size() and not source.vertex_colors.is_empty():
+		notes.append(Words.say("The vertex colors of '%s' are left out, as they are those of its hole.") % source.name)
 
 
 static func _picked(points: PackedVector2Array, indices: PackedInt32Array) -> PackedVector2Array:
@@ -162,6 +206,7 @@ func _take_rigid_body(source: RigidBody2D) -> void:
 		return
 	if not _accept(source, shapes.outline):
 		return
+	_take_holes(source, shapes.holes)
 	for property in SHARED_WITH_RIGID_BODY:
 		values[property] = source.get(property)
 	values[&"mass_mode"] = SoftBody2D.MASS_MODE_CUSTOM

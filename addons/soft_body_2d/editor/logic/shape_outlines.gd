@@ -9,9 +9,13 @@ const Words := preload("words.gd")
 
 ## Points of a round shape, and about as many of a rectangle.
 const POINTS := 24
+## Area of a hole that is kept, as a share of that of the outline.
+const LEAST_HOLE := 0.001
 
 var problem := ""
 var outline := PackedVector2Array()
+## What the shapes leave open between them.
+var holes: Array[PackedVector2Array] = []
 ## The nodes with these shapes. Disabled ones do not count.
 var used: Array[Node] = []
 
@@ -67,6 +71,7 @@ func _gather(body: CollisionObject2D) -> void:
 
 
 func _join(parts: Array[PackedVector2Array], body: Node) -> void:
+	var all := parts.duplicate()
 	outline = parts.pop_front()
 	while not parts.is_empty():
 		var joined := -1
@@ -76,9 +81,9 @@ func _join(parts: Array[PackedVector2Array], body: Node) -> void:
 			var outer := merged.filter(func(each: PackedVector2Array) -> bool: return not Geometry2D.is_polygon_clockwise(each))
 			if outer.size() != 1:
 				continue
-			if merged.size() > 1:
-				problem = Words.say("The shapes of '%s' leave a hole between them; a body has one outline without holes. Fill it, or remove a shape, then convert it.") % body.name
-				return
+			for each in merged:
+				if Geometry2D.is_polygon_clockwise(each):
+					holes.append(each)
 			outline = Outline.without_repeats(outer[0])
 			joined = i
 			break
@@ -86,3 +91,14 @@ func _join(parts: Array[PackedVector2Array], body: Node) -> void:
 			problem = Words.say("The shapes of '%s' do not touch; a body has one outline. Move them together, or make a body of each, then convert it.") % body.name
 			return
 		parts.remove_at(joined)
+	for part in all: # one that was joined later may fill them
+		var left: Array[PackedVector2Array] = []
+		for hole in holes:
+			left.append_array(Geometry2D.clip_polygons(hole, part))
+		holes = left
+	var open: Array[PackedVector2Array] = []
+	for hole in holes:
+		hole = Outline.without_repeats(hole)
+		if not Geometry2D.is_polygon_clockwise(hole) and absf(PolygonEdit.signed_area(hole)) > LEAST_HOLE * absf(PolygonEdit.signed_area(outline)):
+			open.append(hole)
+	holes = open

@@ -16,9 +16,15 @@ const ROUGHNESS := 0.8
 const MOST_CORNERS := 1024
 ## Of the points of an outline, as a share of the mean one.
 const LEAST_SPACING := 0.25
+## Points of a hole, which are drawn and not simulated.
+const MOST_HOLE_POINTS := 48
+## Area of a hole that is kept, as a share of that of the outline.
+const LEAST_HOLE := 0.005
 
 ## Outline in pixels of the picture; empty when `problem` is not.
 var outline := PackedVector2Array()
+## What is clear inside of it, the same way.
+var holes: Array[PackedVector2Array] = []
 var problem := ""
 ## Worth knowing though it worked: islands that were left out, points of the budget.
 var note := ""
@@ -32,6 +38,7 @@ var canceled := false
 ## `threshold`: alpha above which a pixel counts. `margin` [px]: by how much the outline grows, negative: shrinks.
 func trace(picture: Image, budget: int, threshold := 0.5, margin := 0.0) -> void:
 	outline = PackedVector2Array()
+	holes.clear()
 	problem = ""
 	note = ""
 	islands = 0
@@ -73,11 +80,37 @@ func trace(picture: Image, budget: int, threshold := 0.5, margin := 0.0) -> void
 		return
 	var share := absf(PolygonEdit.signed_area(largest)) / maxf(total, 1e-9)
 	outline = _finish(Transform2D(0, scale, 0, Vector2.ZERO) * largest, budget, margin)
+	progress = 0.9
+	_find_holes(mask, scale, margin)
 	progress = 1.0
 	if outline.is_empty():
 		problem = Words.say("The outline of the picture cannot be drawn with %d points without crossing itself. Allow more points, or a larger margin.") % budget
 	elif islands > 1:
 		note = Words.say("The picture has %d islands; a body has one outline. The largest was taken, %d %% of what is opaque. For the others add a body each.") % [islands, roundi(100 * share)]
+
+
+# What is clear and does not reach the edge of the picture: within the outline, or it would be clear around another island.
+func _find_holes(mask: BitMap, scale: Vector2, margin: float) -> void:
+	var size := mask.get_size()
+	var clear := BitMap.new()
+	clear.create(size)
+	for y in size.y:
+		for x in size.x:
+			if not mask.get_bit(x, y):
+				clear.set_bit(x, y, true)
+		if _is_canceled():
+			return
+	for part in clear.opaque_to_polygons(Rect2i(Vector2i.ZERO, size), ROUGHNESS):
+		if part.size() < 3:
+			continue
+		var box := PolygonEdit.bounds(part)
+		if box.position.x < 1 or box.position.y < 1 or box.end.x > size.x - 1 or box.end.y > size.y - 1:
+			continue
+		var hole := _finish(Transform2D(0, scale, 0, Vector2.ZERO) * part, MOST_HOLE_POINTS, -margin)
+		if hole.is_empty() or absf(PolygonEdit.signed_area(hole)) < LEAST_HOLE * absf(PolygonEdit.signed_area(outline)):
+			continue
+		if SoftBody2D.get_holes_problem([hole] as Array[PackedVector2Array], outline) == "":
+			holes.append(hole)
 
 
 func _readable(picture: Image) -> Image:

@@ -61,6 +61,7 @@ func convert_selected() -> void:
 	var conversions: Array[Conversion] = []
 	for node in nodes:
 		var outline := PackedVector2Array()
+		var holes: Array[PackedVector2Array] = []
 		if node is Sprite2D and node.texture != null:
 			var trace: TextureTrace = await _trace(node)
 			if not nodes.all(func(each: Variant) -> bool: return is_instance_valid(each) and each.is_inside_tree()):
@@ -71,7 +72,8 @@ func convert_selected() -> void:
 			if trace.note != "":
 				notes.append(trace.note)
 			outline = trace.outline
-		var made: Conversion = Conversion.of(node, outline)
+			holes = trace.holes
+		var made: Conversion = Conversion.of(node, outline, holes)
 		if made.problem != "":
 			canvas.warn(made.problem)
 			return
@@ -99,6 +101,8 @@ func bake_selected(as_it_is_now: bool) -> void:
 			var shown: PackedVector2Array = preview_outline.call(body)
 			if shown.size() == body.polygon.size():
 				outline = body.get_global_transform().affine_inverse() * shown
+		if not body.holes.is_empty():
+			notes.append(Words.say("'%s' had holes, which a Polygon2D has not.") % body.name)
 		if body.outline_width > 0:
 			notes.append(Words.say("'%s' had an outline, which a Polygon2D has not.") % body.name)
 		swaps.append(NodeSwap.of(body, Polygon2D.new(), Bake.values_of(body, outline)))
