@@ -75,7 +75,7 @@ TEST_CASE("a rope of 40 points holds 50 times its weight with less than 2 % stre
 			longest = std::max(longest, stretch_of(scene.body()));
 		}
 		MESSAGE("hanging: longest " << longest << ", weight at " << height(scene, 0));
-		CHECK(height(scene, 0) == doctest::Approx(-4).epsilon(0.002));
+		CHECK(std::abs(height(scene, 0) + 4) < 0.002);
 	}
 	SUBCASE("swinging down from the horizontal") {
 		RopeWorld scene(rope_along(line({ 0, 0 }, { 4, 0 }, 40), Real(0.1), 1));
@@ -89,7 +89,7 @@ TEST_CASE("a rope of 40 points holds 50 times its weight with less than 2 % stre
 			lowest = std::min(lowest, height(scene, 0));
 		}
 		MESSAGE("swinging: longest " << longest << ", lowest " << lowest);
-		CHECK(lowest == doctest::Approx(-4).epsilon(0.02));
+		CHECK(std::abs(lowest + 4) < 0.01);
 	}
 	SUBCASE("a soft body hangs from it") {
 		RopeWorld scene(rope_along(line({ 0, 0 }, { 0, -4 }, 40), Real(0.1), Real(0.02)));
@@ -130,9 +130,10 @@ TEST_CASE("two weights on a rope over a smooth disk fall as Atwood's machine doe
 	scene.run(0.5);
 	// The rope's mass moves along; what of it changes sides in that time is less than its imbalance of 5 %.
 	const double theory = (10 - 5) / (10 + 5 + 1.0) * double(ROPE_GRAVITY) * 0.5 * 0.5 / 2;
-	CHECK(height(scene, 0) == doctest::Approx(-2 - theory).epsilon(0.01));
-	CHECK(height(scene, 1) == doctest::Approx(-2 + theory).epsilon(0.03));
-	CHECK(stretch_of(scene.body()) < 1.015);
+	MESSAGE("Atwood: " << -2 - height(scene, 0) << " and " << height(scene, 1) + 2 << ", theory " << theory << ", stretch " << stretch_of(scene.body()));
+	CHECK(off(-2 - height(scene, 0), theory) < 0.03);
+	CHECK(off(height(scene, 1) + 2, theory) < 0.05);
+	CHECK(stretch_of(scene.body()) < 1.01);
 }
 
 TEST_CASE("a rope wound halfway around a rough disk nearly holds what Euler's capstan holds") {
@@ -142,7 +143,8 @@ TEST_CASE("a rope wound halfway around a rough disk nearly holds what Euler's ca
 		const auto made = over_a_disk(Real(10 * 0.85 * ratio), 10, Real(MU));
 		RopeWorld &scene = *made;
 		scene.run(2);
-		CHECK(std::abs(height(scene, 0) + 2) < 0.4);
+		MESSAGE("capstan: crept " << -height(scene, 0) - 2);
+		CHECK(std::abs(height(scene, 0) + 2) < 0.1);
 	}
 	SUBCASE("more slides down, by what friction leaves") {
 		const double heavy = 10 * 1.3 * ratio;
@@ -152,7 +154,7 @@ TEST_CASE("a rope wound halfway around a rough disk nearly holds what Euler's ca
 		// heavy (g - a) = ratio · 10 (g + a), without the rope's own mass.
 		const double a = (heavy - 10 * ratio) / (heavy + 10 * ratio) * double(ROPE_GRAVITY);
 		MESSAGE("capstan: fell " << -height(scene, 0) - 2 << ", theory " << a * 0.125);
-		CHECK(-height(scene, 0) - 2 == doctest::Approx(a * 0.125).epsilon(0.2));
+		CHECK(off(-height(scene, 0) - 2, a * 0.125) < 0.4); // its passes do not find the last of which places slide
 	}
 }
 
@@ -171,16 +173,18 @@ TEST_CASE("a rope comes to rest on a floor and sleeps, and nothing of it is belo
 	MESSAGE("floor: deepest " << deepest);
 	CHECK(deepest < 0.01);
 	CHECK(scene.body().is_asleep());
-	CHECK(stretch_of(scene.body()) == doctest::Approx(1).epsilon(0.005));
+	CHECK(off(stretch_of(scene.body()), 1) < 0.01);
 }
 
-TEST_CASE("a rope that falls on a thin line, a post and a corner passes none of them, up to seven of its lengths a second") {
-	for (const double speed : { 0.0, 2.0, 5.0, 15.0 }) {
-		for (int kind = 0; kind < (speed > 5 ? 1 : 3); ++kind) { // a thin post enters a faster rope by 3 cm
+TEST_CASE("a rope that falls on a thin line, a post and a corner passes none of them; a line at thirty of its lengths a second, the others at seven") {
+	for (const double speed : { 0.0, 2.0, 5.0, 15.0, 20.0, 60.0 }) {
+		for (int kind = 0; kind < (speed > 15 ? 1 : 3); ++kind) { // a corner may stay in a faster rope by half of its width
+			CAPTURE(speed);
+			CAPTURE(kind);
 			RopeWorld scene(rope_along(line({ -1, 2 }, { 1, Real(2.2) }, 40), Real(0.05), 1));
 			Collider obstacle;
 			switch (kind) {
-				case 0: obstacle.vertices = { { -3, 0 }, { 3, 0 } }; break;
+				case 0: obstacle.vertices = { { -30, 0 }, { 30, 0 } }; break; // it may slide far
 				case 1: obstacle = disk({ Real(0.03), 0 }, Real(0.04), 1); break;
 				case 2: obstacle.vertices = { { 0, 0 }, { Real(-0.3), -1 }, { Real(0.3), -1 } }; break;
 			}
@@ -189,13 +193,22 @@ TEST_CASE("a rope that falls on a thin line, a post and a corner passes none of 
 				REQUIRE(!scene.body().set_point(i, scene.body().positions()[i], { 0, Real(-speed) }));
 			}
 			double deepest = 0;
+			const double fall = (std::sqrt(speed * speed + 2 * double(ROPE_GRAVITY) * 2) - speed) / double(ROPE_GRAVITY);
 			for (int tick = 0; tick < 60; ++tick) {
 				scene.simulator.simulate(Real(1) / 60);
 				deepest = std::max(deepest, double(measure_penetration(scene.world, scene.body())));
+				if (tick == int(fall * 60) + 3 && kind != 0) { // before its ends swing through below, or it slides off
+					bool is_above = false;
+					for (std::size_t i = 1; i < 40; ++i) {
+						const Vec2 a = center_place(scene.body(), i - 1);
+						const Vec2 b = center_place(scene.body(), i);
+						is_above |= (a.x < 0) != (b.x < 0) && std::min(a.y, b.y) > 0;
+					}
+					CHECK(is_above);
+				}
 			}
-			CAPTURE(speed);
-			CAPTURE(kind);
-			CHECK(deepest < 0.02);
+			CHECK(deepest < (speed > 5 ? 0.06 : 0.02)); // for a moment a thin post sinks into a fast rope by its width
+			CHECK(measure_penetration(scene.world, scene.body()) < Real(0.01));
 			if (kind == 0) {
 				for (const Vec2 p : scene.body().hull()) {
 					CHECK(p.y > -0.02);

@@ -47,7 +47,7 @@ TEST_CASE("a rope of one link swings with the period of a pendulum") {
 	scene.pin(0);
 	// The point mass at its end; the series of the period in the amplitude.
 	const double theory = 2 * PI * std::sqrt(2 / double(ROPE_GRAVITY)) * (1 + ANGLE * ANGLE / 16 + 11 * std::pow(ANGLE, 4) / 3072);
-	CHECK(period_of(scene, 20, [&] { return double(center_place(scene.body(), 1).x); }) == doctest::Approx(theory).epsilon(0.003));
+	CHECK(off(period_of(scene, 20, [&] { return double(center_place(scene.body(), 1).x); }), theory) < 0.003);
 }
 
 TEST_CASE("a hanging rope swings in its first mode with Bernoulli's frequency") {
@@ -63,7 +63,7 @@ TEST_CASE("a hanging rope swings in its first mode with Bernoulli's frequency") 
 	settings.can_sleep = false; // the swing is slow at its ends
 	RopeWorld scene(rope_along(path, Real(0.02), 1, settings));
 	scene.pin(0);
-	CHECK(period_of(scene, 20, [&] { return double(center_place(scene.body(), 39).x); }) == doctest::Approx(2 * PI / omega).epsilon(0.01));
+	CHECK(off(period_of(scene, 20, [&] { return double(center_place(scene.body(), 39).x); }), 2 * PI / omega) < 0.01);
 }
 
 TEST_CASE("a rope between two posts hangs as a catenary") {
@@ -94,8 +94,8 @@ TEST_CASE("a rope between two posts hangs as a catenary") {
 		worst = std::max(worst, std::abs(double(p.y) - a * (std::cosh(double(p.x) / a) - std::cosh(SPAN / (2 * a)))));
 	}
 	MESSAGE("catenary: largest distance " << worst << ", stretch " << stretch_of(scene.body()));
-	CHECK(worst < 0.003 * LENGTH); // 60 links stand for a curve
-	CHECK(stretch_of(scene.body()) == doctest::Approx(1).epsilon(1e-3));
+	CHECK(worst < 0.0003 * LENGTH); // 60 links stand for a curve
+	CHECK(off(stretch_of(scene.body()), 1) < 1e-4);
 }
 
 TEST_CASE("a clamped strap sags by its weight as a cantilever beam") {
@@ -111,13 +111,15 @@ TEST_CASE("a clamped strap sags by its weight as a cantilever beam") {
 	scene.pin(1);
 	scene.run(10);
 	const double weight = 1.0 * (count - 2) / (count - 1) * double(ROPE_GRAVITY); // of the part beyond the clamp
-	const double theory = weight * std::pow(LENGTH, 3) / (8 * EI); // w L^4 / 8 EI, with w L the weight
-	CHECK(-double(center_place(scene.body(), count - 1).y) == doctest::Approx(theory).epsilon(0.03));
+	// w L^4 / 8 EI, with w L the weight; and the bend at the clamp goes on for half a link behind it: M (link / 2) L / EI, with M = w L^2 / 2.
+	const double link = LENGTH / (count - 2);
+	const double theory = weight * std::pow(LENGTH, 3) / (8 * EI) * (1 + 2 * link / LENGTH);
+	CHECK(off(-double(center_place(scene.body(), count - 1).y), theory) < 0.01);
 	SUBCASE("twice as stiff, half the sag") {
 		settings.bending_stiffness = Real(2 * EI);
 		CHECK(!scene.body().set_settings(settings));
 		scene.run(10);
-		CHECK(-double(center_place(scene.body(), count - 1).y) == doctest::Approx(theory / 2).epsilon(0.03));
+		CHECK(off(-double(center_place(scene.body(), count - 1).y), theory / 2) < 0.01);
 	}
 }
 
@@ -137,7 +139,7 @@ TEST_CASE("a strap that was designed bent bends back as far as it is told") {
 		const Vec2 first = center_place(scene.body(), 1) - center_place(scene.body(), 0);
 		const Vec2 last = center_place(scene.body(), 20) - center_place(scene.body(), 19);
 		const double turn = std::atan2(double(cross(first, last)), double(dot(first, last)));
-		CHECK(turn == doctest::Approx(-1.9 * bend).epsilon(0.02));
+		CHECK(std::abs(turn + 1.9 * bend) < 0.03);
 	}
 }
 
@@ -152,7 +154,7 @@ TEST_CASE("a rubber band stretches by its load over its axial stiffness") {
 	scene.tie(20, weight);
 	scene.run(20);
 	// The weight pulls everywhere, and half of the rope's own on average.
-	CHECK(stretch_of(scene.body()) == doctest::Approx(1 + (2 + 0.05) * double(ROPE_GRAVITY) / 100).epsilon(0.005));
+	CHECK(off(stretch_of(scene.body()) - 1, (2 + 0.05) * double(ROPE_GRAVITY) / 100) < 0.01);
 }
 
 TEST_CASE("a rope thrown through empty space keeps its momentum and spin, and gains no energy") {
@@ -174,7 +176,7 @@ TEST_CASE("a rope thrown through empty space keeps its momentum and spin, and ga
 		CHECK(std::abs(now.angular - start.angular) < 2e-3 * std::abs(start.angular)); // about the origin, of a body far away in floats
 		CHECK(energy_of(scene) <= energy * 1.01);
 	}
-	CHECK(stretch_of(scene.body()) == doctest::Approx(1).epsilon(2e-3));
+	CHECK(stretch_of(scene.body()) < 1.002);
 }
 
 TEST_CASE("a rope that falls from the horizontal never rises above its energy, and keeps its length") {

@@ -41,6 +41,11 @@ inline double stretch_of(const SoftBodyData &rope) {
 	return length / double(rope.shape().chain()->total_length());
 }
 
+/// How far `found` is from `theory`, as a share of that.
+inline double off(double found, double theory) {
+	return std::abs(found - theory) / std::abs(theory);
+}
+
 struct RopeWorld {
 	WorldData world;
 	Simulator simulator;

@@ -45,9 +45,6 @@ void BodyStepper::advance_chain(const Batch &batch, std::size_t lane, const Time
 		chain_stepper_.begin_contacts(data);
 		if (collision_.handle(data, before, gravity, h) > 0) {
 			chain_stepper_.take_contacts(data);
-			// Sections that have followed may have put neighbors behind something thin.
-			collision_.begin_body(context_->colliders, data, elapsed, h);
-			collision_.handle(data, before, gravity, h);
 		}
 		if (meets_itself) {
 			outside.assign(data.hull().begin(), data.hull().end());

@@ -231,9 +231,11 @@ void ChainStepper::begin_contacts(const SoftBodyData &body) {
 	old_velocities_.assign(body.velocities().begin(), body.velocities().end());
 }
 
-void ChainStepper::take_contacts(SoftBodyData &body) {
+// Points stay where contacts have left them: only the next motion, which contacts follow, makes a section square again.
+void ChainStepper::take_contacts(SoftBodyData &body) const {
 	const ChainShape &chain = *body.shape().chain();
-	bool has_changed = false;
+	const std::span<Vec2> x = body.mutable_positions();
+	const std::span<Vec2> v = body.mutable_velocities();
 	for (std::size_t i = 0; i < chain.count(); ++i) {
 		if (is_fixed_[i] != 0) {
 			continue;
@@ -242,14 +244,12 @@ void ChainStepper::take_contacts(SoftBodyData &body) {
 		const auto change_of = [&](std::span<const Vec2> now, const std::vector<Vec2> &old) {
 			return joined_change(now[left] - old[left], now[right] - old[right]);
 		};
-		const Vec2 way = change_of(body.positions(), old_positions_);
-		const Vec2 faster = change_of(body.velocities(), old_velocities_);
-		has_changed |= way != Vec2{} || faster != Vec2{};
-		x_[i] = difference(old_positions_[center], base_) + Vec2d(way);
-		v_[i] = Vec2d(old_velocities_[center]) + Vec2d(faster);
-	}
-	if (has_changed) {
-		spread(body, true);
+		const Vec2 way = change_of(x, old_positions_);
+		const Vec2 faster = change_of(v, old_velocities_);
+		for (const std::uint32_t point : { left, right, center }) {
+			x[point] = way != Vec2{} ? old_positions_[point] + way : x[point];
+			v[point] = faster != Vec2{} ? old_velocities_[point] + faster : v[point];
+		}
 	}
 }
 

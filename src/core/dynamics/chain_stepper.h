@@ -28,7 +28,7 @@ public:
 	/// Stores the points of the body before contacts with the environment.
 	void begin_contacts(const SoftBodyData &body);
 	/// Lets a section follow those of its points that these contacts have moved.
-	void take_contacts(SoftBodyData &body);
+	void take_contacts(SoftBodyData &body) const;
 
 private:
 	void gather(const SoftBodyData &body);
