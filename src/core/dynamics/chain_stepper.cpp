@@ -241,7 +241,7 @@ void ChainStepper::take_contacts(SoftBodyData &body) const {
 			continue;
 		}
 		const auto [left, right, center] = chain.sections()[i];
-		const auto change_of = [&](std::span<const Vec2> now, const std::vector<Vec2> &old) {
+		const auto change_of = [&, left = left, right = right](std::span<const Vec2> now, const std::vector<Vec2> &old) {
 			return joined_change(now[left] - old[left], now[right] - old[right]);
 		};
 		const Vec2 way = change_of(x, old_positions_);

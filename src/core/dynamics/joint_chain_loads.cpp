@@ -55,7 +55,8 @@ void JointSolver::find_chains() {
 }
 
 std::span<ChainLoad> JointSolver::loads_of(std::uint32_t active_index) {
-	const auto [first, last] = std::ranges::equal_range(chain_ends_, active_index, {}, &ChainEnd::active_index);
+	const auto first = std::ranges::lower_bound(chain_ends_, active_index, {}, &ChainEnd::active_index);
+	const auto last = std::ranges::upper_bound(chain_ends_, active_index, {}, &ChainEnd::active_index);
 	return std::span(chain_loads_).subspan(std::size_t(first - chain_ends_.begin()), std::size_t(last - first));
 }
 
