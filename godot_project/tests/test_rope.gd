@@ -229,6 +229,11 @@ func test_bad_values_are_refused_and_change_nothing() -> void:
 		var before: Variant = rope.get(value[0])
 		check_refused(func() -> void: rope.set(value[0], value[1]), [value[0], "The old value stays"], "%s = %s" % value)
 		check_equal(rope.get(value[0]), before, "%s after %s" % value)
+	var hole := [PackedVector2Array([Vector2(48, -1), Vector2(52, -1), Vector2(50, 1)])] as Array[PackedVector2Array]
+	check_refused(func() -> void: rope.holes = hole, ["SoftRope2D", "holes", "none for a rope"], "a hole")
+	for property: Dictionary in rope.get_property_list():
+		if property["name"] in ["polygon", "holes", "detail_weights"]:
+			check_equal(property["usage"] & (PROPERTY_USAGE_EDITOR | PROPERTY_USAGE_STORAGE), 0, "usage of %s" % property["name"])
 	check_refused(func() -> void: check_equal(rope.get_center_point(99), -1, "center"), ["center index 99"], "a center out of range")
 	check_refused(func() -> void: check_equal(rope.cut(Vector2(50, -50), Vector2(50, 50)).size(), 0, "pieces"), ["SoftRope2D"], "a cut")
 	await ticks(2)

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <span>
+#include <string>
 #include <vector>
 
 using softbody::to_core;
@@ -18,6 +19,10 @@ namespace godot {
 // Another body, which goes on as the old one was drawn.
 void SoftBody2D::set_holes(const TypedArray<PackedVector2Array> &p_holes) {
 	const softbody::Holes holes = to_core(p_holes);
+	if (rope() != nullptr && !holes.empty()) {
+		accept("holes", softbody::Error{ "holes", std::to_string(holes.size()), "must be none for a rope", "leave them out" });
+		return;
+	}
 	if (holes == structure_.values().holes || !accept("holes", softbody::check_holes("holes", holes, to_core(get_polygon())))) {
 		return;
 	}
@@ -81,7 +86,6 @@ bool SoftBody2D::has_point(const Vector2 &p_global_position) const {
 double SoftBody2D::area_of_holes() const {
 	return structure_.holes() != nullptr ? structure_.holes()->area(local_points(1), order()) * std::abs(double(built_scale_.determinant())) : 0.0;
 }
-
 
 double SoftBody2D::get_area() const {
 	const softbody::SoftBodyData *found = followed_body();

@@ -44,7 +44,7 @@ bool is_same(const KindValues &p_a, const KindValues &p_b) {
 
 // Properties of SoftBody2D that make the shape of other bodies. A rope has none of them, or they follow from its own.
 const char *const OTHER_PROPERTIES[] = { "soft_body_material", "preset", "polygon", "youngs_modulus", "poisson_ratio", "damping_ratio",
-	"rolling_resistance", "inflation", "firm_for_weight", "elastic_model", "detail_mode", "detail_tolerance", "detail_point_count", "center_point",
+	"rolling_resistance", "inflation", "firm_for_weight", "elastic_model", "holes", "detail_mode", "detail_tolerance", "detail_point_count", "detail_weights", "center_point",
 	"stiffness", "damping", "shape_matching", "shape_damping_ratio", "pressure", "network_values_set", "least_area", "least_stretch",
 	"most_stretch", "yield_strain", "flow_rate", "max_dent", "dent_by", "tear_stretch", "smallest_piece", "integrator", "inner_points",
 	"springs", "spring_stiffness_scales", "spring_damping_scales", "spring_length_scales", "dents", "uv", "cut_edges", "cut_width",
