@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace softbody;
@@ -222,6 +224,50 @@ TEST_CASE("every kind of bad hull is refused with a message that names what is w
 			CHECK(mentions(status->message(), part));
 		}
 	}
+}
+
+TEST_CASE("the nearest place of an outline is as near as any of 20,000 outlines has one, and the first of several") {
+	Random random(67);
+	for (int round = 0; round < 20000; ++round) {
+		std::vector<Vec2> outline;
+		const bool on_lattice = random.chance(0.3); // with points that coincide and places that are equally near
+		for (int i = random.integer(1, 40); i > 0; --i) {
+			const Vec2 p = random.vector(4);
+			outline.push_back(on_lattice ? Vec2{ std::round(p.x), std::round(p.y) } : p);
+		}
+		Vec2 p = random.vector(5);
+		p = on_lattice ? Vec2{ std::round(p.x), std::round(p.y) } : p;
+		double least = 1e9;
+		std::size_t first = 0;
+		for (std::size_t i = 0; i < outline.size(); ++i) {
+			const Vec2d a{ double(outline[i].x), double(outline[i].y) };
+			const Vec2 end = outline[(i + 1) % outline.size()];
+			const Vec2d way{ double(end.x) - a.x, double(end.y) - a.y };
+			const Vec2d offset{ double(p.x) - a.x, double(p.y) - a.y };
+			const double size = length_squared(way);
+			const double t = size > 0 ? std::clamp(dot(offset, way) / size, 0.0, 1.0) : 0.0;
+			if (const double distance = length_squared(offset - way * t); distance < least) {
+				least = distance;
+				first = i;
+			}
+		}
+		const OutlinePlace found = nearest_place(outline, p);
+		REQUIRE(found.edge < outline.size());
+		const Vec2 a = outline[found.edge];
+		const Vec2 b = outline[(found.edge + 1) % outline.size()];
+		CHECK(length(a + (b - a) * found.t - found.position) <= Real(1e-6));
+		CHECK(std::abs(double(length(p - found.position)) - std::sqrt(least)) <= 2e-6);
+		CHECK(std::abs(std::sqrt(double(found.distance_squared)) - std::sqrt(least)) <= 2e-6);
+		if (least == 0 && on_lattice) {
+			CHECK(found.edge == first);
+		}
+	}
+}
+
+TEST_CASE("no place is near a point that is no number") {
+	const OutlinePlace found = nearest_place(std::vector<Vec2>{ { 0, 0 }, { 1, 0 }, { 0, 1 } }, { std::numeric_limits<Real>::quiet_NaN(), 0 });
+	CHECK(found.edge == 0);
+	CHECK(found.distance_squared == std::numeric_limits<Real>::max());
 }
 
 TEST_CASE("boxes grow, contain and overlap with their borders included") {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/vec2.h"
-#include "core/collision/edge_pack.h"
+#include "core/geometry/edge_pack.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "core/base/pack.h"
 #include "core/base/vec2.h"
-#include "core/collision/edge_pack.h"
+#include "core/geometry/edge_pack.h"
 #include "core/geometry/aabb.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/base/parallel_for.h"
-#include "core/collision/collider_contact.h"
-#include "core/collision/contact_log.h"
 #include "core/collision/collider_index.h"
+#include "core/collision/contact_log.h"
+#include "core/collision/rigid_contact_search.h"
 #include "core/model/world_data.h"
 
 #include <array>
@@ -26,9 +26,9 @@ class RigidContacts {
 public:
 	/// Clears bodies and reactions of the last step. `world` and `surroundings` must outlive the step.
 	void begin_step(WorldData &world, const ColliderIndex &surroundings);
-	/// Adds a soft body that may meet a dynamic collider in this step.
-	void add_body(SoftBodyData &body);
-	bool has_bodies() const { return !bodies_.empty(); }
+	/// Adds a soft body that may meet a dynamic collider in this step. The list of its surroundings, if it has one, must outlive the step.
+	void add_body(SoftBodyData &body, const RigidSurroundings &surroundings = {}) { search_.add_body(body, surroundings); }
+	bool has_bodies() const { return search_.body_count() > 0; }
 
 	/// Moves the dynamic bodies that are awake by `h` [s], then applies their acceleration; the contacts of the substep
 	/// come last. In this order a body at rest does not sink by the speed that it gains between two contacts.
@@ -41,55 +41,54 @@ public:
 	void end_step(Real dt);
 
 private:
-	struct NearBody {
-		SoftBodyData *body = nullptr;
-		std::size_t first_before = 0; ///< first of the body's hull points in `before_`
-	};
-	/// A contact ready to be solved, with its impulses so far.
+	/// A contact ready to be solved, with its impulses so far: what every pass reads.
 	struct Contact {
-		SoftBodyData *body = nullptr;
-		SurfaceContact at;
+		Vec2 *velocity_a = nullptr; ///< of the ends of the edge of the soft body
+		Vec2 *velocity_b = nullptr;
 		std::uint32_t rigid_body = 0;
-		std::uint32_t collider = 0;
-		std::uint32_t feature = 0; ///< see ContactPoint
-		Vec2 place; ///< where the contact was found
-		Vec2 belt; ///< velocity of the collider's surface relative to its body [length/s]
+		Real share_a = 1; ///< as in PointOnEdge
+		Real share_b = 0;
+		Real inverse_mass_a = 0;
+		Real inverse_mass_b = 0;
+		Vec2 normal; ///< unit, from the rigid body into the soft one
 		Vec2 arm; ///< from the rigid body's center of mass
+		Vec2 belt; ///< velocity of the collider's surface relative to its body [length/s]
 		Vec2 held; ///< direction of the rigid body's support, times the root of the share a
+		Real inverse_mass = 0; ///< of the rigid body
 		Real inverse_inertia = 0; ///< of the rigid body, with its support
 		Real friction = 0;
-		Real restitution = 0;
-		PointOnEdge edge; ///< place on the soft body
-		Real normal_response = 0; ///< change of relative velocity per impulse
-		Real tangent_response = 0;
 		Real wanted = 0; ///< target normal relative velocity [length/s]
+		Real normal_mass = 0; ///< impulse per change of the relative velocity; 0 if neither side can move
+		Real tangent_mass = 0;
+		Real coupling = 0; ///< change of the sliding speed per normal impulse
 		Real normal_impulse = 0;
 		Real tangent_impulse = 0;
 	};
+	/// What moves a place out of an overlap, after the passes.
+	struct Place {
+		RigidTouch touch;
+		PointOnEdge edge;
+		Vec2 found; ///< where the place was when the contact was found
+	};
 	struct Task {
 		std::vector<Contact> contacts;
-		std::vector<std::uint32_t> colliders;
+		std::vector<Place> places; ///< of each contact
 	};
 
-	void find(const NearBody &near, Task &task) const;
-	void prepare(Contact &contact);
-	void move_out(Contact &contact);
+	void add_contact(const RigidTouch &touch, Task &task) const;
 	void push(Contact &contact);
-	void apply(Contact &contact, Vec2 impulse);
+	bool apply(Contact &contact, Vec2 impulse);
+	void finish(const Contact &contact, const Place &place);
 	Vec2 relative_velocity(const Contact &contact) const;
-	Vec2 inverse_mass_along(const Contact &contact, Vec2 impulse) const;
-	void note(const Contact &contact);
+	static Vec2 inverse_mass_along(const Contact &contact, Vec2 impulse);
+	void note(const Contact &contact, const Place &place);
 
 	WorldData *world_ = nullptr;
-	const ColliderIndex *surroundings_ = nullptr;
-	std::vector<NearBody> bodies_;
-	std::vector<Vec2> before_; ///< hull points at the start of the substep
-	std::vector<Pose> from_; ///< of every rigid body, at the start of the substep
+	RigidContactSearch search_;
 	std::array<Task, MOST_SLICES> tasks_;
-	std::vector<Contact> contacts_;
 	ContactLog log_;
 	Real h_ = 0;
-	Real bounce_threshold_ = 0;
+	Real pull_ = 0; ///< the greatest acceleration of any body here [length/s²]
 };
 
 } // namespace softbody

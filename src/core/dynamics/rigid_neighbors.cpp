@@ -28,17 +28,30 @@ void RigidNeighbors::find(const ActiveBodies &bodies, WorldData &world, const Co
 	}
 	is_near_.assign(bodies.count(), 0);
 	restless_.assign(bodies.count(), 0);
-	run_slices(parallel_for, bodies.count(), BODIES_A_TASK, [&](std::size_t, std::size_t begin, std::size_t end) {
+	lists_.resize(bodies.count());
+	run_slices(parallel_for, bodies.count(), BODIES_A_TASK, [&](std::size_t task_index, std::size_t begin, std::size_t end) {
+		Task &task = tasks_[task_index];
+		task.colliders.clear();
 		for (std::size_t active_index = begin; active_index < end; ++active_index) {
-			is_near_[active_index] = surroundings.has_dynamic_collider_in(way_of(bodies.solver_body(std::uint32_t(active_index)), dt));
+			const Aabb way = way_of(bodies.solver_body(std::uint32_t(active_index)), dt);
+			const Aabb box = with_room(way);
+			surroundings.collect_dynamic(box, task.found);
+			lists_[active_index] = { way, box, std::uint32_t(task_index), std::uint32_t(task.colliders.size()),
+				std::uint32_t(task.colliders.size() + task.found.size()) };
+			task.colliders.insert(task.colliders.end(), task.found.begin(), task.found.end());
+			is_near_[active_index] =
+					std::ranges::any_of(task.found, [&](std::uint32_t i) { return surroundings.bounds(i).overlaps(way); });
 		}
 	});
 	for (std::uint32_t active_index = 0; active_index < bodies.count(); ++active_index) {
 		if (is_near_[active_index] == 0) {
 			continue;
 		}
-		surroundings.collect_dynamic(way_of(bodies.solver_body(active_index), dt), colliders_);
-		for (const std::uint32_t collider : colliders_) {
+		const Aabb &way = lists_[active_index].way;
+		for (const std::uint32_t collider : surroundings_of(active_index).colliders) {
+			if (!surroundings.bounds(collider).overlaps(way)) {
+				continue;
+			}
 			const std::uint32_t rigid = world.colliders()[collider].rigid_body;
 			restless_[active_index] |= char(!world.rigid_bodies()[rigid].asleep);
 			beside_.push_back({ rigid, active_index });
@@ -48,6 +61,11 @@ void RigidNeighbors::find(const ActiveBodies &bodies, WorldData &world, const Co
 		}
 	}
 	std::ranges::sort(beside_);
+}
+
+RigidSurroundings RigidNeighbors::surroundings_of(std::uint32_t active_index) const {
+	const List &list = lists_[active_index];
+	return { list.box, std::span(tasks_[list.task].colliders).subspan(list.begin, list.end - list.begin) };
 }
 
 void RigidNeighbors::report_sleepers(const ActiveBodies &bodies, WorldData &world) const {

@@ -5,8 +5,10 @@
 #include "core/base/parallel_for.h"
 #include "core/collision/broad_phase.h"
 #include "core/collision/collider_index.h"
+#include "core/collision/rigid_contact_search.h"
 #include "core/dynamics/active_bodies.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -26,6 +28,9 @@ public:
 	/// Marks the rigid bodies that have a sleeping body beside them (Reaction::beside_sleeper).
 	void report_sleepers(const ActiveBodies &bodies, WorldData &world) const;
 
+	/// The dynamic colliders around the way of a body that `has`, until the next `find`.
+	RigidSurroundings surroundings_of(std::uint32_t active_index) const;
+
 	/// Whether there are dynamic colliders.
 	bool has_any() const { return !is_near_.empty(); }
 	bool has(std::uint32_t active_index) const { return !is_near_.empty() && is_near_[active_index] != 0; }
@@ -39,7 +44,20 @@ private:
 	std::vector<char> is_near_;
 	std::vector<char> restless_;
 	std::vector<std::pair<std::uint32_t, std::uint32_t>> beside_; ///< rigid bodies and the active indices of bodies near them, sorted
-	std::vector<std::uint32_t> colliders_;
+	/// A body's part of the colliders of its task.
+	struct List {
+		Aabb way; ///< of the body in the step
+		Aabb box;
+		std::uint32_t task = 0;
+		std::uint32_t begin = 0;
+		std::uint32_t end = 0;
+	};
+	std::vector<List> lists_;
+	struct Task {
+		std::vector<std::uint32_t> colliders;
+		std::vector<std::uint32_t> found; ///< around one body
+	};
+	std::array<Task, MOST_SLICES> tasks_;
 };
 
 } // namespace softbody

@@ -154,7 +154,7 @@ void Simulator::find_rigid_contacts(Real dt) {
 	for (std::uint32_t active_index = 0; active_index < bodies_.count(); ++active_index) {
 		SoftBodyData &body = bodies_.data(active_index);
 		if (rigid_neighbors_.has(active_index) && body.is_frozen()) { // a frozen body is not stepped
-			rigid_contacts_.add_body(body);
+			rigid_contacts_.add_body(body, rigid_neighbors_.surroundings_of(active_index));
 			beside_dynamic_.push_back(active_index);
 		}
 	}
@@ -170,7 +170,7 @@ void Simulator::divide_bodies(Real dt) {
 	}
 	for (std::uint32_t i = 0; rigid_neighbors_.has_any() && i < bodies_.count(); ++i) { // in the order in which contacts are solved
 		if (rigid_neighbors_.has(i) && !bodies_.is_resting(i)) {
-			rigid_contacts_.add_body(bodies_.data(i));
+			rigid_contacts_.add_body(bodies_.data(i), rigid_neighbors_.surroundings_of(i));
 			beside_dynamic_.push_back(i);
 		}
 	}

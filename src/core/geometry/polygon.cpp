@@ -3,6 +3,7 @@
 #include "core/geometry/polygon.h"
 
 #include "core/base/constants.h"
+#include "core/geometry/edge_pack.h"
 #include "core/geometry/segment.h"
 
 #include <algorithm>
@@ -128,17 +129,23 @@ Vec2 area_centroid(std::span<const Vec2> polygon) {
 }
 
 OutlinePlace nearest_place(std::span<const Vec2> outline, Vec2 p) {
-	OutlinePlace nearest{ 0, 0, outline[0], std::numeric_limits<Real>::max() };
-	for (std::size_t i = 0; i < outline.size(); ++i) {
-		const Vec2 a = outline[i];
-		const Vec2 b = outline[(i + 1) % outline.size()];
-		const Real t = closest_parameter_on_segment(p, a, b);
-		const Vec2 place = a + (b - a) * t;
-		if (const Real distance = length_squared(p - place); distance < nearest.distance_squared) {
-			nearest = { i, t, place, distance };
-		}
+	const BasicVec2<RealPack> point = in_all_lanes<RealPack>(p);
+	NearestEdges nearest;
+	for (std::size_t i = 0; i < packs_for(outline.size()); ++i) {
+		const EdgePack edges = edges_at(outline, i * PACK_WIDTH);
+		const RealPack distance = squared_distance(edges.end - edges.start, point - edges.start);
+		nearest.consider(i, distance, distance < RealPack(NearestEdges::FAR));
 	}
-	return nearest;
+	const std::optional<std::size_t> found = nearest.first();
+	if (!found) {
+		return { 0, 0, outline[0], NearestEdges::FAR };
+	}
+	const std::size_t edge = *found < outline.size() ? *found : 0; // the lane may be a copy of the first corner
+	const Vec2 a = outline[edge];
+	const Vec2 b = outline[edge + 1 == outline.size() ? 0 : edge + 1];
+	const Real t = closest_parameter_on_segment(p, a, b);
+	const Vec2 place = a + (b - a) * t;
+	return { edge, t, place, length_squared(p - place) };
 }
 
 bool point_in_polygon(Vec2 p, std::span<const Vec2> polygon) {

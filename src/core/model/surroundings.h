@@ -29,6 +29,8 @@ struct Surface {
 	/// when the environment is made anew. 0: no owner.
 	std::uint64_t tag = 0;
 
+	/// Whether it moves anywhere, as a belt does.
+	bool is_moving() const { return linear_velocity != Vec2{} || angular_velocity != 0; }
 	/// Velocity at one place, or at several side by side.
 	template <class T = Real>
 	BasicVec2<T> velocity_at(BasicVec2<T> p) const {

@@ -5,6 +5,7 @@
 #include "core/base/pack.h"
 #include "core/base/vec2.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -72,6 +73,27 @@ struct NearestEdges {
 		distance = select(is_nearer, other, distance);
 		number = select(is_nearer, RealPack(Real(i)), number);
 	}
+	/// The edge of some lane that is nearest. None if no distance was less than FAR, as of a point that is not finite.
+	std::optional<std::size_t> any() const {
+		const Real least = least_lane(distance);
+		return least < FAR ? std::optional(edge_in(least_lane_at(least))) : std::nullopt;
+	}
+	/// The same; of several edges that are as near, the first.
+	std::optional<std::size_t> first() const {
+		const Real least = least_lane(distance);
+		if (!(least < FAR)) {
+			return {};
+		}
+		std::size_t edge = std::numeric_limits<std::size_t>::max();
+		for (std::uint32_t lanes = bits(!(distance > RealPack(least))); lanes != 0; lanes &= lanes - 1) {
+			edge = std::min(edge, edge_in(std::size_t(std::countr_zero(lanes))));
+		}
+		return edge;
+	}
+
+private:
+	std::size_t least_lane_at(Real least) const { return std::size_t(std::countr_zero(bits(!(distance > RealPack(least))))); }
+	std::size_t edge_in(std::size_t lane) const { return std::size_t(number[lane]) * PACK_WIDTH + lane; }
 };
 
 /// Searches the edges of a hull from the point p, in one pass: whether the hull contains p, the edge nearest to p, and the
@@ -96,20 +118,11 @@ public:
 		if (winding_ == 0) {
 			return {};
 		}
-		const std::optional<std::size_t> facing = edge_of(facing_);
-		return facing ? facing : edge_of(nearest_);
+		const std::optional<std::size_t> facing = facing_.any();
+		return facing ? facing : nearest_.any();
 	}
 
 private:
-	static std::optional<std::size_t> edge_of(const NearestEdges &edges) {
-		const Real least = least_lane(edges.distance);
-		if (!(least < NearestEdges::FAR)) {
-			return {};
-		}
-		const std::size_t lane = std::size_t(std::countr_zero(bits(!(edges.distance > RealPack(least)))));
-		return std::size_t(edges.number[lane]) * PACK_WIDTH + lane;
-	}
-
 	BasicVec2<RealPack> p_;
 	BasicVec2<RealPack> out_;
 	int winding_ = 0;
