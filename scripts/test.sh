@@ -5,7 +5,8 @@
 #
 # Usage: scripts/test.sh             what to run after a change: core, engine, editor and game, without what takes longest; says
 #                                    what it leaves out
-#        scripts/test.sh all         all parts up to portable: what continuous integration runs
+#        scripts/test.sh all         all parts up to portable: what continuous integration runs. Those that only compile and simulate run
+#                                    beside those that run Godot; what a part prints comes as a whole, once it has ended
 #        scripts/test.sh PART
 #   core         only the tests of the simulation core, which need neither Godot nor godot-cpp
 #   engine       only the tests inside of Godot
@@ -23,7 +24,8 @@
 #   leaks        the tests inside of Godot once more, with the extension under AddressSanitizer, UndefinedBehaviorSanitizer
 #                and LeakSanitizer; arguments after it are the filters of godot_project/tests/run.gd
 #   platforms    portable, with all tests of the core, for more platforms: linux-arm64, windows, web, macos, linux-old; arguments
-#                after it choose among them. docs/platforms.md says how long each takes
+#                after it choose among them, and --hashes before them leaves everything out but the bits. docs/platforms.md says
+#                how long each takes
 # All from sanitize on build the core anew for each variant: some minutes each, on two cores, the first time.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
@@ -32,6 +34,7 @@ set -euo pipefail
 . "$REPO_DIR/scripts/lib/csharp.sh"
 . "$REPO_DIR/scripts/lib/editor.sh"
 . "$REPO_DIR/scripts/lib/export.sh"
+. "$REPO_DIR/scripts/lib/lanes.sh"
 . "$REPO_DIR/scripts/lib/package.sh"
 . "$REPO_DIR/scripts/lib/platforms.sh"
 . "$REPO_DIR/scripts/lib/sanitized.sh"
@@ -65,9 +68,14 @@ count() {
 	skipped=$((skipped + more_skipped))
 }
 
+# What exported games load, for the parts that need it later.
+test_release_library() {
+	build_extension target=template_release
+}
+
 # The core, as two programs: in single and in double precision. What runs after a change is the first, without the slow suites.
 test_core() {
-	local programs=(float double) options=(--no-colors=true) real log status
+	local programs=(float double) options=(--no-colors=true) real log running=()
 	need_packages scons g++ doctest-dev || return 1
 	if [[ -n $QUICK ]]; then
 		programs=(float)
@@ -79,14 +87,25 @@ test_core() {
 	test_wide_code
 	test_own_functions
 	[[ -z $QUICK ]] || say_slow float
+	step "Testing the core: ${programs[*]}"
 	for real in "${programs[@]}"; do
-		step "Testing the core, $real"
-		log=$LOG_DIR/tests_core_$real.log
-		status=0
-		(cd "$REPO_DIR" && limited $((2 * TIME_LIMIT)) "build/tests/softbody_tests_$real" "${options[@]}") 2>&1 | tee "$log" ||
-			status=$?
-		count_doctest "$status" "$log"
+		run_core "$real" "${options[@]}" & # Both at once, as neither keeps two cores busy.
+		running+=($!)
 	done
+	wait "${running[@]}"
+	for real in "${programs[@]}"; do
+		log=$LOG_DIR/tests_core_$real.log
+		echo "$real:"
+		cat "$log"
+		count_doctest "$(cat "$LOG_DIR/tests_core_$real.status")" "$log"
+	done
+}
+
+# run_core NAME [OPTION…]: the tests of the core in that precision. What they print and their status are left in files.
+run_core() {
+	local status=0 log=$LOG_DIR/tests_core_$1
+	(cd "$REPO_DIR" && limited $((2 * TIME_LIMIT)) "build/tests/softbody_tests_$1" "${@:2}") >"$log.log" 2>&1 || status=$?
+	echo "$status" >"$log.status"
 }
 
 # test_rooms: the folders of src include one another in one direction. A folder within a room of the core belongs to it.
@@ -182,16 +201,18 @@ test_quick() {
 
 # The same program by every compiler and at every level of optimization: what they print must be alike.
 test_determinism() {
-	local variants=(g++-O2 g++-O0 g++-O3 clang++-O0 clang++-O2 clang++-O3) variant name first= status
+	local variants=(g++_O2 g++_O0 g++_O3 clang++_O0 clang++_O2 clang++_O3) variant name status first=
 	need_packages scons g++ clang || return 1
 	if [[ -n $QUICK ]]; then
-		variants=(g++-O0 clang++-O3) # each compiler, and both ends of optimization; tests/dynamics/test_golden.cpp adds g++ -O2
+		variants=(g++_O0 clang++_O3) # each compiler, and both ends of optimization; tests/dynamics/test_golden.cpp adds g++ -O2
 		echo "note: g++ -O2 and -O3 and clang++ -O0 and -O2 are left out; scripts/test.sh determinism has them"
 	fi
+	step "Building what hashes scenes: ${variants[*]}"
+	name=$LOG_DIR/hashes.build.log
+	run_scons "${variants[@]/#/hashes_}" >"$name" 2>&1 || { problem "the core does not compile (see $name)"; return 1; }
 	for variant in "${variants[@]}"; do
-		name=hashes_${variant/-/_}
-		step "Hashing scenes: ${variant/-/ -}"
-		run_scons "$name" >"$LOG_DIR/$name.build.log" 2>&1 || { problem "the core does not compile (see $LOG_DIR/$name.build.log)"; return 1; }
+		name=hashes_$variant
+		step "Hashing scenes: ${variant/_/ -}"
 		status=0
 		limited $TIME_LIMIT "$REPO_DIR/build/determinism/$name" >"$LOG_DIR/$name.log" || status=$?
 		first=${first:-$LOG_DIR/$name.log}
@@ -199,7 +220,7 @@ test_determinism() {
 			count 0 1 0
 		else
 			diff "$first" "$LOG_DIR/$name.log" || true
-			echo "FAILED: ${variant/-/ -} computes other bits"
+			echo "FAILED: ${variant/_/ -} computes other bits"
 			count 0 0 1
 		fi
 	done
@@ -430,17 +451,24 @@ count_engine() {
 }
 
 after_change=
+parts=()
 case ${1:-} in
 	'') after_change=yes QUICK=1 parts=(core engine editor game) ;;
 	core | engine | editor | game | export | package | csharp | quick | portable | sanitize | determinism | leaks | platforms) parts=("$1") ;;
 	--sanitize | --determinism) parts=("${1#--}") ;;
-	all) parts=(core engine editor game export package csharp quick portable) ;;
+	all) ;;
 	*) problem "usage: scripts/test.sh [all|core|engine|editor|game|export|package|csharp|quick|portable|sanitize|determinism|leaks|platforms]" || exit 2 ;;
 esac
 shift $(($# > 0))
-for part in "${parts[@]}"; do
+if [[ ${#parts[@]} -eq 0 ]]; then
+	begin_lanes
+	build_extension target=template_debug || failed=$((failed + 1))
+	run_lanes "release_library core csharp quick portable" "engine editor game export package"
+fi
+for part in ${parts[@]+"${parts[@]}"}; do
 	"test_$part" "$@" || failed=$((failed + 1))
 done
+end_step
 if [[ -n $after_change ]]; then
 	echo "note: left out are the core in double precision and its slow tests, export, package, C#, sanitizers, determinism" \
 		"and other platforms; scripts/test.sh all has them"

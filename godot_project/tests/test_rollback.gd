@@ -145,6 +145,71 @@ func test_steps_by_hand_are_those_of_a_tick() -> void:
 	check_near(falling.linear_velocity.y, GRAVITY, 1, "velocity after a second of half steps in one tick")
 
 
+func add_fluid(world: Node, position: Vector2, size: Vector2, properties := {}) -> SoftBodyFluid2D:
+	var fluid := SoftBodyFluid2D.new()
+	var collision := CollisionShape2D.new()
+	collision.shape = rectangle(size.x, size.y)
+	fluid.add_child(collision)
+	fluid.position = position
+	for property: String in properties:
+		fluid.set(property, properties[property])
+	world.add_child(fluid)
+	return fluid
+
+
+## Bodies fall into water, drift into wind and out of it, while the engine makes no step at all.
+func test_steps_by_hand_and_replays_repeat_what_water_and_wind_do() -> void:
+	var automatic := add_world()
+	var by_hand := add_world()
+	SoftBodySimulation2D.set_automatic_stepping(by_hand.world_2d.space, false)
+	var winds: Array[SoftBodyFluid2D] = []
+	for world: SubViewport in [automatic, by_hand]:
+		add_fluid(world, Vector2(0, 300), Vector2(4000, 400)) # its surface is at 100
+		winds.append(add_fluid(world, Vector2(300, -1000), Vector2(400, 4000), {"buoyancy_enabled": false, "flow": Vector2(900, 0)}))
+		for i in 4:
+			add_to(world, Vector2(-300 + 130 * i, -120 * i), {"mass": 0.4 + 0.5 * i})
+		add_to(world, Vector2(250, -500), {"mass": 0.3})
+		add_to(world, Vector2(-600, 400), {"mass": 3.0, "collision_layer": 2}) # on a layer that no fluid looks at
+	await ticks(90)
+	step(by_hand, 15)
+	var state := save(by_hand)
+	step(by_hand, 75)
+	var space := by_hand.world_2d.space
+	check_equal(SoftBodySimulation2D.hash_state(space), SoftBodySimulation2D.hash_state(automatic.world_2d.space), "hash after 90 steps in one tick")
+	check_below(bodies_of(by_hand)[0].linear_velocity.y, 200.0, "speed of a body that fell into the water")
+	check_above(bodies_of(by_hand)[4].linear_velocity.x, 100.0, "speed of a body that the wind has caught")
+	check_near(bodies_of(by_hand)[5].linear_velocity.y, GRAVITY * 1.5, 40.0, "speed of a body that no fluid sees")
+
+	restore(by_hand, state)
+	var expected := course(by_hand, 120)
+	for i in 2:
+		await ticks(3 * i)
+		restore(by_hand, state)
+		check(course(by_hand, 120) == expected, "the course differs when it is repeated")
+		restore(by_hand, state)
+		step(by_hand, 120, true)
+		check(course(by_hand, 1)[0] != expected[0], "a replay moves nothing")
+	# A replay in which the wind has another strength goes another way; with the old one it is what it was.
+	winds[1].flow = Vector2(-900, 0)
+	restore(by_hand, state)
+	check(course(by_hand, 120) != expected, "the course is that of the wind before")
+	winds[1].flow = Vector2(900, 0)
+	restore(by_hand, state)
+	check(course(by_hand, 120) == expected, "the course differs with the wind that there was")
+	# A fluid that is paused, freed or blind pushes nothing.
+	winds[1].process_mode = Node.PROCESS_MODE_DISABLED
+	restore(by_hand, state)
+	var still := course(by_hand, 120)
+	check(still != expected, "a fluid that is switched off pushes")
+	winds[1].process_mode = Node.PROCESS_MODE_INHERIT
+	winds[1].monitoring = false
+	restore(by_hand, state)
+	check(course(by_hand, 120) == still, "a fluid that monitors nothing is another than none")
+	winds[1].free()
+	restore(by_hand, state)
+	check(course(by_hand, 120) == still, "a fluid that was freed is another than none")
+
+
 ## A ball flies at a wall, or is turned away before; the state leads back to before that.
 func test_a_replay_tells_nothing_and_the_next_step_tells_what_has_changed() -> void:
 	var world := add_world()

@@ -6,10 +6,14 @@
 
 ADDON_EXTENSION=res://addons/soft_body_2d/soft_body_2d.gdextension
 
-# run_scons ARGS…: SCons at the top of the repository, with a cache that outlives a `git clean`.
+# run_scons ARGS…: SCons at the top of the repository, with a cache that outlives a `git clean`. One at a time: what SCons knows of
+# files lies in one of its own.
 run_scons() {
 	# A fixed hash seed makes godot-cpp generate the same text in every run, so that the cache knows it again.
-	(cd "$REPO_DIR" && SCONS_CACHE=${SCONS_CACHE-$CACHE_DIR/scons} PYTHONHASHSEED=0 scons -Q "$@")
+	(
+		! command -v flock >/dev/null || flock 8
+		cd "$REPO_DIR" && SCONS_CACHE=${SCONS_CACHE-$CACHE_DIR/scons} PYTHONHASHSEED=0 scons -Q "$@" 8>&-
+	) 8>"$LOG_DIR/scons.lock"
 }
 
 # need_godot_cpp: fetches the submodule if its folder is empty, and says which version is used.
@@ -30,8 +34,11 @@ need_godot_cpp() {
 	step "godot-cpp $commit${tag:+ ($tag)}"
 }
 
-# build_extension [ARGS…]: builds the library and puts the addon into the demo project.
+# build_extension [ARGS…]: builds the library and puts the addon into the demo project. With a folder BUILT_DIR, which ends with the
+# run, once only: nothing changes meanwhile, and SCons takes seconds to say so.
 build_extension() {
+	local built=${BUILT_DIR:+$BUILT_DIR/built_${*//[^a-z0-9_]/.}}
+	[[ ! -e ${built:-/nowhere} ]] || return 0
 	need_packages scons g++ || return 1
 	need_godot_cpp || return 1
 	step "Building the extension"
@@ -41,6 +48,7 @@ build_extension() {
 	mkdir -p "$PROJECT_DIR/.godot"
 	grep -qsxF "$ADDON_EXTENSION" "$PROJECT_DIR/.godot/extension_list.cfg" ||
 		echo "$ADDON_EXTENSION" >>"$PROJECT_DIR/.godot/extension_list.cfg"
+	[[ -z $built ]] || : >"$built"
 }
 
 # import_project: has Godot import the project's files if any of them is new since the last time.

@@ -9,9 +9,17 @@ LOG_DIR=$REPO_DIR/build/logs
 CACHE_DIR=${XDG_CACHE_HOME:-${HOME:?is not set, and the downloads are kept below it}/.cache}/soft_body_2d
 mkdir -p "$LOG_DIR" "$CACHE_DIR"
 
-# step TEXT: says what happens now.
+# step TEXT: says how long what happened until now took, and what happens now.
 step() {
+	end_step
+	STEP_START=$SECONDS
 	printf '==> %s\n' "$*"
+}
+
+# end_step: says how long the step took that is under way, if there is one.
+end_step() {
+	[[ -z ${STEP_START:-} ]] || printf '    %d s\n' $((SECONDS - STEP_START))
+	STEP_START=
 }
 
 # problem TEXT: says in one line what is wrong and how to mend it, and returns 1.
@@ -48,10 +56,8 @@ has_package() {
 
 # need_packages NAME…: installs those of the Debian packages that are missing, or says which ones are.
 need_packages() {
-	local name missing=() as_root=() remedy
-	for name in "$@"; do
-		has_package "$name" || missing+=("$name")
-	done
+	local missing=() as_root=() remedy
+	list_missing "$@"
 	[[ ${#missing[@]} -gt 0 ]] || return 0
 	remedy="install them and run this again (on Debian: apt-get install ${missing[*]})"
 
@@ -64,9 +70,21 @@ need_packages() {
 	as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o Acquire::Retries=3 -o DPkg::Lock::Timeout=300)
 
 	step "Installing ${missing[*]}"
-	if ! { "${as_root[@]}" update && "${as_root[@]}" install -y --no-install-recommends "${missing[@]}"; } \
-		>"$LOG_DIR/apt.log" 2>&1; then
-		tail -n 5 "$LOG_DIR/apt.log" >&2
-		problem "could not install ${missing[*]} (see $LOG_DIR/apt.log); $remedy"
-	fi
+	(
+		flock 9 # One that runs beside this may be installing some of them.
+		list_missing "$@"
+		[[ ${#missing[@]} -gt 0 ]] || exit 0
+		{ "${as_root[@]}" update && "${as_root[@]}" install -y --no-install-recommends "${missing[@]}"; } >"$LOG_DIR/apt.log" 2>&1 9>&-
+	) 9>"$CACHE_DIR/apt.lock" && return 0
+	tail -n 5 "$LOG_DIR/apt.log" >&2
+	problem "could not install ${missing[*]} (see $LOG_DIR/apt.log); $remedy"
+}
+
+# list_missing NAME…: sets `missing` to those of the packages that are.
+list_missing() {
+	local name
+	missing=()
+	for name in "$@"; do
+		has_package "$name" || missing+=("$name")
+	done
 }

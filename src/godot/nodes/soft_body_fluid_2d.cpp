@@ -4,14 +4,17 @@
 
 #include "core/base/constants.h"
 #include "core/base/value_range.h"
+#include "core/geometry/aabb.h"
 #include "godot/convert.h"
 #include "godot/nodes/soft_body_2d.h"
 #include "godot/resources/property_binding.h"
+#include "godot/server/soft_body_simulation_2d.h"
 #include "godot/surroundings/fluid_region.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/object.hpp>
 
 #include <vector>
 
@@ -52,39 +55,71 @@ PackedStringArray SoftBodyFluid2D::get_warnings() const {
 	return warnings;
 }
 
+SoftBodyFluid2D::~SoftBodyFluid2D() {
+	leave_space();
+}
+
 void SoftBodyFluid2D::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_ENTER_TREE: {
 			unfit_.tell(*this);
-			set_physics_process_internal(!Engine::get_singleton()->is_editor_hint());
+			enter_space();
 		} break;
-		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS: {
-			push_bodies(); // the soft bodies have been stepped by now
+		case NOTIFICATION_EXIT_TREE: {
+			leave_space();
+		} break;
+		case NOTIFICATION_WORLD_2D_CHANGED: {
+			if (space_ != nullptr) {
+				leave_space();
+				enter_space();
+			}
 		} break;
 		default:
 			break;
 	}
 }
 
-void SoftBodyFluid2D::push_bodies() {
-	if (!is_monitoring() || density_ == 0 || !(get_physics_process_delta_time() > 0)) { // Engine.time_scale may be 0
-		return;
-	}
-	std::vector<std::vector<softbody::Vec2>> region;
-	const TypedArray<Node2D> bodies = get_overlapping_bodies();
-	for (int64_t i = 0; i < bodies.size(); i++) {
-		SoftBody2D *body = Object::cast_to<SoftBody2D>(bodies[i]);
-		if (body == nullptr || body->is_freeze_enabled()) {
-			continue;
-		}
-		if (region.empty()) {
-			region = softbody::read_fluid_region(*this);
-		}
-		push(*body, region);
+void SoftBodyFluid2D::enter_space() {
+	if (!Engine::get_singleton()->is_editor_hint()) {
+		space_ = &SoftBodySimulation2D::get_singleton()->space_of(this);
+		space_->add_fluid(*this);
 	}
 }
 
-void SoftBodyFluid2D::push(SoftBody2D &r_body, const std::vector<std::vector<softbody::Vec2>> &p_region) const {
+void SoftBodyFluid2D::leave_space() {
+	if (space_ != nullptr) {
+		space_->remove_fluid(*this);
+		space_ = nullptr;
+		SoftBodySimulation2D::get_singleton()->drop_empty_spaces();
+	}
+}
+
+// The bodies that an area would find, as they are now: the engine tells of overlaps a tick or two late, and not at all between steps
+// that a game makes by itself.
+void SoftBodyFluid2D::push_bodies(double p_delta) {
+	const uint32_t mask = get_collision_mask();
+	if (!is_monitoring() || density_ == 0 || mask == 0 || !can_process()) {
+		return;
+	}
+	const std::vector<std::vector<softbody::Vec2>> region = softbody::read_fluid_region(*this);
+	softbody::Aabb reach;
+	for (const std::vector<softbody::Vec2> &part : region) {
+		reach.include(softbody::bounding_box(part));
+	}
+	const softbody::WorldData &world = space_->world();
+	space_->nodes().for_each([&](const softbody::SteppedNode &p_node) {
+		const softbody::SoftBodyData *data = world.find(p_node.get_body_id());
+		if (data == nullptr || !data->is_active() || data->is_frozen() || (data->settings().collision_layer & mask) == 0 ||
+				!reach.overlaps(softbody::bounding_box(data->hull()))) {
+			return;
+		}
+		if (SoftBody2D *body = Object::cast_to<SoftBody2D>(ObjectDB::get_instance(p_node.instance_id()))) {
+			push(*body, region, p_delta);
+		}
+	});
+}
+
+void SoftBodyFluid2D::push(SoftBody2D &r_body, const std::vector<std::vector<softbody::Vec2>> &p_region, double p_delta) const {
 	const PackedVector2Array places = r_body.get_point_positions();
 	const PackedVector2Array velocities = r_body.get_point_velocities();
 	const std::size_t hull_count = std::size_t(r_body.get_simulated_polygon().size());
@@ -111,7 +146,7 @@ void SoftBodyFluid2D::push(SoftBody2D &r_body, const std::vector<std::vector<sof
 		return;
 	}
 	const softbody::Real point_mass = softbody::Real(r_body.get_mass() / double(places.size()));
-	const softbody::Real time_step = softbody::Real(get_physics_process_delta_time()); // as long as the step that the forces act in
+	const softbody::Real time_step = softbody::Real(p_delta);
 	std::vector<softbody::Vec2> forces(hull_count);
 	for (const std::vector<softbody::Vec2> &part : p_region) {
 		softbody::add_fluid_forces(fluid, part, hull, speeds, point_mass, time_step, forces);

@@ -4,17 +4,23 @@
 
 #include "core/dynamics/fluid_forces.h"
 #include "godot/resources/unfit_values.h"
+#include "godot/server/stepped_node.h"
 
 #include <godot_cpp/classes/area2d.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
+
+namespace softbody {
+
+class SoftBodySpace2D;
+
+} // namespace softbody
 
 namespace godot {
 
 class SoftBody2D;
 
-/// An Area2D whose shapes are filled with a fluid. After each step of the soft bodies it adds forces to those that overlap it, for
-/// the next one. See doc_classes/SoftBodyFluid2D.xml.
-class SoftBodyFluid2D : public Area2D {
+/// An Area2D whose shapes are filled with a fluid. Before each step of the soft bodies it adds forces to those inside. See doc_classes/SoftBodyFluid2D.xml.
+class SoftBodyFluid2D : public Area2D, public softbody::SteppedFluid {
 	GDCLASS(SoftBodyFluid2D, Area2D)
 
 public:
@@ -29,6 +35,10 @@ public:
 	void set_flow(const Vector2 &p_flow);
 	Vector2 get_flow() const { return flow_; }
 
+	~SoftBodyFluid2D();
+
+	void push_bodies(double p_delta) override;
+
 	PackedStringArray get_warnings() const;
 	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
 
@@ -42,10 +52,12 @@ protected:
 private:
 	void set_checked(const char *p_name, double &r_value, double p_value, const char *p_unit);
 	String describe() const;
-	void push_bodies();
-	void push(SoftBody2D &r_body, const std::vector<std::vector<softbody::Vec2>> &p_region) const;
+	void enter_space();
+	void leave_space();
+	void push(SoftBody2D &r_body, const std::vector<std::vector<softbody::Vec2>> &p_region, double p_delta) const;
 
 	softbody::UnfitValues unfit_;
+	softbody::SoftBodySpace2D *space_ = nullptr; ///< null outside of the tree, and in the editor
 	double density_ = 2; ///< [kg/m²]
 	bool buoyancy_enabled_ = true;
 	double drag_ = 1; ///< [1]

@@ -124,6 +124,18 @@ void SoftBodySpace2D::list_islands(TypedArray<Dictionary> &r_islands) const {
 	}
 }
 
+// Whatever steps the space, tick or game, and however often between two ticks of the engine: what fluids do follows from where bodies
+// and fluids are, and from nothing that the engine remembers.
+void SoftBodySpace2D::push_by_fluids(double p_delta) {
+	if (fluids_.empty()) {
+		return;
+	}
+	busy_.for_each([](SteppedNode &r_node) { r_node.take_over_transform(); });
+	for (SteppedFluid *fluid : fluids_) {
+		fluid->push_bodies(p_delta);
+	}
+}
+
 void SoftBodySpace2D::prepare_joints() {
 	joined_.clear();
 	for (SteppedJoint *joint : joints_) {
@@ -203,6 +215,7 @@ void SoftBodySpace2D::read_environment(double p_delta) {
 void SoftBodySpace2D::step(double p_delta, StepThreads &p_threads, StepSignals &r_signals, TickProfile &r_profile) {
 	Stopwatch watch;
 	read_gravity();
+	push_by_fluids(p_delta);
 	busy_.for_each([p_delta](SteppedNode &r_node) { r_node.prepare_step(p_delta); });
 	prepare_joints();
 	feel_areas();

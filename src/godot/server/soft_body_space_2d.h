@@ -44,7 +44,7 @@ public:
 	const WorldData &world() const { return world_; }
 	const Simulator &simulator() const { return simulator_; }
 	void apply_settings(const StepSettings &p_settings);
-	bool is_empty() const { return nodes_.count() == 0 && joints_.empty(); }
+	bool is_empty() const { return nodes_.count() == 0 && joints_.empty() && fluids_.empty(); }
 	/// All nodes, those without a body among them.
 	NodeList<&SteppedNode::Places::all> &nodes() { return nodes_; }
 
@@ -78,6 +78,9 @@ public:
 	void add_joint(SteppedJoint &r_joint) { joints_.push_back(&r_joint); }
 	void remove_joint(SteppedJoint &r_joint) { std::erase(joints_, &r_joint); }
 	std::span<SteppedJoint *const> joints() const { return joints_; }
+	/// Fluids push in the order in which they came.
+	void add_fluid(SteppedFluid &r_fluid) { fluids_.push_back(&r_fluid); }
+	void remove_fluid(SteppedFluid &r_fluid) { std::erase(fluids_, &r_fluid); }
 	/// Reads gravity and environment, steps the core by `p_delta` [s], and hands the result to the nodes and to the
 	/// rigid bodies of the engine. Sends the helpers of `p_threads` away before it asks the physics server anything more.
 	/// Adds the signals of the step to `r_signals`, and its times to `r_profile`. A replay, whose signals are quiet, moves no body of
@@ -97,6 +100,7 @@ private:
 		SteppedNode *node = nullptr;
 	};
 
+	void push_by_fluids(double p_delta);
 	void prepare_joints();
 	void collect_broken_joints(const StepReport &p_report, StepSignals &r_signals);
 	void read_gravity();
@@ -126,6 +130,7 @@ private:
 	NodeList<&SteppedNode::Places::undrawn> undrawn_; ///< with something to do in the coming frame
 	std::vector<Owner> owners_; ///< by the index of the body's id
 	std::vector<SteppedJoint *> joints_;
+	std::vector<SteppedFluid *> fluids_;
 	std::vector<BodyId> awake_; ///< after the last step
 	std::vector<Rider> riders_; ///< scratch memory of `tell_riders`
 	std::vector<uint32_t> busy_rows_; ///< scratch memory of `read_environment`

@@ -122,4 +122,14 @@ protected:
 	~SteppedJoint() = default;
 };
 
+/// A fluid in a `SoftBodySpace2D`.
+class SteppedFluid {
+public:
+	/// Before a step of `p_delta` [s]: adds its forces in that step to the bodies of the space that are inside.
+	virtual void push_bodies(double p_delta) = 0;
+
+protected:
+	~SteppedFluid() = default;
+};
+
 } // namespace softbody
