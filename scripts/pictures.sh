@@ -11,6 +11,10 @@ set -euo pipefail
 
 # name  scene  first second  last second  frames filmed a second  frames shown a second (15 and 15, if not given)
 CLIPS=(
+	"drop  res://pictures/hero_drop.tscn  0  4  60  60"
+	"press  res://pictures/hero_press.tscn  0  4  60  60"
+	"cut  res://pictures/hero_cut.tscn  0  4  60  60"
+	"heap  res://pictures/hero_heap.tscn  0  4  60  60"
 	"pile  res://examples/pile.tscn  0  4"
 	"petri_dish  res://miniatures/petri_dish.tscn  1  6"
 	"jelly_wrestlers  res://miniatures/jelly_wrestlers.tscn  1  6"
@@ -20,7 +24,7 @@ CLIPS=(
 	"before_heap  res://pictures/heap.tscn  0  6  7  7"
 )
 FRAMES_PER_SECOND=15
-WIDTH=480
+WIDTH=448
 
 # slides NAME: what the scripted player of the game saw in its three levels, a second each.
 slides() {
