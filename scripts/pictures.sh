@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Plays scenes of the demo project and makes the README's animated pictures of them, in docs/pictures.
+# Plays scenes of the demo project and makes the animated pictures of README and docs of them, in docs/pictures.
 #
 # Usage: scripts/pictures.sh [NAME…]      default: all of the list below
 set -euo pipefail
@@ -11,16 +11,17 @@ set -euo pipefail
 
 # name  scene  first second  last second  frames filmed a second  frames shown a second (15 and 15, if not given)
 CLIPS=(
-	"pile  res://examples/pile.tscn  0  4"
+	"drop  res://pictures/hero_drop.tscn  0  4  60  60"
+	"press  res://pictures/hero_press.tscn  0  4  60  60"
+	"cut  res://pictures/hero_cut.tscn  0  4  60  60"
+	"heap  res://pictures/hero_heap.tscn  0  4  60  60"
 	"petri_dish  res://miniatures/petri_dish.tscn  1  6"
-	"jelly_wrestlers  res://miniatures/jelly_wrestlers.tscn  1  6"
-	"crates  res://examples/crates_and_lift.tscn  0  4"
 	"before_drop  res://pictures/drop.tscn  0  5  30  15"
 	"before_press  res://pictures/press.tscn  0  6"
 	"before_heap  res://pictures/heap.tscn  0  6  7  7"
 )
 FRAMES_PER_SECOND=15
-WIDTH=480
+WIDTH=448
 
 # slides NAME: what the scripted player of the game saw in its three levels, a second each.
 slides() {

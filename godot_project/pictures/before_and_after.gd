@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends Node2D
-## Base of the README's pictures of the default body: before it had a material (left) and with it (right).
+## Base of the pictures in docs/accuracy.md of the default body: before it had a material (left) and with it (right).
 ##
 ## The left bodies are networks of springs of 100 N/m with the limits off. New nodes were that before the material came
 ## (commit 2fffa5f). A pile of them moves in the same bits in both versions. The right bodies are new nodes of today. Whatever

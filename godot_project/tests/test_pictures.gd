@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 extends "res://tests/support/suite.gd"
-## What the README says of its pictures of the default body, before and now, is what happens in them.
+## What docs/accuracy.md says of its pictures of the default body, before and now, is what happens in them.
 
 const BEFORE := 0
 const NOW := 1

@@ -18,9 +18,9 @@ def main():
             frames.append(image.convert("RGB").resize((width, height), Image.Resampling.LANCZOS))
     if not frames:
         sys.exit(f"no pictures in {folder} from number {first} on")
-    frames[0].save(
-        output, save_all=True, append_images=frames[1:], duration=round(1000 / rate), loop=0, quality=60, method=4
-    )
+    ends = [round(1000 * (i + 1) / rate) for i in range(len(frames))]  # ms, whole ones in the file
+    durations = [end - begin for begin, end in zip([0, *ends], ends)]
+    frames[0].save(output, save_all=True, append_images=frames[1:], duration=durations, loop=0, quality=60, method=4)
     print(f"{output} ({len(frames)} frames, {output.stat().st_size / 1000:.0f} kB)")
 
 

@@ -129,7 +129,8 @@ godot_windowed() {
 	fi
 }
 
-# with_screen COMMAND…: runs a command or function with a screen; where there is none, with one that nobody sees.
+# with_screen COMMAND…: runs a command or function with a screen; where there is none, with one that nobody sees, by an Xvfb that gets
+# the options $SCREEN_OPTIONS as well.
 with_screen() {
 	local number status=0 server
 	if has_screen; then
@@ -137,7 +138,8 @@ with_screen() {
 		return
 	fi
 	need_window || return 1
-	coproc XVFB { exec Xvfb -displayfd 1 -screen 0 1280x720x24 2>"$LOG_DIR/xvfb.log"; }
+	# shellcheck disable=SC2086 # Options are words.
+	coproc XVFB { exec Xvfb ${SCREEN_OPTIONS:-} -displayfd 1 -screen 0 "${SCREEN_SIZE:-1280x720}x24" 2>"$LOG_DIR/xvfb.log"; }
 	server=$XVFB_PID
 	if ! read -r -t 20 number <&"${XVFB[0]}"; then
 		problem "Xvfb does not start (see $LOG_DIR/xvfb.log)"

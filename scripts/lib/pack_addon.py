@@ -60,6 +60,7 @@ def pack(repository, folder, partial=False):
     if absent and not partial:
         sys.exit(f"{EXTENSION} lists libraries that have not been built: {', '.join(absent)}. Build them, or pack with --partial")
     contents = {name: source.read_bytes() for name, source in files.items() if name.parent != LIBRARIES or name.name not in absent}
+    contents[ADDON / "docs" / ".gdignore"] = b""  # else Godot imports the pictures, and complains of those that move
     if absent:
         contents[EXTENSION] = only_listed(extension, set(listed.values()) - set(absent)).encode()
     output = folder / f"soft_body_2d-{version_of(repository)}{'-partial' if absent else ''}.zip"

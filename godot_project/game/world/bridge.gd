@@ -14,6 +14,7 @@ const Palette := preload("res://game/palette.gd")
 func _ready() -> void:
 	polygon = SoftBody2D.make_box_polygon(Vector2(span, thickness), thickness)
 	mass = span / 160
+	elastic_model = ELASTIC_MODEL_NETWORK
 	stiffness = 260
 	damping = 0.5
 	center_point = false
