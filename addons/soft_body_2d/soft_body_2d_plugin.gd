@@ -10,6 +10,7 @@ const DetailMode := preload("editor/canvas/detail_mode.gd")
 const DetailPanel := preload("editor/ui/detail_panel.gd")
 const EditedBodies := preload("editor/ui/edited_bodies.gd")
 const HolesMode := preload("editor/canvas/holes_mode.gd")
+const NewBodies := preload("editor/ui/new_bodies.gd")
 const PathMode := preload("editor/canvas/path_mode.gd")
 const PolygonMode := preload("editor/canvas/polygon_mode.gd")
 const LookChoice := preload("editor/logic/look_choice.gd")
@@ -41,6 +42,7 @@ var convert_commands: ConvertCommands
 var convert_menu: ConvertMenu
 var inspector: StabilityInspector
 
+var _new_bodies := NewBodies.new()
 var _context_menu: RefCounted # an EditorContextMenuPlugin, which Godot 4.3 has not
 var _mode := Toolbar.Mode.POLYGON
 var _rope_mode := Toolbar.Mode.PATH # or none: what ropes are edited with
@@ -87,6 +89,7 @@ func _enter_tree() -> void:
 	add_inspector_plugin(inspector)
 	add_undo_redo_inspector_hook_callback(_add_undo_of_preset)
 	add_undo_redo_inspector_hook_callback(_keep_look)
+	_new_bodies.start(get_undo_redo(), get_tree())
 	get_undo_redo().version_changed.connect(_on_version_changed)
 	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
 	toolbar.show_mode(_mode)
@@ -96,6 +99,7 @@ func _enter_tree() -> void:
 
 func _exit_tree() -> void:
 	preview.stop()
+	_new_bodies.stop()
 	for each in _modes():
 		each.cancel()
 	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)

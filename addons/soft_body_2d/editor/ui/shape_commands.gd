@@ -5,6 +5,7 @@ extends Node
 
 const BodyCanvas := preload("../canvas/body_canvas.gd")
 const BodyValues := preload("../logic/body_values.gd")
+const NewBody := preload("../logic/new_body.gd")
 const PolygonEdit := preload("../logic/polygon_edit.gd")
 const Outline := preload("../logic/outline.gd")
 const Presets := preload("../logic/structure_presets.gd")
@@ -180,6 +181,7 @@ func _on_traced(trace: TextureTrace, body: SoftBody2D, sprite: Sprite2D, texture
 	if problem != "":
 		canvas.warn(Words.say("This outline cannot be a polygon: %s.") % PolygonEdit.readable(problem))
 		return
+	NewBody.add_detail(after, body.tear_stretch > 0)
 	canvas.commit(Words.say("Trace Polygon"), before, {body: after})
 	canvas.tell_losses(StructureRemap.losses(before[body]))
 	if trace.note != "":
