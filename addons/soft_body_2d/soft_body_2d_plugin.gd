@@ -6,7 +6,12 @@ extends EditorPlugin
 const BodyCanvas := preload("editor/canvas/body_canvas.gd")
 const ConvertCommands := preload("editor/ui/convert_commands.gd")
 const ConvertMenu := preload("editor/ui/convert_menu.gd")
+const DetailMode := preload("editor/canvas/detail_mode.gd")
+const DetailPanel := preload("editor/ui/detail_panel.gd")
 const EditedBodies := preload("editor/ui/edited_bodies.gd")
+const HolesMode := preload("editor/canvas/holes_mode.gd")
+const NewBodies := preload("editor/ui/new_bodies.gd")
+const PathMode := preload("editor/canvas/path_mode.gd")
 const PolygonMode := preload("editor/canvas/polygon_mode.gd")
 const LookChoice := preload("editor/logic/look_choice.gd")
 const LivePreview := preload("editor/preview/live_preview.gd")
@@ -24,17 +29,23 @@ var canvas: BodyCanvas
 var polygon_mode: PolygonMode
 var springs_mode: SpringsMode
 var pins_mode: PinsMode
+var holes_mode: HolesMode
+var detail_mode: DetailMode
+var path_mode: PathMode
 var preview: LivePreview
 var toolbar: Toolbar
 var springs_panel: SpringsPanel
 var pins_panel: PinsPanel
+var detail_panel: DetailPanel
 var shapes: ShapeCommands
 var convert_commands: ConvertCommands
 var convert_menu: ConvertMenu
 var inspector: StabilityInspector
 
+var _new_bodies := NewBodies.new()
 var _context_menu: RefCounted # an EditorContextMenuPlugin, which Godot 4.3 has not
 var _mode := Toolbar.Mode.POLYGON
+var _rope_mode := Toolbar.Mode.PATH # or none: what ropes are edited with
 
 
 func _enter_tree() -> void:
@@ -43,13 +54,16 @@ func _enter_tree() -> void:
 	polygon_mode = PolygonMode.new(canvas)
 	springs_mode = SpringsMode.new(canvas)
 	pins_mode = PinsMode.new(canvas)
+	holes_mode = HolesMode.new(canvas)
+	detail_mode = DetailMode.new(canvas)
+	path_mode = PathMode.new(canvas)
 	preview = LivePreview.new(canvas)
 	canvas.changed.connect(_on_changed)
 
 	toolbar = Toolbar.new()
 	add_control_to_container(CONTAINER_CANVAS_EDITOR_MENU, toolbar)
 	toolbar.mode_chosen.connect(set_mode)
-	toolbar.create_toggled.connect(polygon_mode.set_creating)
+	toolbar.create_toggled.connect(_set_creating)
 	toolbar.preset_chosen.connect(_on_preset_chosen)
 	toolbar.preview_toggled.connect(set_preview)
 	toolbar.help_wanted.connect(_show_help)
@@ -66,12 +80,16 @@ func _enter_tree() -> void:
 	pins_panel = PinsPanel.new()
 	pins_panel.set_up(pins_mode)
 	add_control_to_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, pins_panel)
+	detail_panel = DetailPanel.new()
+	detail_panel.set_up(detail_mode)
+	add_control_to_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, detail_panel)
 
 	inspector = StabilityInspector.new()
 	inspector.canvas = canvas
 	add_inspector_plugin(inspector)
 	add_undo_redo_inspector_hook_callback(_add_undo_of_preset)
 	add_undo_redo_inspector_hook_callback(_keep_look)
+	_new_bodies.start(get_undo_redo(), get_tree())
 	get_undo_redo().version_changed.connect(_on_version_changed)
 	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
 	toolbar.show_mode(_mode)
@@ -81,13 +99,15 @@ func _enter_tree() -> void:
 
 func _exit_tree() -> void:
 	preview.stop()
-	polygon_mode.cancel()
-	springs_mode.cancel()
+	_new_bodies.stop()
+	for each in _modes():
+		each.cancel()
 	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
 	get_undo_redo().version_changed.disconnect(_on_version_changed)
 	remove_undo_redo_inspector_hook_callback(_add_undo_of_preset)
 	remove_undo_redo_inspector_hook_callback(_keep_look)
 	remove_inspector_plugin(inspector)
+	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, detail_panel)
 	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, pins_panel)
 	remove_control_from_container(CONTAINER_CANVAS_EDITOR_SIDE_RIGHT, springs_panel)
 	remove_control_from_container(CONTAINER_CANVAS_EDITOR_MENU, toolbar)
@@ -95,7 +115,7 @@ func _exit_tree() -> void:
 	if _context_menu != null:
 		call(&"remove_context_menu_plugin", _context_menu)
 		_context_menu = null
-	for node: Node in [pins_panel, springs_panel, toolbar, shapes, convert_menu, convert_commands]:
+	for node: Node in [detail_panel, pins_panel, springs_panel, toolbar, shapes, convert_menu, convert_commands]:
 		node.queue_free()
 	# The inspector shows a panel of ours until it is made anew.
 	var edited := EditorInterface.get_inspector().get_edited_object()
@@ -108,11 +128,12 @@ func _exit_tree() -> void:
 
 
 func _handles(object: Object) -> bool:
-	return EditedBodies.has_any(object)
+	return EditedBodies.has_any(object) or not EditedBodies.ropes_of(object).is_empty()
 
 
 func _edit(object: Object) -> void:
-	_set_bodies(EditedBodies.of(object))
+	var bodies := EditedBodies.of(object)
+	_set_bodies(bodies if not bodies.is_empty() else EditedBodies.ropes_of(object))
 
 
 func _make_visible(visible: bool) -> void:
@@ -150,15 +171,35 @@ func _get_plugin_name() -> String:
 
 
 func mode() -> Toolbar.Mode:
-	return _mode
+	return _rope_mode if _has_ropes() else _mode
 
 
 func set_mode(mode: Toolbar.Mode) -> void:
 	_current_cancel()
-	_mode = mode
-	toolbar.show_mode(mode)
-	_show_panels()
+	if mode == Toolbar.Mode.PATH or (mode == Toolbar.Mode.NONE and _has_ropes()):
+		_rope_mode = mode
+	else:
+		_mode = mode
+	_show_mode()
 	update_overlays()
+
+
+func _show_mode() -> void:
+	toolbar.show_mode(mode(), _has_ropes())
+	_show_panels()
+
+
+func _has_ropes() -> bool:
+	return not canvas.bodies.is_empty() and is_instance_valid(canvas.bodies[0]) and canvas.bodies[0] is SoftRope2D
+
+
+func _set_creating(enabled: bool) -> void:
+	if _current() != null:
+		_current().set_creating(enabled)
+
+
+func _modes() -> Array[Mode]:
+	return [polygon_mode, springs_mode, pins_mode, holes_mode, detail_mode, path_mode]
 
 
 func set_preview(playing: bool) -> void:
@@ -174,14 +215,7 @@ func set_preview(playing: bool) -> void:
 func _current() -> Mode:
 	if preview.is_playing():
 		return preview
-	match _mode:
-		Toolbar.Mode.POLYGON:
-			return polygon_mode
-		Toolbar.Mode.SPRINGS:
-			return springs_mode
-		Toolbar.Mode.PINS:
-			return pins_mode
-	return null
+	return _modes()[mode() - 1] if mode() != Toolbar.Mode.NONE else null
 
 
 func _current_cancel() -> void:
@@ -193,8 +227,10 @@ func _set_bodies(bodies: Array[SoftBody2D]) -> void:
 	if canvas.bodies == bodies:
 		return
 	_current_cancel()
+	for each in _modes():
+		each.set_creating(false)
 	canvas.bodies = bodies
-	polygon_mode.set_creating(false)
+	_show_mode()
 	_on_changed()
 	update_overlays()
 
@@ -218,6 +254,8 @@ func _add_convert_menu() -> void:
 func _on_selection_changed() -> void:
 	convert_menu.show_selection()
 	var bodies := EditedBodies.selected()
+	if bodies.is_empty():
+		bodies = EditedBodies.selected_ropes()
 	if not bodies.is_empty() and toolbar.visible:
 		_set_bodies(bodies)
 
@@ -229,17 +267,19 @@ func _on_version_changed() -> void:
 
 func _on_changed() -> void:
 	canvas.bodies = canvas.bodies.filter(func(body: SoftBody2D) -> bool: return is_instance_valid(body))
-	for each: Mode in [polygon_mode, springs_mode, pins_mode]:
+	for each in _modes():
 		each.follow_bodies()
-	toolbar.show_creating(polygon_mode.is_creating)
+	toolbar.show_creating(_current() != null and _current().is_creating())
 	toolbar.show_preview(preview.is_playing())
 	springs_panel.show_selection()
 	pins_panel.show_selection()
+	detail_panel.show_bodies()
 
 
 func _show_panels() -> void:
-	springs_panel.visible = toolbar.visible and _mode == Toolbar.Mode.SPRINGS
-	pins_panel.visible = toolbar.visible and _mode == Toolbar.Mode.PINS
+	springs_panel.visible = toolbar.visible and mode() == Toolbar.Mode.SPRINGS
+	pins_panel.visible = toolbar.visible and mode() == Toolbar.Mode.PINS
+	detail_panel.visible = toolbar.visible and mode() == Toolbar.Mode.DETAIL
 
 
 func _on_shape_chosen(shape: StringName) -> void:

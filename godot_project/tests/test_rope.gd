@@ -251,3 +251,28 @@ func test_a_texture_lies_along_the_rope() -> void:
 	check_equal(rope.uv[0], Vector2(0, 0), "at the start, on one side")
 	check_equal(rope.uv[21], Vector2(0, 16), "at the start, on the other side")
 	check_near(rope.uv[10].x, 160, 0.1, "at the end: ten times the height of the texture")
+
+
+func test_the_problem_of_a_path_is_known_before_it_is_set() -> void:
+	var seed_of_run := randi()
+	var random := RandomNumberGenerator.new()
+	random.seed = seed_of_run
+	var refused := 0
+	for i in 200:
+		var rope := SoftRope2D.new()
+		rope.link_count = random.randi_range(0, 12)
+		rope.width = random.randf_range(2, 30)
+		var path := PackedVector2Array()
+		for j in random.randi_range(1, 5):
+			path.append(Vector2(random.randf_range(-90, 90), random.randf_range(-90, 90)))
+		var problem := rope.get_path_problem(path)
+		if problem == "":
+			rope.path = path
+			check_equal(rope.path, path, "path %d, of which nothing is said (seed %d)" % [i, seed_of_run])
+		else:
+			refused += 1
+			var old := rope.path
+			check_refused(func() -> void: rope.path = path, [problem.trim_prefix("path")], "path %d (seed %d)" % [i, seed_of_run])
+			check_equal(rope.path, old, "path %d after a refusal (seed %d)" % [i, seed_of_run])
+		rope.free()
+	check(refused > 20 and refused < 180, "paths that were refused: %d of 200" % refused)

@@ -16,7 +16,7 @@ TARGET = Path("addons/soft_body_2d/csharp")
 LEFT_OUT = {"SoftBodyPicker"}
 SINGLETONS = {"SoftBodySimulation2D"}
 # What a wrapper calls the object that it stands for, by the class that the engine knows.
-HOLDERS = {"Node2D": "Node", "Area2D": "Node", "Resource": "Resource", "RefCounted": "Instance"}
+HOLDERS = {"Node2D": "Node", "Area2D": "Node", "Polygon2D": "Node", "Resource": "Resource", "RefCounted": "Instance"}
 # Words of C# that our parameters use.
 KEYWORDS = {"base", "event", "object", "params", "lock"}
 # The class reference knows one whole number; in C# a mask has no sign, and these need more than 32 bits.

@@ -253,7 +253,7 @@ static class Claims
 	{
 		var bases = new Dictionary<string, Func<GodotObject>>
 		{
-			{ "Node2D", () => new Node2D() }, { "Area2D", () => new Area2D() }, { "Resource", () => new Resource() }, { "RefCounted", () => new RefCounted() },
+			{ "Node2D", () => new Node2D() }, { "Area2D", () => new Area2D() }, { "Polygon2D", () => new Polygon2D() }, { "Resource", () => new Resource() }, { "RefCounted", () => new RefCounted() },
 		};
 		string[] files = Directory.GetFiles(arguments[0], "*.xml").Where(file => Path.GetFileName(file) != "SoftBodyPicker.xml").ToArray();
 		foreach (string file in files)

@@ -4,14 +4,17 @@
 
 #include "core/creator/hulls.h"
 #include "core/geometry/polygon.h"
+#include "support/random.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 using namespace softbody;
+using softbody::testing::Random;
 
 namespace {
 
@@ -223,5 +226,120 @@ TEST_CASE("a mesh knows the points and options that it was made of, as bodies th
 	CHECK_FALSE(mesh.is_made_of(hull, hull.size() - 1, options)); // the last would be an inner point
 	for (const FillMesh::Options &other : { FillMesh::Options{ 1, 1, 0 }, FillMesh::Options{ 4, 2, 0 }, FillMesh::Options{ 4, 1, Real(0.5) } }) {
 		CHECK_FALSE(mesh.is_made_of(hull, hull.size(), other));
+	}
+}
+
+namespace {
+
+double distance_to_box(Vec2 place, Vec2 half) {
+	const double x = std::abs(double(place.x)) - double(half.x), y = std::abs(double(place.y)) - double(half.y);
+	return x > 0 || y > 0 ? std::hypot(std::max(x, 0.0), std::max(y, 0.0)) : -std::max(x, y);
+}
+
+std::vector<Vec2> joined(std::vector<Vec2> hull, const std::vector<Vec2> &more) {
+	hull.insert(hull.end(), more.begin(), more.end());
+	return hull;
+}
+
+// Whether two segments have a point in common that is inside of both.
+bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+	const Real u = cross(b - a, c - a), v = cross(b - a, d - a), w = cross(d - c, a - c), x = cross(d - c, b - c);
+	return u * v < 0 && w * x < 0;
+}
+
+} // namespace
+
+TEST_CASE("sides beside a corner stay straight on a curve, of the hull and of a hole") {
+	std::vector<Vec2> hole = box_hull({ 124, 74 }, 31).value();
+	std::ranges::reverse(hole);
+	for (const double spacing : { 12.0, 22.0, 45.0 }) {
+		const std::vector<Vec2> hull = box_hull({ 180, 130 }, Real(spacing)).value();
+		const std::vector<std::size_t> holes{ hole.size() };
+		const FillMesh mesh(joined(hull, hole), hull.size(), { 4, 0 }, holes);
+		const Placed result = placed(mesh, joined(hull, hole));
+		CAPTURE(spacing);
+		for (std::size_t i = 0; i < 4 * hull.size(); ++i) {
+			CHECK(std::abs(distance_to_box(result.rim[i], { 90, 65 })) < 1e-3);
+		}
+		for (std::size_t i = 4 * hull.size(); i < result.rim.size(); ++i) {
+			CHECK(std::abs(distance_to_box(result.rim[i], { 62, 37 })) < 1e-3);
+		}
+	}
+}
+
+TEST_CASE("regular polygons, whose corners are alike, have the curve of Catmull and Rom as before") {
+	for (const int count : { 3, 4, 6, 16, 40 }) {
+		const std::vector<Vec2> hull = circle_hull(50, count).value();
+		const FillMesh mesh(hull, hull.size(), { 4, 0 });
+		const Placed result = placed(mesh, hull);
+		for (std::size_t i = 0; i < hull.size(); ++i) {
+			const auto at = [&](std::size_t k) { return hull[k % hull.size()]; };
+			const Vec2 middle = (at(i) + at(i + 1)) * (Real(9) / 16) - (at(i + hull.size() - 1) + at(i + 2)) * (Real(1) / 16); // t = 1/2 of theirs
+			CHECK(length(result.rim[4 * i + 2] - middle) < Real(1e-4));
+		}
+	}
+}
+
+TEST_CASE("bands of holes that come near the hull or each other do not overlap, and keep their width elsewhere") {
+	const unsigned seed = std::random_device()();
+	CAPTURE(seed);
+	Random random(seed);
+	const std::vector<Vec2> hull = box_hull({ 220, 150 }, 25).value();
+	constexpr Real BAND = 12;
+	for (int trial = 0; trial < 150; ++trial) {
+		// Two round holes somewhere inside, apart from the sides and from each other by 1 px or more.
+		std::vector<std::vector<Vec2>> loops{ hull };
+		std::vector<std::pair<Vec2, double>> disks;
+		for (int tries = 0; tries < 60 && disks.size() < 2; ++tries) {
+			const double radius = double(random.real(8, 40));
+			const Vec2 middle{ random.real(-109 + radius, 109 - radius), random.real(-74 + radius, 74 - radius) };
+			if (std::ranges::all_of(disks, [&](const auto &disk) { return double(length(disk.first - middle)) > radius + disk.second + 1; })) {
+				disks.push_back({ middle, radius });
+				std::vector<Vec2> hole = circle_hull(Real(radius), 16).value();
+				for (Vec2 &p : hole) {
+					p += middle;
+				}
+				std::ranges::reverse(hole);
+				loops.push_back(hole);
+			}
+		}
+		std::vector<Vec2> points;
+		std::vector<std::size_t> holes;
+		for (const std::vector<Vec2> &loop : loops) {
+			points = joined(points, loop);
+			if (points.size() > hull.size()) {
+				holes.push_back(loop.size());
+			}
+		}
+		const FillMesh mesh(points, hull.size(), { 2, 1, 0, BAND }, holes);
+		const Placed result = placed(mesh, points);
+		// The inner lines, loop after loop, at the begin of the vertices.
+		std::vector<std::pair<std::size_t, std::size_t>> rims;
+		mesh.for_rims([&](std::size_t start, std::size_t count) { rims.push_back({ start, count }); });
+		int crossings = 0;
+		for (std::size_t a = 0; a < rims.size(); ++a) {
+			for (std::size_t b = a + 1; b < rims.size(); ++b) {
+				for (std::size_t i = 0; i < rims[a].second; ++i) {
+					for (std::size_t k = 0; k < rims[b].second; ++k) {
+						const auto inner = [&](std::size_t rim, std::size_t index) { return result.vertices[rims[rim].first + index % rims[rim].second]; };
+						crossings += cross_each_other(inner(a, i), inner(a, i + 1), inner(b, k), inner(b, k + 1));
+						const auto outer = [&](std::size_t rim, std::size_t index) { return result.rim[rims[rim].first + index % rims[rim].second]; };
+						crossings += cross_each_other(inner(a, i), inner(a, i + 1), outer(b, k), outer(b, k + 1));
+						crossings += cross_each_other(outer(a, i), outer(a, i + 1), inner(b, k), inner(b, k + 1));
+					}
+				}
+			}
+		}
+		CAPTURE(trial);
+		CHECK(crossings == 0);
+	}
+	// Far from everything a hole's band is as wide as it should be.
+	std::vector<Vec2> hole = circle_hull(20, 32).value();
+	std::ranges::reverse(hole);
+	const std::vector<std::size_t> counts{ hole.size() };
+	const FillMesh mesh(joined(hull, hole), hull.size(), { 1, 1, 0, BAND }, counts);
+	const Placed result = placed(mesh, joined(hull, hole));
+	for (std::size_t i = 0; i < hole.size(); ++i) {
+		CHECK(double(length(result.vertices[hull.size() + i])) == doctest::Approx(20 + 12).epsilon(0.01));
 	}
 }

@@ -23,6 +23,10 @@ namespace SoftBodies
 		public double GetLength() =>
 			Node.Call(Names.GetLength).AsDouble();
 
+		/// <summary>Returns why <c>path</c> could not be the <c>path</c> of this rope, with its <c>width</c> and <c>link_count</c>, or an empty string if it could.</summary>
+		public string GetPathProblem(Vector2[] path) =>
+			Node.Call(Names.GetPathProblem, path).AsString();
+
 		/// <summary>Returns the length of the centerline as designed in pixels, with the node's scale.</summary>
 		public double GetRestLength() =>
 			Node.Call(Names.GetRestLength).AsDouble();

@@ -44,6 +44,7 @@ namespace SoftBodies
 			internal static readonly StringName GetCenterPoint = "get_center_point";
 			internal static readonly StringName GetCenterPositions = "get_center_positions";
 			internal static readonly StringName GetLength = "get_length";
+			internal static readonly StringName GetPathProblem = "get_path_problem";
 			internal static readonly StringName GetRestLength = "get_rest_length";
 			internal static readonly StringName Kind = "kind";
 			internal static readonly StringName LinkCount = "link_count";

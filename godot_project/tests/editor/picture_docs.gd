@@ -71,6 +71,43 @@ func picture_pins() -> void:
 	await shot("pins", area)
 
 
+func picture_holes() -> void:
+	var holes: Array[PackedVector2Array] = [Transform2D(0, Vector2(-18, -6)) * SoftBody2D.make_circle_polygon(16, 8),
+			Transform2D(0, Vector2(26, 12)) * SoftBody2D.make_box_polygon(Vector2(22, 22), 22)]
+	await open_scene({"color": COLOR, "polygon": SoftBody2D.make_circle_polygon(60, 24), "holes": holes})
+	plugin.set_mode(4)
+	plugin.holes_mode.selection.add(body, [8, 9, 10, 11])
+	await shot("holes", _around())
+
+
+func picture_rope() -> void:
+	var made := Node2D.new()
+	made.name = "Root"
+	var rope := SoftRope2D.new()
+	rope.name = "Jelly"
+	rope.position = Vector2(300, 200)
+	rope.path = [Vector2(-90, -30), Vector2(-40, 20), Vector2(10, 10), Vector2(50, -30), Vector2(95, -10)]
+	made.add_child(rope)
+	rope.owner = made
+	await close(SCENE)
+	write_scene(made, SCENE)
+	await open(SCENE)
+	await select_body()
+	plugin.path_mode.selection.add(body, [2])
+	await shot("rope", _around())
+
+
+func picture_detail() -> void:
+	await open_scene({"color": Color(COLOR, 0.6), "polygon": SoftBody2D.make_circle_polygon(60, 120), "detail_mode": 1})
+	plugin.set_mode(5)
+	await frames(4)
+	await center_on(body.global_position, 7)
+	await drag(on_screen(Vector2(58, -14)), on_screen(Vector2(58, 14)), false, 12)
+	var area := viewport_area()
+	area.size.x += int(plugin.detail_panel.size.x) + 4
+	await shot("detail", area)
+
+
 func picture_preview() -> void:
 	await open_scene({"color": COLOR, "stiffness": 40.0})
 	plugin.set_preview(true)

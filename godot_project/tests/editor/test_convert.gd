@@ -232,7 +232,7 @@ func test_where_one_cannot_be_converted_nothing_changes_and_the_message_says_wha
 		check_equal(_describe(root()), before, "the scene, with " + entry[0])
 		check_equal(_version(), version, "steps of undo, with " + entry[0])
 	await _select(["Jelly"])
-	check_equal(_entries(), {1: "Bake to Polygon2D", 2: "Bake to Polygon2D as It Is Now"}, "entries for a body")
+	check_equal(_entries(), {4: "Add Skin", 1: "Bake to Polygon2D", 2: "Bake to Polygon2D as It Is Now"}, "entries for a body")
 	_add(Node2D.new(), "Plain")
 	await _select(["Plain"])
 	check_equal(_entries(), {}, "entries for another node")
@@ -393,3 +393,49 @@ func test_the_scene_tree_offers_it_in_its_context_menu() -> void:
 	check(found, "the context menu has the entry")
 	await frames(10)
 	check(root().get_node("Leaf") is SoftBody2D, "the polygon is a SoftBody2D")
+
+
+func test_a_polygon_below_a_body_becomes_its_skin() -> void:
+	await open_scene()
+	var leaf: Polygon2D = _add(Polygon2D.new(), "Leaf", {&"polygon": SQUARE, &"uv": SQUARE, &"texture": load("res://icon.svg"), &"color": Color.ORANGE,
+			&"position": Vector2(-20, -10), &"rotation": 0.3, &"z_index": 2, &"internal_vertex_count": 0}, body)
+	leaf.add_to_group(&"leaves", true)
+	_add(Node2D.new(), "Mark", {}, leaf)
+	_add(Polygon2D.new(), "Apart", {&"polygon": SQUARE})
+	await _select(["Apart"])
+	check(not ConvertMenu.Item.SKIN in _entries(), "a polygon that is below no body is none: %s" % _entries())
+	await _select(["Jelly/Leaf"])
+	check_equal(_entries().get(ConvertMenu.Item.SKIN), "Convert to SoftBodySkin2D", "entry")
+	var before := _describe(root())
+	var version := _version()
+	var values := {}
+	for property: StringName in [&"polygon", &"uv", &"texture", &"color", &"position", &"rotation", &"z_index"]:
+		values[property] = leaf.get(property)
+	await _choose(ConvertMenu.Item.SKIN)
+	var skin := body.get_node("Leaf") as SoftBodySkin2D
+	if not check(skin != null, "there is a skin: " + plugin.canvas.last_message):
+		return
+	for property: StringName in values:
+		check_equal(skin.get(property), values[property], "%s of the skin" % property)
+	check_equal([skin.is_in_group(&"leaves"), skin.get_child_count(), skin.owner], [true, 1, root()], "group, children, owner")
+	check_equal(skin.get_warnings(), PackedStringArray(), "warnings")
+	await _check_step(before, version, "making a skin")
+
+
+func test_a_body_gets_a_skin_of_its_looks() -> void:
+	await open_scene({"texture": load("res://icon.svg"), "color": Color.ORANGE})
+	await _select(["Jelly"])
+	check_equal(_entries().get(ConvertMenu.Item.ADD_SKIN), "Add Skin", "entry")
+	var before := _describe(root())
+	var version := _version()
+	await _choose(ConvertMenu.Item.ADD_SKIN)
+	var skin := body.get_node_or_null("Skin") as SoftBodySkin2D
+	if not check(skin != null, "there is a skin: " + plugin.canvas.last_message):
+		return
+	check_equal([skin.polygon, skin.texture, skin.color, skin.transform], [body.polygon, body.texture, Color.ORANGE, Transform2D()], "what it shows, and where")
+	check_equal(skin.uv.size(), body.polygon.size(), "texture coordinates")
+	check_equal(body.self_modulate.a, 0.0, "opacity of the body itself")
+	await shot("skin_added")
+	await _check_step(before, version, "adding a skin")
+	await save_and_reload()
+	check(body.get_node("Skin") is SoftBodySkin2D, "the skin is saved")

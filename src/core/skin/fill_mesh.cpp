@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace softbody {
@@ -67,17 +68,57 @@ bool is_slender(std::span<const Vec2> hull) {
 	return 4 * std::numbers::pi_v<Real> * std::abs(signed_area(hull)) < LEAST_COMPACTNESS * around * around;
 }
 
-// Uniform Catmull-Rom: passes through the points, with the mean of the two chords as tangent.
-std::vector<Real> curve_weights(std::size_t pieces) {
-	std::vector<Real> weights;
+// How much sharper a corner is than its neighbors, as a difference of 1 - cos of the turns: 1 for a right angle in straight sides, 0 in
+// every regular polygon. The curve's tangent is that of Catmull and Rom up to the first, and none from the second on.
+constexpr Real ROUNDED = Real(0.15);
+constexpr Real SHARP = Real(0.5);
+
+// 1 - cos of the turn at each point of a closed outline: 0 to 2.
+std::vector<Real> turns_of(std::span<const Vec2> loop) {
+	const std::size_t count = loop.size();
+	std::vector<Real> turns;
+	for (std::size_t i = 0; i < count; ++i) {
+		const Vec2 in = loop[i] - loop[(i + count - 1) % count];
+		const Vec2 out = loop[(i + 1) % count] - loop[i];
+		const Real size = length(in) * length(out);
+		turns.push_back(size > 0 ? 1 - dot(in, out) / size : 0);
+	}
+	return turns;
+}
+
+// Share of the tangent that each point of a closed outline has.
+void append_tangents(std::span<const Vec2> loop, std::vector<Real> &tangents) {
+	const std::vector<Real> turns = turns_of(loop);
+	const std::size_t count = loop.size();
+	for (std::size_t i = 0; i < count; ++i) {
+		const Real excess = turns[i] - (turns[(i + count - 1) % count] + turns[(i + 1) % count]) / 2;
+		tangents.push_back(std::clamp((SHARP - excess) / (SHARP - ROUNDED), Real(0), Real(1)));
+	}
+}
+
+// Uniform Catmull-Rom: passes through the points, with the mean of the two chords as tangent, or with a share of it at the begin and
+// the end of the edge.
+void append_curve_weights(std::size_t pieces, Real begin, Real end, std::vector<Real> &weights) {
 	for (std::size_t piece = 0; piece < pieces; ++piece) {
 		const Real t = Real(piece) / Real(pieces);
 		const Real t2 = t * t;
 		const Real t3 = t2 * t;
-		weights.insert(weights.end(), { (-t + 2 * t2 - t3) / 2, (2 - 5 * t2 + 3 * t3) / 2, (t + 4 * t2 - 3 * t3) / 2,
-												(t3 - t2) / 2 });
+		const Real leaving = begin * (t - 2 * t2 + t3) / 2;
+		const Real arriving = end * (t3 - t2) / 2;
+		weights.insert(weights.end(), { -leaving, 1 - 3 * t2 + 2 * t3 - arriving, 3 * t2 - 2 * t3 + leaving, arriving });
 	}
-	return weights;
+}
+
+Real square_distance(Vec2 place, Vec2 a, Vec2 b) {
+	const Vec2 edge = b - a;
+	const Real square = length_squared(edge);
+	const Real share = square > 0 ? std::clamp(dot(place - a, edge) / square, Real(0), Real(1)) : 0;
+	return length_squared(a + edge * share - place);
+}
+
+// The distance between two edges that do not meet: from an end of one to the other.
+Real edge_distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+	return std::sqrt(std::min({ square_distance(a, c, d), square_distance(b, c, d), square_distance(c, a, b), square_distance(d, a, b) }));
 }
 
 } // namespace
@@ -90,7 +131,7 @@ FillMesh::FillMesh(std::span<const Vec2> rest, std::size_t hull_count, const Opt
 	}
 	assert(hull_count >= 3 && loop_points_ <= rest.size() && options.pieces >= 1);
 	side_ = signed_area(rest.first(hull_count)) < 0 ? Real(-1) : Real(1);
-	curve_ = curve_weights(options_.pieces);
+	make_curve();
 	fill();
 	for (std::size_t i = hull_count; i < rest_.size(); ++i) {
 		(i < loop_points_ ? hole_weights_ : inner_weights_).push_back(mean_value_weights(rest_[i], rest.first(hull_count)));
@@ -126,9 +167,55 @@ void FillMesh::add_ring(std::size_t inner) {
 	});
 }
 
+void FillMesh::make_curve() {
+	std::vector<Real> tangents;
+	std::size_t start = 0;
+	for (const std::size_t loop : loops_) {
+		append_tangents(std::span<const Vec2>(rest_).subspan(start, loop), tangents);
+		start += loop;
+	}
+	if (options_.pieces == 1 || std::ranges::all_of(tangents, [](Real share) { return share == 1; })) {
+		append_curve_weights(options_.pieces, 1, 1, curve_);
+		return;
+	}
+	curve_step_ = 4 * options_.pieces;
+	start = 0;
+	for (const std::size_t loop : loops_) {
+		for (std::size_t i = 0; i < loop; ++i) {
+			append_curve_weights(options_.pieces, tangents[start + i], tangents[start + (i + 1) % loop], curve_);
+		}
+		start += loop;
+	}
+}
+
+// Bands of two outlines that are near each other would overlap, and the inner line of one would be drawn over the other. A vertex goes in by
+// less than half of what is between its two edges and the nearest of another outline.
+void FillMesh::limit_band(std::span<const Vec2> rim) {
+	constexpr Real MOST_OF_GAP = Real(0.45);
+	band_widths_.assign(rim.size(), options_.band);
+	for_rims([&](std::size_t start, std::size_t count) {
+		for_rims([&](std::size_t other, std::size_t other_count) {
+			for (std::size_t i = 0; i < count && other != start; ++i) {
+				const std::size_t next = start + (i + 1) % count;
+				for (std::size_t k = 0; k < other_count; ++k) {
+					const Real gap = edge_distance(rim[start + i], rim[next], rim[other + k], rim[other + (k + 1) % other_count]);
+					band_widths_[start + i] = std::min(band_widths_[start + i], MOST_OF_GAP * gap);
+					band_widths_[next] = std::min(band_widths_[next], MOST_OF_GAP * gap);
+				}
+			}
+		});
+	});
+	if (std::ranges::all_of(band_widths_, [&](Real width) { return width == options_.band; })) {
+		band_widths_.clear();
+	}
+}
+
 void FillMesh::fill() {
 	std::vector<Vec2> points(rim_count());
 	place_rim(rest_, points);
+	if (loops_.size() > 1 && options_.band > 0 && options_.soft_edge > 0) {
+		limit_band(points);
+	}
 	const std::uint32_t rim = std::uint32_t(points.size());
 	if (loops_.size() > 1) {
 		std::vector<std::size_t> rims;
@@ -177,6 +264,12 @@ void FillMesh::place(std::span<const Vec2> points, std::span<const Vec2> rim, st
 		for_rims([&](std::size_t start, std::size_t count) {
 			const std::span<const Vec2> loop = rim.subspan(start, count);
 			if (faded_start_ != band_start_) {
+				if (!band_widths_.empty()) {
+					move_corners(loop, std::span<const Real>(band_widths_).subspan(start, count), side_, vertices.subspan(start, count));
+					move_corners(loop, half, vertices.subspan(band_start_ + start, count));
+					move_corners(loop, -half, vertices.subspan(faded_start_ + start, count));
+					return;
+				}
 				move_corners(loop, { options_.band * side_, half, -half }, { vertices.subspan(start, count), vertices.subspan(band_start_ + start, count), vertices.subspan(faded_start_ + start, count) });
 				return;
 			}

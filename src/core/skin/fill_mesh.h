@@ -22,13 +22,15 @@ class FillMesh {
 public:
 	/// How the mesh is made.
 	struct Options {
-		/// Pieces of each hull edge. 1 draws it straight; more follow a smooth curve (Catmull and Rom 1974).
+		/// Pieces of each hull edge. 1 draws it straight; more follow a smooth curve (Catmull and Rom 1974). A corner that is drawn
+		/// sharper at rest than its neighbors stays one: beside it the curve does not swing out of straight sides.
 		std::size_t pieces = 1;
 		/// Width of the edge over which the body fades out, half of it inside [length]; 0 is a hard edge.
 		Real soft_edge = 0;
 		/// Without a soft edge: how far inside the rim the triangles end [length], for an outline that hides their edge.
 		Real inset = 0;
-		/// With a soft edge: width of a band along the rim, inside it, that can have other colors than the fill [length]; 0: none.
+		/// With a soft edge: width of a band along the rim, inside it, that can have other colors than the fill [length]; 0: none. Where a hole
+		/// leaves less than that on both sides, the band is narrower.
 		Real band = 0;
 
 		friend bool operator==(const Options &, const Options &) = default;
@@ -75,6 +77,9 @@ public:
 
 private:
 	void fill();
+	void make_curve();
+	/// `rim` is at rest.
+	void limit_band(std::span<const Vec2> rim);
 	/// Adds vertices along the rim again, and triangles from those that begin at `inner` to them.
 	void add_ring(std::size_t inner);
 	/// Calls `each` with the value of every rim vertex, in order, for values of the points of the hull and of the holes.
@@ -94,7 +99,10 @@ private:
 	std::size_t faded_start_ = 0;
 	std::size_t vertex_count_ = 0;
 	std::vector<Triangle> triangles_;
-	std::vector<Real> curve_; ///< four weights for each piece of an edge: of the points before, at, after, after that
+	/// Four weights for each piece of an edge: of the points before, at, after, after that. Of every edge the same, or of each its own.
+	std::vector<Real> curve_;
+	std::size_t curve_step_ = 0; ///< from the weights of one edge to those of the next; 0 if all edges have the same
+	std::vector<Real> band_widths_; ///< of each vertex of the rim; empty where it is `Options::band` everywhere
 	std::vector<std::vector<Real>> hole_weights_; ///< of the hull points, for each point of a hole
 	std::vector<std::vector<Real>> inner_weights_; ///< the same for each inner vertex
 };
@@ -102,6 +110,7 @@ private:
 template <class Value>
 void FillMesh::for_rim(std::span<const Value> values, const auto &each) const {
 	const Value *loop_values = values.data();
+	const Real *edge_weights = curve_.data();
 	for (const std::size_t count : loops_) {
 		Value before = loop_values[count - 1];
 		Value at = loop_values[0];
@@ -109,9 +118,10 @@ void FillMesh::for_rim(std::span<const Value> values, const auto &each) const {
 		for (std::size_t i = 0; i < count; ++i) {
 			const Value next = loop_values[(i + 2) % count];
 			for (std::size_t piece = 0; piece < options_.pieces; ++piece) {
-				const Real *weight = &curve_[4 * piece];
+				const Real *weight = edge_weights + 4 * piece;
 				each(before * weight[0] + at * weight[1] + after * weight[2] + next * weight[3]);
 			}
+			edge_weights += curve_step_;
 			before = at;
 			at = after;
 			after = next;

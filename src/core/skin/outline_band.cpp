@@ -83,6 +83,13 @@ void move_corners(std::span<const Vec2> outline, Real distance, std::span<Vec2> 
 	}
 }
 
+void move_corners(std::span<const Vec2> outline, std::span<const Real> distances, Real side, std::span<Vec2> moved) {
+	const std::size_t count = outline.size();
+	for (std::size_t i = 0; i < count; ++i) {
+		moved[i] = mitre_point(corner_of(outline[(i + count - 1) % count], outline[i], outline[(i + 1) % count]), distances[i] * side);
+	}
+}
+
 void move_corners(std::span<const Vec2> outline, const std::array<Real, 3> &distances, const std::array<std::span<Vec2>, 3> &moved) {
 	const std::size_t count = outline.size();
 	Vec2 before = outline[count - 1];

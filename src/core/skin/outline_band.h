@@ -16,6 +16,8 @@ namespace softbody {
 /// Moves every edge of a closed outline by `distance` [length] to its left, which is into a polygon of positive
 /// winding. Corners move to where their edges meet, within a limit (see `OutlineBand`). O(n).
 void move_corners(std::span<const Vec2> outline, Real distance, std::span<Vec2> moved);
+/// The same with a distance of its own for each corner, times `side`.
+void move_corners(std::span<const Vec2> outline, std::span<const Real> distances, Real side, std::span<Vec2> moved);
 /// The same for three distances, in one pass.
 void move_corners(std::span<const Vec2> outline, const std::array<Real, 3> &distances, const std::array<std::span<Vec2>, 3> &moved);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the node is made of: its own material, or one that it shares with others, and a PhysicsMaterial over either.
-#include "godot/nodes/soft_body_2d.h"
+#include "godot/nodes/soft_rope_2d.h"
 
 #include "core/model/model_choice.h"
 #include "godot/convert.h"
@@ -251,7 +251,8 @@ bool SoftBody2D::_set(const StringName &p_name, const Variant &p_value) {
 		set_former_surface(p_name, p_value);
 		return true;
 	}
-	return unfit_.set_former(*this, get_class_static(), p_name, p_value) || unfit_.set(*this, get_class_static(), p_name, p_value);
+	const StringName &known = rope() != nullptr ? SoftRope2D::get_class_static() : get_class_static(); // a rope has properties of its own
+	return unfit_.set_former(*this, known, p_name, p_value) || unfit_.set(*this, known, p_name, p_value);
 }
 
 bool SoftBody2D::_get(const StringName &p_name, Variant &r_value) const {

@@ -95,6 +95,13 @@ void SoftRope2D::set_path(const PackedVector2Array &p_path) {
 	remake("path", before);
 }
 
+String SoftRope2D::get_path_problem(const PackedVector2Array &p_path) const {
+	RopePart tried = rope_;
+	tried.path = p_path;
+	const auto made = tried.structure();
+	return made ? String() : softbody::to_godot(made.error());
+}
+
 void SoftRope2D::set_link_count(int p_count) {
 	if (accept("link_count", softbody::check_between("link_count", p_count, 0, softbody::MAX_ROPE_POINTS - 1, ""))) {
 		const RopePart before = rope_;
@@ -244,6 +251,7 @@ void SoftRope2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_center_point", "index"), &SoftRope2D::get_center_point);
 	ClassDB::bind_method(D_METHOD("get_center_positions"), &SoftRope2D::get_center_positions);
 	ClassDB::bind_method(D_METHOD("get_length"), &SoftRope2D::get_length);
+	ClassDB::bind_method(D_METHOD("get_path_problem", "path"), &SoftRope2D::get_path_problem);
 	ClassDB::bind_method(D_METHOD("get_rest_length"), &SoftRope2D::get_rest_length);
 	ClassDB::bind_method(D_METHOD("_remake_for_curve"), &SoftRope2D::remake_for_curve);
 }

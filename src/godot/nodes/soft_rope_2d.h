@@ -27,6 +27,8 @@ public:
 
 	void set_path(const PackedVector2Array &p_path);
 	PackedVector2Array get_path_points() const { return rope_.path; }
+	/// Why that could not be the path of this rope, with its width and links; empty if it could.
+	String get_path_problem(const PackedVector2Array &p_path) const;
 	void set_link_count(int p_count);
 	int get_link_count() const { return rope_.link_count; }
 	void set_width(double p_width);

@@ -6,6 +6,7 @@
 #include "godot/nodes/soft_body_attachment_2d.h"
 #include "godot/nodes/soft_body_fluid_2d.h"
 #include "godot/nodes/soft_body_joint_2d.h"
+#include "godot/nodes/soft_body_skin_2d.h"
 #include "godot/nodes/soft_rope_2d.h"
 #include "godot/resources/soft_body_material_2d.h"
 #include "godot/server/soft_body_simulation_2d.h"
@@ -30,6 +31,7 @@ static void initialize_soft_body_2d_module(ModuleInitializationLevel p_level) {
 	GDREGISTER_CLASS(SoftBody2D);
 	GDREGISTER_CLASS(SoftRope2D);
 	GDREGISTER_CLASS(SoftBodyAttachment2D);
+	GDREGISTER_CLASS(SoftBodySkin2D);
 	GDREGISTER_CLASS(SoftBodyFluid2D);
 	GDREGISTER_CLASS(SoftBodyJoint2D);
 	GDREGISTER_CLASS(SoftBodyPreview2D);

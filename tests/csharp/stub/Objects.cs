@@ -74,6 +74,7 @@ namespace Godot
 
 	public class CollisionObject2D : Node2D { }
 	public class Area2D : CollisionObject2D { }
+	public class Polygon2D : Node2D { }
 
 	public static class ClassDB
 	{

@@ -111,8 +111,8 @@ func commit(action: String, before: Dictionary, after: Dictionary, more: Array[D
 		undo.add_do_property(change["object"], change["property"], change["after"])
 		undo.add_undo_property(change["object"], change["property"], change["before"])
 	undo.commit_action()
-	for body: SoftBody2D in after:
-		_tell_inheritance(body)
+	for change in changes:
+		_tell_inheritance(change["object"])
 	redraw()
 	changed.emit()
 
@@ -125,8 +125,9 @@ func take_values() -> Dictionary:
 	return values
 
 
-func _tell_inheritance(body: SoftBody2D) -> void:
-	var origin := origin_of(body)
+func _tell_inheritance(object: Object) -> void:
+	var body := object as SoftBody2D
+	var origin := origin_of(body) if body != null else ""
 	if origin != "":
 		tell(Words.say("'%s' comes from %s: what you change is kept in this scene, over what it says there.") % [body.name,
 				origin.get_file()])
@@ -164,6 +165,12 @@ func _state_has(state: SceneState, path: NodePath) -> bool:
 
 func tell(text: String) -> void:
 	_show(text, 0)
+
+
+## Says which properties of single points and springs an edit has taken away.
+func tell_losses(lost: PackedStringArray) -> void:
+	if not lost.is_empty():
+		tell(Words.say("What was set for single points and springs does not fit the new polygon and is gone (undo brings it back): %s.") % ", ".join(lost))
 
 
 func warn(text: String) -> void:

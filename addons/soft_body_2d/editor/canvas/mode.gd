@@ -34,6 +34,15 @@ func cancel() -> void:
 	box_from = Vector2.INF
 
 
+## Whether a new line of points is being drawn.
+func is_creating() -> bool:
+	return false
+
+
+func set_creating(_enabled: bool) -> void:
+	pass
+
+
 ## Another body, or one that has changed: forgets what is selected of points that are no more.
 func follow_bodies() -> void:
 	pass

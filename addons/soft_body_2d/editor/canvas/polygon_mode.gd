@@ -3,6 +3,7 @@
 extends "mode.gd"
 ## Shapes outlines: points are created, inserted, moved, turned, scaled and erased.
 
+const PointDrawing := preload("point_drawing.gd")
 const SelectionBox := preload("../logic/selection_box.gd")
 const StructureRemap := preload("../logic/structure_remap.gd")
 const ValueHandles := preload("value_handles.gd")
@@ -13,9 +14,8 @@ const BOX_MARGIN := 12.0
 enum Drag { NONE, POINTS, ROTATE, SCALE, HANDLE, BOX }
 
 var handles: ValueHandles
-## Points of an outline that is being drawn, in the first body's coordinates; empty when none is.
-var drawing := PackedVector2Array()
-var is_creating := false
+## An outline that is being drawn, of the first body.
+var drawing: PointDrawing
 ## Why the outline cannot be let go of as it is; empty when it can.
 var problem := ""
 
@@ -36,6 +36,9 @@ var _hover_edge: Array = []
 func _init(p_canvas: BodyCanvas) -> void:
 	super(p_canvas)
 	handles = ValueHandles.new(p_canvas)
+	drawing = PointDrawing.new(p_canvas, true)
+	drawing.finished.connect(_close_drawing)
+	drawing.given_up.connect(canvas.changed.emit)
 
 
 func follow_bodies() -> void:
@@ -57,15 +60,17 @@ func cancel() -> void:
 	canvas.redraw()
 
 
+func is_creating() -> bool:
+	return drawing.is_on
+
+
 func set_creating(enabled: bool) -> void:
-	is_creating = enabled
-	drawing.clear()
-	canvas.redraw()
+	drawing.set_on(enabled)
 
 
 func input(event: InputEvent) -> bool:
-	if is_creating and not canvas.bodies.is_empty():
-		return _input_creating(event)
+	if is_creating() and not canvas.bodies.is_empty():
+		return drawing.input(event, canvas.bodies[0])
 	if is_key(event, KEY_ESCAPE) and _drag != Drag.NONE:
 		cancel()
 		return true
@@ -86,49 +91,14 @@ func input(event: InputEvent) -> bool:
 
 # Creating.
 
-func _input_creating(event: InputEvent) -> bool:
-	var body := canvas.bodies[0]
-	if event is InputEventMouseMotion:
-		_mouse = (event as InputEventMouseMotion).position
-		canvas.redraw()
-		return not drawing.is_empty()
-	if is_key(event, KEY_ESCAPE):
-		if drawing.is_empty():
-			set_creating(false)
-			canvas.changed.emit()
-		drawing.clear()
-		canvas.redraw()
-		return true
-	if is_key(event, KEY_ENTER):
-		_close_drawing()
-		return true
-	if is_right_press(event) and not drawing.is_empty():
-		drawing.remove_at(drawing.size() - 1)
-		canvas.redraw()
-		return true
-	if is_left(event, true):
-		if not canvas.may_edit():
-			return true
-		var place := (event as InputEventMouseButton).position
-		var on_screen := canvas.to_screen(body) * drawing
-		if drawing.size() >= 3 and on_screen[0].distance_to(place) <= canvas.grab_radius():
-			_close_drawing()
-		else:
-			drawing.append(canvas.to_body(body, place))
-			canvas.redraw()
-		return true
-	return is_left(event, false)
-
-
 func _close_drawing() -> void:
 	var body := canvas.bodies[0]
-	var refusal := SoftBody2D.get_polygon_problem(drawing)
+	var refusal := SoftBody2D.get_polygon_problem(drawing.points)
 	if refusal != "":
 		canvas.warn(Words.say("This outline cannot be a polygon: %s.") % PolygonEdit.readable(refusal))
 		return
 	var before := {body: BodyValues.take(body)}
-	canvas.commit(Words.say("Draw Polygon"), before, {body: StructureRemap.with_other_outline(before[body], drawing)})
-	drawing.clear()
+	canvas.commit(Words.say("Draw Polygon"), before, {body: StructureRemap.with_other_outline(before[body], drawing.points)})
 	set_creating(false)
 	canvas.changed.emit()
 
@@ -377,7 +347,10 @@ func _release() -> void:
 					action = Words.say("Rotate Polygon Points")
 				elif _drag == Drag.SCALE:
 					action = Words.say("Scale Polygon Points")
-				canvas.commit(action, _before, canvas.take_values())
+				var after := canvas.take_values()
+				for body: SoftBody2D in after:
+					after[body] = StructureRemap.with_other_hull(_before[body], after[body]) if not _is_inserting else after[body]
+				canvas.commit(action, _before, after)
 	_end_drag()
 	canvas.redraw()
 
@@ -432,14 +405,14 @@ func draw(overlay: Control) -> void:
 	for body in canvas.bodies:
 		if canvas.is_editable(body):
 			_draw_body(overlay, body)
-	if not is_creating and (_drag == Drag.NONE or _drag == Drag.HANDLE):
+	if not is_creating() and (_drag == Drag.NONE or _drag == Drag.HANDLE):
 		handles.draw(overlay)
 	if _has_box() and _drag in [Drag.NONE, Drag.POINTS]:
 		_draw_selection_box(overlay)
 	if is_boxing():
 		canvas.draw_box(overlay, box())
-	if is_creating and not canvas.bodies.is_empty():
-		_draw_drawing(overlay)
+	if is_creating() and not canvas.bodies.is_empty():
+		drawing.draw(overlay, canvas.bodies[0])
 	if problem != "":
 		canvas.draw_text(overlay, _mouse + Vector2(16, 24) * canvas.scale(), problem, BodyCanvas.BAD)
 
@@ -448,7 +421,7 @@ func _draw_body(overlay: Control, body: SoftBody2D) -> void:
 	var outline: PackedVector2Array = _outlines.get(body, body.polygon)
 	var is_bad := problem != "" and outline != body.polygon
 	var points := canvas.to_screen(body) * outline
-	if is_creating:
+	if is_creating():
 		canvas.draw_outline(overlay, points, Color(BodyCanvas.LINE, 0.35))
 		return
 	canvas.draw_outline(overlay, points, BodyCanvas.LINE, 2)
@@ -460,7 +433,7 @@ func _draw_body(overlay: Control, body: SoftBody2D) -> void:
 		if selection.has(body, i):
 			color = BodyCanvas.BAD if is_bad else BodyCanvas.SELECTED
 		canvas.draw_point(overlay, points[i], color, _hover == [body, i] or selection.has(body, i))
-	if _drag == Drag.NONE and not _hover_edge.is_empty() and _hover_edge[0] == body and not is_creating:
+	if _drag == Drag.NONE and not _hover_edge.is_empty() and _hover_edge[0] == body and not is_creating():
 		var edge: int = _hover_edge[1]
 		if edge < points.size():
 			var on_edge := Geometry2D.get_closest_point_to_segment(_mouse, points[edge], points[(edge + 1) % points.size()])
@@ -476,17 +449,3 @@ func _draw_selection_box(overlay: Control) -> void:
 	var handle := SelectionBox.rotation_handle(frame, HANDLE_DISTANCE * canvas.scale())
 	overlay.draw_line(Vector2(frame.get_center().x, frame.position.y), handle, color, canvas.scale(), true)
 	canvas.draw_point(overlay, handle, BodyCanvas.SELECTED, true)
-
-
-func _draw_drawing(overlay: Control) -> void:
-	var body := canvas.bodies[0]
-	if drawing.is_empty() or not canvas.is_editable(body):
-		canvas.draw_text(overlay, Vector2(48, 96) * canvas.scale(),
-				Words.say("Click to place points; click the first again to close."), BodyCanvas.SELECTED)
-		return
-	var points := canvas.to_screen(body) * drawing
-	var line := points.duplicate()
-	line.append(canvas.snapped_on_screen(body, _mouse))
-	overlay.draw_polyline(line, BodyCanvas.LINE, 2 * canvas.scale(), true)
-	for i in points.size():
-		canvas.draw_point(overlay, points[i], BodyCanvas.SELECTED if i == 0 else BodyCanvas.LINE, i == 0)

@@ -81,6 +81,7 @@ func drag(place: Vector2) -> void:
 			var resized := with_radius(_before[body][&"polygon"], radius_of(_before[body][&"polygon"]) * factor)
 			if SoftBody2D.get_polygon_problem(resized) == "":
 				body.polygon = resized
+				_resize_holes(body, resized)
 				if not _before[body][&"inner_points"].is_empty():
 					var real := radius_of(resized) / radius_of(_before[body][&"polygon"])
 					var middle := PolygonEdit.mean(resized)
@@ -97,6 +98,17 @@ func drag(place: Vector2) -> void:
 				body.pressure = Advice.rounded_up(pressure)
 		_text = Words.say("pressure %s N/m") % Advice.number(_body.pressure)
 	_canvas.redraw()
+
+
+# They keep their places beside the polygon.
+func _resize_holes(body: SoftBody2D, resized: PackedVector2Array) -> void:
+	var holes: Array[PackedVector2Array] = []
+	var factor := radius_of(resized) / radius_of(_before[body][&"polygon"])
+	var center := PolygonEdit.mean(_before[body][&"polygon"])
+	for hole: PackedVector2Array in _before[body][&"holes"]:
+		holes.append(Transform2D(0, PolygonEdit.mean(resized)) * Transform2D(0, Vector2(factor, factor), 0, Vector2.ZERO) * Transform2D(0, -center) * hole)
+	if not holes.is_empty() and SoftBody2D.get_holes_problem(holes, resized) == "":
+		body.holes = holes
 
 
 func release() -> void:

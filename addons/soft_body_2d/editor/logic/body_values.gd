@@ -4,8 +4,8 @@ extends RefCounted
 ## The shape and structure of a body as plain values: what an edit starts from, what it makes, and what undo restores.
 
 ## In the order in which they are set: entries of the later ones count points of the earlier ones.
-const PROPERTIES: Array[StringName] = [&"polygon", &"detail_mode", &"detail_tolerance",
-		&"detail_point_count", &"inner_points", &"center_point", &"springs",
+const PROPERTIES: Array[StringName] = [&"polygon", &"holes", &"detail_mode", &"detail_tolerance",
+		&"detail_point_count", &"detail_weights", &"inner_points", &"center_point", &"springs",
 		&"spring_stiffness_scales", &"spring_damping_scales", &"spring_length_scales", &"texture", &"uv",
 		&"vertex_colors", &"pinned_points", &"pin_targets"]
 const SCALES: Array[StringName] = [&"spring_stiffness_scales", &"spring_damping_scales", &"spring_length_scales"]
@@ -16,7 +16,8 @@ static func take(body: SoftBody2D) -> Dictionary:
 	var values := {}
 	for property in PROPERTIES:
 		values[property] = body.get(property)
-	values[&"pin_targets"] = (values[&"pin_targets"] as Array).duplicate()
+	for property: StringName in [&"pin_targets", &"holes"]:
+		values[property] = (values[property] as Array).duplicate()
 	return values
 
 
@@ -57,13 +58,19 @@ static func has_less_detail(values: Dictionary) -> bool:
 	return values.get(&"detail_mode", SoftBody2D.DETAIL_MODE_AS_DRAWN) != SoftBody2D.DETAIL_MODE_AS_DRAWN
 
 
+## Whether fewer points, or others, are simulated than those of the polygon.
+static func is_simplified(values: Dictionary) -> bool:
+	return has_less_detail(values) and hull(values) != values[&"polygon"]
+
+
 ## What a body with these values simulates: its polygon, or fewer points that stand for it. Pins and springs count these.
 static func hull(values: Dictionary) -> PackedVector2Array:
 	if not has_less_detail(values):
 		return values[&"polygon"]
 	var scratch := SoftBody2D.new()
-	for property: StringName in [&"polygon", &"detail_mode", &"detail_tolerance", &"detail_point_count"]:
-		scratch.set(property, values[property])
+	for property: StringName in [&"polygon", &"detail_mode", &"detail_tolerance", &"detail_point_count", &"detail_weights"]:
+		if values.has(property):
+			scratch.set(property, values[property])
 	var simulated := scratch.get_simulated_polygon()
 	scratch.free()
 	return simulated

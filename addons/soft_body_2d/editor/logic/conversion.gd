@@ -3,6 +3,7 @@
 extends RefCounted
 ## The values of a SoftBody2D that takes the place of a Sprite2D, Polygon2D, CollisionPolygon2D or RigidBody2D.
 
+const NewBody := preload("new_body.gd")
 const Outline := preload("outline.gd")
 const PolygonEdit := preload("polygon_edit.gd")
 const ShapeOutlines := preload("shape_outlines.gd")
@@ -49,6 +50,8 @@ static func of(node: Node2D, traced := PackedVector2Array(), traced_holes: Array
 		made._take_rigid_body(node)
 	else:
 		made.problem = Words.say("'%s' is no Sprite2D, Polygon2D, CollisionPolygon2D or RigidBody2D.") % node.name
+	if made.problem == "":
+		NewBody.add_detail(made.values, false)
 	if made.problem == "" and made.values[&"polygon"].size() < FEW_POINTS:
 		made.notes.append(Words.say("'%s' has %d points; Shape > Resample gives it more to bend with.") % [node.name,
 				made.values[&"polygon"].size()])

@@ -12,10 +12,13 @@ const NEW := -1
 static func with_polygon(values: Dictionary, polygon: PackedVector2Array, old_points: PackedInt32Array) -> Dictionary:
 	var after := BodyValues.copy(values)
 	after[&"polygon"] = polygon.duplicate() # packed arrays are shared, and this one goes into the undo history
-	if BodyValues.has_less_detail(values):
-		_remap_skin(values, after, old_points)
-		_remap_to_other_hull(values, after)
-		return after
+	if BodyValues.is_simplified(values) or BodyValues.is_simplified(after):
+		if BodyValues.is_simplified(values) or not _has_own_structure(values):
+			_remap_skin(values, after, old_points)
+			_remap_to_other_hull(values, after)
+			return after
+		# What was painted on single springs stays with them, as long as every point is simulated.
+		after[&"detail_mode"] = SoftBody2D.DETAIL_MODE_AS_DRAWN
 	var new_points := _new_points(values, old_points)
 	_remap_pins(after, new_points)
 	_remap_skin(values, after, old_points)
@@ -24,6 +27,28 @@ static func with_polygon(values: Dictionary, polygon: PackedVector2Array, old_po
 	else:
 		_remap_springs(values, after, new_points, old_points)
 	return after
+
+
+## The values `after`, of the same polygon or of one with as many points, of a body that had those of `before`: where another number
+## of points is simulated now, pins are at the nearest of them.
+static func with_other_hull(before: Dictionary, after: Dictionary) -> Dictionary:
+	var result := BodyValues.copy(after)
+	if BodyValues.hull(before).size() != BodyValues.hull(after).size():
+		_remap_to_other_hull(before, result)
+	return result
+
+
+## What of single springs `after` no longer has, for a message.
+static func lost_springs(before: Dictionary, after: Dictionary) -> PackedStringArray:
+	var lost := PackedStringArray()
+	for property: StringName in [&"springs"] + BodyValues.SCALES:
+		if not before[property].is_empty() and after[property].is_empty():
+			lost.append(property)
+	return lost
+
+
+static func _has_own_structure(values: Dictionary) -> bool:
+	return not values[&"springs"].is_empty() or BodyValues.SCALES.any(func(property: StringName) -> bool: return not values[property].is_empty())
 
 
 # Of a body that simulates fewer points than are drawn, one point more or less may make all others new: pins go to the points
@@ -55,6 +80,7 @@ static func with_other_outline(values: Dictionary, polygon: PackedVector2Array, 
 		after[scales] = PackedFloat32Array()
 	after[&"uv"] = PackedVector2Array()
 	after[&"vertex_colors"] = PackedColorArray()
+	after[&"detail_weights"] = PackedFloat32Array()
 	var pins := {}
 	if keeps_pins:
 		var before := BodyValues.points(values)
@@ -77,8 +103,9 @@ static func losses(values: Dictionary, keeps_pins := false) -> PackedStringArray
 	for scales in BodyValues.SCALES:
 		if not values[scales].is_empty():
 			lost.append(scales)
-	if not values[&"vertex_colors"].is_empty():
-		lost.append("vertex_colors")
+	for property: StringName in [&"vertex_colors", &"detail_weights"]:
+		if not values.get(property, []).is_empty():
+			lost.append(property)
 	if not keeps_pins and not values[&"pinned_points"].is_empty():
 		lost.append("pinned_points")
 	return lost
@@ -113,8 +140,8 @@ static func _set_pins(after: Dictionary, pins: Dictionary) -> void:
 
 
 static func _remap_skin(values: Dictionary, after: Dictionary, old_points: PackedInt32Array) -> void:
-	for property: StringName in [&"uv", &"vertex_colors"]:
-		if values[property].size() != values[&"polygon"].size():
+	for property: StringName in [&"uv", &"vertex_colors", &"detail_weights"]:
+		if not values.has(property) or values[property].size() != values[&"polygon"].size():
 			continue # empty, or unused until it fits
 		var entries: Variant = values[property].duplicate()
 		entries.resize(old_points.size())
@@ -124,7 +151,7 @@ static func _remap_skin(values: Dictionary, after: Dictionary, old_points: Packe
 			else:
 				var beside := _old_neighbors(old_points, i)
 				var share := _share(values[&"polygon"], beside, after[&"polygon"][i])
-				entries[i] = values[property][beside.x].lerp(values[property][beside.y], share)
+				entries[i] = lerp(values[property][beside.x], values[property][beside.y], share)
 		after[property] = entries
 
 

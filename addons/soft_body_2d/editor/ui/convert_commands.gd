@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 @tool
 extends Node
-## What the menu Convert does: nodes become soft bodies, and soft bodies become Polygon2D nodes, in one step of undo.
+## What the menu Convert does: nodes become soft bodies, soft bodies become Polygon2D nodes, and polygons become skins that bend
+## with a body, in one step of undo.
 
 const Bake := preload("../logic/bake.gd")
 const BodyCanvas := preload("../canvas/body_canvas.gd")
 const Conversion := preload("../logic/conversion.gd")
 const NodeSwap := preload("node_swap.gd")
+const SkinValues := preload("../logic/skin_values.gd")
 const SpriteOutline := preload("../logic/sprite_outline.gd")
 const TextureTrace := preload("../logic/texture_trace.gd")
 const TraceJob := preload("trace_job.gd")
@@ -37,6 +39,11 @@ static func convertible() -> Array[Node2D]:
 
 static func bodies() -> Array[Node2D]:
 	return _topmost(func(node: Node) -> bool: return node is SoftBody2D)
+
+
+## Of the selection, the polygons that lie below a body.
+static func polygons_on_bodies() -> Array[Node2D]:
+	return _topmost(SkinValues.can_follow)
 
 
 static func _topmost(wanted: Callable) -> Array[Node2D]:
@@ -107,6 +114,54 @@ func bake_selected(as_it_is_now: bool) -> void:
 			notes.append(Words.say("'%s' had an outline, which a Polygon2D has not.") % body.name)
 		swaps.append(NodeSwap.of(body, Polygon2D.new(), Bake.values_of(body, outline)))
 	_commit(Words.say("Bake to Polygon2D"), swaps, notes)
+
+
+## Polygons below bodies become skins of these, where they lie.
+func make_skins() -> void:
+	var swaps: Array[NodeSwap] = []
+	var notes := PackedStringArray()
+	var nodes := polygons_on_bodies()
+	for node in nodes:
+		if not _may_replace(node):
+			return
+	for node in nodes:
+		if not (node as Polygon2D).skeleton.is_empty():
+			notes.append(Words.say("'%s' no longer follows its skeleton.") % node.name)
+		swaps.append(NodeSwap.of(node, SoftBodySkin2D.new(), SkinValues.of_polygon(node)))
+	_commit(Words.say("Convert to SoftBodySkin2D"), swaps, notes)
+
+
+## Each body gets a skin that looks as it does, and is itself not seen any more.
+func add_skins() -> void:
+	var root := EditorInterface.get_edited_scene_root()
+	var nodes := bodies()
+	for node in nodes:
+		var problem := canvas.lock_problem(node)
+		if problem == "" and node != root and node.owner != root:
+			problem = Words.say("'%s' is not stored in this scene: nothing was converted.") % node.name
+		if problem != "":
+			canvas.warn(problem)
+			return
+	if nodes.is_empty():
+		return
+	starting.emit()
+	var undo := canvas.plugin.get_undo_redo()
+	undo.create_action(Words.say("Add Skin"), UndoRedo.MERGE_DISABLE, root)
+	for node in nodes:
+		var body := node as SoftBody2D
+		var values := SkinValues.of_body(body)
+		var skin := SoftBodySkin2D.new()
+		skin.name = "Skin"
+		for property: StringName in values:
+			skin.set(property, values[property])
+		undo.add_do_method(body, &"add_child", skin, true)
+		undo.add_do_method(skin, &"set_owner", root)
+		undo.add_do_reference(skin)
+		undo.add_do_property(body, &"self_modulate", Color(body.self_modulate, 0))
+		undo.add_undo_property(body, &"self_modulate", body.self_modulate)
+		undo.add_undo_method(body, &"remove_child", skin)
+	undo.commit_action()
+	canvas.tell(Words.say("Skins were added. The bodies are not seen themselves any more: their Self Modulate is transparent."))
 
 
 func _trace(sprite: Sprite2D) -> TextureTrace:

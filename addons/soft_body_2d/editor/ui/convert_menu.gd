@@ -6,7 +6,7 @@ extends MenuButton
 const ConvertCommands := preload("convert_commands.gd")
 const Words := preload("../logic/words.gd")
 
-enum Item { CONVERT, BAKE, BAKE_PRESENT }
+enum Item { CONVERT, BAKE, BAKE_PRESENT, SKIN, ADD_SKIN }
 
 var commands: ConvertCommands
 
@@ -14,7 +14,7 @@ var commands: ConvertCommands
 func _init() -> void:
 	name = "SoftBody2DConvert"
 	text = Words.say("Convert")
-	tooltip_text = Words.say("Make soft bodies of the selected nodes, or Polygon2D nodes of soft bodies.")
+	tooltip_text = Words.say("Make soft bodies of the selected nodes, Polygon2D nodes of soft bodies, or polygons that bend with them.")
 	switch_on_hover = true
 	get_popup().id_pressed.connect(choose)
 
@@ -24,7 +24,10 @@ static func entries() -> Dictionary:
 	var found := {}
 	if not ConvertCommands.convertible().is_empty():
 		found[Item.CONVERT] = Words.say("Convert to SoftBody2D")
+	if not ConvertCommands.polygons_on_bodies().is_empty():
+		found[Item.SKIN] = Words.say("Convert to SoftBodySkin2D")
 	if not ConvertCommands.bodies().is_empty():
+		found[Item.ADD_SKIN] = Words.say("Add Skin")
 		found[Item.BAKE] = Words.say("Bake to Polygon2D")
 		found[Item.BAKE_PRESENT] = Words.say("Bake to Polygon2D as It Is Now")
 	return found
@@ -39,7 +42,12 @@ func show_selection() -> void:
 
 
 func choose(id: int) -> void:
-	if id == Item.CONVERT:
-		commands.convert_selected()
-	else:
-		commands.bake_selected(id == Item.BAKE_PRESENT)
+	match id:
+		Item.CONVERT:
+			commands.convert_selected()
+		Item.SKIN:
+			commands.make_skins()
+		Item.ADD_SKIN:
+			commands.add_skins()
+		_:
+			commands.bake_selected(id == Item.BAKE_PRESENT)

@@ -28,6 +28,24 @@ static func selected() -> Array[SoftBody2D]:
 	return bodies
 
 
+## The ropes that are meant, where no other bodies are.
+static func ropes_of(object: Object) -> Array[SoftBody2D]:
+	var ropes: Array[SoftBody2D] = []
+	if object is SoftRope2D:
+		ropes.append(object)
+	elif object != null and object.get_class() == "MultiNodeEdit":
+		ropes = selected_ropes()
+	return ropes
+
+
+static func selected_ropes() -> Array[SoftBody2D]:
+	var ropes: Array[SoftBody2D] = []
+	for node in EditorInterface.get_selection().get_selected_nodes():
+		if node is SoftRope2D:
+			ropes.append(node)
+	return ropes
+
+
 ## A rope's outline follows from its path.
 static func _has_polygon(object: Object) -> bool:
 	return object is SoftBody2D and not object is SoftRope2D

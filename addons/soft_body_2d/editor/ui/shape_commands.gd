@@ -5,6 +5,7 @@ extends Node
 
 const BodyCanvas := preload("../canvas/body_canvas.gd")
 const BodyValues := preload("../logic/body_values.gd")
+const NewBody := preload("../logic/new_body.gd")
 const PolygonEdit := preload("../logic/polygon_edit.gd")
 const Outline := preload("../logic/outline.gd")
 const Presets := preload("../logic/structure_presets.gd")
@@ -87,12 +88,7 @@ func run(shape: StringName, values: Dictionary, source: Node2D = _source) -> voi
 			lost.append_array(StructureRemap.losses(before[body], shape == &"resample"))
 		made.erase(&"keeps")
 	canvas.commit(Words.say("Change Polygon Shape"), before, after)
-	_tell_losses(lost)
-
-
-func _tell_losses(lost: PackedStringArray) -> void:
-	if not lost.is_empty():
-		canvas.tell(Words.say("What was set for single points and springs does not fit the new polygon and is gone (undo brings it back): %s.") % ", ".join(lost))
+	canvas.tell_losses(lost)
 
 
 # The values that the body gets, or none, with the reason in `last_problem`.
@@ -136,6 +132,10 @@ func _mirrored(before: Dictionary, horizontally: bool) -> Dictionary:
 	var after := BodyValues.copy(before)
 	after[&"polygon"] = Outline.mirrored(before[&"polygon"], horizontally, middle)
 	after[&"inner_points"] = Outline.mirrored(before[&"inner_points"], horizontally, middle)
+	var holes: Array[PackedVector2Array] = []
+	for hole: PackedVector2Array in before[&"holes"]:
+		holes.append(Outline.mirrored(hole, horizontally, middle))
+	after[&"holes"] = holes
 	after[&"keeps"] = true
 	return after
 
@@ -181,8 +181,9 @@ func _on_traced(trace: TextureTrace, body: SoftBody2D, sprite: Sprite2D, texture
 	if problem != "":
 		canvas.warn(Words.say("This outline cannot be a polygon: %s.") % PolygonEdit.readable(problem))
 		return
+	NewBody.add_detail(after, body.tear_stretch > 0)
 	canvas.commit(Words.say("Trace Polygon"), before, {body: after})
-	_tell_losses(StructureRemap.losses(before[body]))
+	canvas.tell_losses(StructureRemap.losses(before[body]))
 	if trace.note != "":
 		canvas.warn(trace.note)
 	else:

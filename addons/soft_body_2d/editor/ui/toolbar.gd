@@ -14,7 +14,7 @@ signal preset_chosen(preset: int)
 signal preview_toggled(enabled: bool)
 signal help_wanted
 
-enum Mode { NONE, POLYGON, SPRINGS, PINS }
+enum Mode { NONE, POLYGON, SPRINGS, PINS, HOLES, DETAIL, PATH }
 
 const SHAPES: Array = [
 	[&"circle", "Circle…"], [&"rectangle", "Rectangle…"], [&"capsule", "Capsule…"],
@@ -43,14 +43,17 @@ func _ready() -> void:
 	var group := ButtonGroup.new()
 	group.allow_unpress = true
 	for entry: Array in [["polygon", "Shape the polygon.\nDrag points; click an edge to insert one; right-click erases.\nShift+drag selects by a box; Escape takes a drag back."],
-			["springs", "Edit and paint springs."], ["pins", "Pin points."]]:
+			["springs", "Edit and paint springs."], ["pins", "Pin points."],
+			["holes", "Shape holes.\nDrag points; click an edge to insert one; right-click erases, the whole hole when three are left.\nDouble-click takes a hole as a whole; the pen draws one more."],
+			["detail", "Paint where the simulated outline is to be finer, and see how many points it takes."],
+			["path", "Shape the path of the rope.\nDrag points; click the path to insert one; right-click erases.\nWith the pen, go on from an end or draw a new path."]]:
 		var button := _add_button(Words.say(entry[1]))
 		button.toggle_mode = true
 		button.button_group = group
 		button.set_meta(&"icon", entry[0])
 		mode_buttons.append(button)
 	group.pressed.connect(func(_button: BaseButton) -> void: mode_chosen.emit(mode()))
-	create_button = _add_button(Words.say("Draw a new polygon: click to place its points, click the first one again to close it."))
+	create_button = _add_button("")
 	create_button.toggle_mode = true
 	create_button.set_meta(&"icon", "create")
 	create_button.toggled.connect(func(enabled: bool) -> void: create_toggled.emit(enabled))
@@ -85,10 +88,21 @@ func mode() -> Mode:
 	return Mode.NONE
 
 
-func show_mode(mode: Mode) -> void:
+## `of_ropes`: ropes have a path in place of all else.
+func show_mode(mode: Mode, of_ropes := false) -> void:
 	for i in mode_buttons.size():
 		mode_buttons[i].set_pressed_no_signal(i + 1 == mode)
-	create_button.visible = mode == Mode.POLYGON
+		mode_buttons[i].visible = of_ropes == (i + 1 == Mode.PATH)
+	create_button.visible = mode in [Mode.POLYGON, Mode.HOLES, Mode.PATH]
+	for control: Control in [shape_menu, structure_menu, preview_button]:
+		control.visible = not of_ropes
+	match mode:
+		Mode.HOLES:
+			create_button.tooltip_text = Words.say("Draw one more hole: click to place its points, click the first one again to close it.")
+		Mode.PATH:
+			create_button.tooltip_text = Words.say("Draw a path: click to place its points, click the last one again, or Enter. Begin at an end of the rope to make it longer.")
+		_:
+			create_button.tooltip_text = Words.say("Draw a new polygon: click to place its points, click the first one again to close it.")
 
 
 func show_creating(enabled: bool) -> void:
