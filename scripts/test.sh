@@ -5,8 +5,8 @@
 #
 # Usage: scripts/test.sh             what to run after a change: core, engine, editor and game, without what takes longest; says
 #                                    what it leaves out
-#        scripts/test.sh all         all parts up to portable: what continuous integration runs. Those that only compile and simulate run
-#                                    beside those that run Godot; what a part prints comes as a whole, once it has ended
+#        scripts/test.sh all         all parts up to portable: what continuous integration runs. First the core; then those that only compile and
+#                                    simulate run beside those that run Godot; what a part prints comes as a whole, once it has ended
 #        scripts/test.sh PART
 #   core         only the tests of the simulation core, which need neither Godot nor godot-cpp
 #   engine       only the tests inside of Godot
@@ -480,9 +480,13 @@ case ${1:-} in
 esac
 shift $(($# > 0))
 if [[ ${#parts[@]} -eq 0 ]]; then
+	test_core || failed=$((failed + 1)) # first, as it needs neither Godot nor godot-cpp
 	begin_lanes
-	build_extension target=template_debug || failed=$((failed + 1))
-	run_lanes "release_library core csharp quick portable" "engine editor game export package"
+	if build_extension target=template_debug; then
+		run_lanes "release_library csharp quick portable" "engine editor game export package"
+	else
+		failed=$((failed + 1))
+	fi
 fi
 for part in ${parts[@]+"${parts[@]}"}; do
 	"test_$part" "$@" || failed=$((failed + 1))
