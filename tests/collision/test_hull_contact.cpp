@@ -231,3 +231,27 @@ TEST_CASE("out of a body is away from it") {
 	CHECK(outward_at(square, 0) == Vec2{ -1, -1 });
 	CHECK(outward_at(square, 2) == Vec2{ 1, 1 });
 }
+
+TEST_CASE("a corner with a short edge leaves a body by the edge that it came in by: 20,000 corners") {
+	// As a cut leaves them. Both edges of the corner rise out of the block's top, at any two angles; one is up to 50
+	// times as long as the other.
+	const std::vector<Vec2> block = { { -200, -40 }, { 200, -40 }, { 200, 0 }, { -200, 0 } }; // the top is y = 0
+	HullEdges edges;
+	edges.assign(block);
+	Random random(31);
+	int wrong = 0;
+	for (int round = 0; round < 20000; ++round) {
+		const double low = double(random.real(0.02, 3.0));
+		const double high = double(random.real(Real(low + 0.02), Real(3.12)));
+		const Real sizes[] = { random.real(0.02, 1), random.real(0.02, 1) };
+		const Vec2 corner{ random.real(-30, 30), random.real(-35, Real(-0.01)) }; // nearest to the top, or to the bottom
+		// Positive winding: the body lies left of the way, so that it comes down along the higher angle.
+		const Vec2 before = corner + Vec2{ Real(std::cos(high)), Real(std::sin(high)) } * sizes[0];
+		const Vec2 after = corner + Vec2{ Real(std::cos(low)), Real(std::sin(low)) } * sizes[1];
+		const std::vector<Vec2> piece = { before, corner, after };
+		const auto contact = edges.find(corner, outward_at(piece, 1));
+		REQUIRE(contact);
+		wrong += contact->edge != 2;
+	}
+	CHECK(wrong == 0);
+}

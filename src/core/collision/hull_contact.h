@@ -61,11 +61,17 @@ enum class Followed : std::uint8_t {
 /// here. Walks along the hull to the edge beside p, and leaves it in `contact.edge`. O(1).
 Followed follow_contact(std::span<const Vec2> hull, Vec2 p, HullContact &contact);
 
-/// Direction out of a body at hull point `i`: the sum of the normals of its two edges, weighted by their lengths.
+/// Direction out of a body at hull point `i`: the sum of the normals of its two edges. Where the corner sticks out they
+/// are unit normals: then it faces every line that both of its edges lie on one side of, however short one of them is.
+/// Elsewhere, and at an edge without length, the normals are weighted by lengths: a dent is outlined by its long edges,
+/// and the short ones of a crushed body turn every way.
 inline Vec2 outward_at(std::span<const Vec2> hull, std::size_t i) {
-	const Vec2 before = hull[i == 0 ? hull.size() - 1 : i - 1];
-	const Vec2 after = hull[i + 1 == hull.size() ? 0 : i + 1];
-	return -perpendicular(after - before);
+	const Vec2 before = hull[i] - hull[i == 0 ? hull.size() - 1 : i - 1];
+	const Vec2 after = hull[i + 1 == hull.size() ? 0 : i + 1] - hull[i];
+	const Real before_length = length(before);
+	const Real after_length = length(after);
+	const bool sticks_out = cross(before, after) > 0 && before_length > 0 && after_length > 0;
+	return -perpendicular(sticks_out ? before * (1 / before_length) + after * (1 / after_length) : before + after);
 }
 
 // Up to three packs are read again for each query. They stay in registers, and most contacts change the hull.
