@@ -286,6 +286,11 @@ test_engine() {
 		-- "${PHYSICS_THREAD_SUITES[@]}" 2>&1 | tee "$log" || status=$?
 	count_engine "$status" "$log"
 
+	step "Quitting while pieces of cut bodies wait for their modes"
+	log=$LOG_DIR/tests_quit.log status=0
+	godot_headless 60 --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/quit/quit_after_cuts.gd 2>&1 | tee "$log" || status=$?
+	count_engine "$status" "$log"
+
 	# What is drawn can only be looked at in a window; without a screen, in one that nobody sees.
 	need_window || return 1
 	step "Testing in Godot, what is drawn"
@@ -492,6 +497,7 @@ for part in ${parts[@]+"${parts[@]}"}; do
 	"test_$part" "$@" || failed=$((failed + 1))
 done
 end_step
+show_failures
 if [[ -n $after_change ]]; then
 	echo "note: left out are the core in double precision and its slow tests, export, package, C#, sanitizers, determinism" \
 		"and other platforms; scripts/test.sh all has them"

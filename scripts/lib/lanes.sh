@@ -7,6 +7,7 @@
 # Needs common.sh and build.sh, and `passed`, `failed` and `skipped` of scripts/test.sh.
 
 LANE_DIR=$LOG_DIR/lanes
+FAILED_PARTS=()
 
 # run_part NAME: runs that part in a process of its own, with what it prints in a file. Leaves its three counts and its seconds in another.
 run_part() {
@@ -33,6 +34,17 @@ end_part() {
 	passed=$((passed + more_passed))
 	failed=$((failed + more_failed))
 	skipped=$((skipped + more_skipped))
+	[[ $more_failed -eq 0 ]] || FAILED_PARTS+=("$1")
+}
+
+# show_failures: what failed once more, at the end: in the middle of thousands of lines nobody finds it.
+show_failures() {
+	local name lines
+	for name in ${FAILED_PARTS[@]+"${FAILED_PARTS[@]}"}; do
+		echo "==> Failed in part $name:"
+		lines=$(grep -E 'FAILED|ERROR|error:|Traceback|^FAIL:' "$LANE_DIR/$name.log" | grep -vE ' 0 failed|FAILED +0' | head -n 20 | cut -c1-400) || true
+		if [[ -n $lines ]]; then echo "$lines"; else tail -n 20 "$LANE_DIR/$name.log" | cut -c1-400; fi
+	done
 }
 
 # begin_lanes: from here on a library is built once only.
