@@ -161,6 +161,13 @@ func _try_pause(game: Game) -> void:
 	check(game.time == time, "no time passes in a pause")
 	await _tap(KEY_ESCAPE)
 	check(not paused, "Escape goes on")
+	await _tap_pad(JOY_BUTTON_START)
+	check(paused and game._pause.visible, "the gamepad's start button pauses")
+	await _tap_pad(JOY_BUTTON_B)
+	check(not paused, "the gamepad's B goes on")
+	await _tap_pad(JOY_BUTTON_START)
+	await _tap_pad(JOY_BUTTON_A)
+	check(not paused, "the gamepad's A presses the button in focus, which goes on")
 	var start := game.player.get_center_of_mass_position()
 	_hands.roll(1, Vector2.ZERO)
 	await _ticks(40)
@@ -218,6 +225,12 @@ func check_quietly(condition: bool, claim: String) -> bool:
 func _tap(key: Key) -> void:
 	await process_frame
 	_hands.tap_key(key)
+	await _ticks(2)
+
+
+func _tap_pad(button: JoyButton) -> void:
+	await process_frame
+	_hands.tap_pad(button)
 	await _ticks(2)
 
 
