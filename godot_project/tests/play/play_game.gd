@@ -113,7 +113,7 @@ func _play_level(index: int) -> bool:
 	if not check(game.level_index == index, "level %d follows" % (index + 1)):
 		return false
 	await _ticks(60)
-	await _picture("level_%d_start" % (index + 1))
+	await _picture("level_%d_00_start" % (index + 1))
 	if index == 0:
 		await _try_pause(game)
 	var pops := [0]
@@ -195,7 +195,7 @@ func _look_around(index: int, place: Vector2) -> void:
 		var name := "level_%d_%s" % [index + 1, sight[4]]
 		if not _seen.has(name) and Rect2(sight[0], sight[1], sight[2] - sight[0], sight[3] - sight[1]).has_point(place):
 			_seen[name] = true
-			await _picture(name)
+			await _picture("level_%d_%02d_%s" % [index + 1, _seen.size(), sight[4]]) # in this order by name, too
 
 
 func _look_at_the_end() -> void:
