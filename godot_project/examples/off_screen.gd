@@ -20,6 +20,7 @@ func _ready() -> void:
 		var body := SoftBody2D.new()
 		body.polygon = SoftBody2D.make_circle_polygon(34, 14)
 		body.position = Vector2(80 + SPACING * i, 250 + 90 * (i % 3))
+		body.elastic_model = SoftBody2D.ELASTIC_MODEL_NETWORK
 		body.stiffness = 180
 		body.mass = 1
 		body.physics_material_override = rubber

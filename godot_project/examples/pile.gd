@@ -33,6 +33,7 @@ func _add(place: Vector2) -> void:
 			body.polygon = SoftBody2D.make_box_polygon(Vector2(66, 66), 24)
 		2:
 			body.polygon = SoftBody2D.make_circle_polygon(42, 6)
+	body.elastic_model = SoftBody2D.ELASTIC_MODEL_NETWORK
 	body.stiffness = 400
 	body.mass = 1
 	body.damping = 0.3

@@ -34,6 +34,7 @@ func _make_one() -> void:
 		_in_lane[lane].queue_free()
 	var body := SoftBody2D.new()
 	body.polygon = _make_polygon(_made % 4)
+	body.elastic_model = SoftBody2D.ELASTIC_MODEL_NETWORK
 	body.stiffness = [20.0, 60.0, 200.0][_made % 3]
 	body.color = COLORS[_made * 5 % COLORS.size()]
 	body.position = Vector2(640 + (lane - (LANES - 1) / 2.0) * LANE_WIDTH, 200)

@@ -98,6 +98,7 @@ func _add_body(row: int, index: int, place: Vector2, radius: float) -> void:
 	var body := SoftBody2D.new()
 	body.polygon = SoftBody2D.make_circle_polygon(radius, 16)
 	body.position = place
+	body.elastic_model = SoftBody2D.ELASTIC_MODEL_NETWORK
 	body.soft_body_material = SoftBodyMaterial2D.new()
 	body.mass = 1
 	body.color = COLORS[index]

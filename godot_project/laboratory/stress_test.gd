@@ -112,6 +112,7 @@ func _add_some() -> void:
 func _add_body() -> void:
 	var body := SoftBody2D.new()
 	body.polygon = _polygon
+	body.elastic_model = SoftBody2D.ELASTIC_MODEL_NETWORK
 	body.soft_body_material = _substance
 	body.mass = 0.03
 	# The thesis's bodies have a radius of half a meter; a meter is 22 px here, not 100.

@@ -56,6 +56,7 @@ func _add_body(tint: Color) -> void:
 	body.max_dent = MOST_DENT
 	body.tear_stretch = TEAR
 	body.mass = 9
+	body.elastic_model = SoftBody2D.ELASTIC_MODEL_NETWORK
 	body.stiffness = 1000
 	body.damping = 3.5
 	# The axles' springs are those of a frame: they carry the car.
@@ -85,6 +86,7 @@ func _add_wheel(place: Vector2) -> void:
 	wheel.polygon = SoftBody2D.make_circle_polygon(WHEEL_RADIUS, 18)
 	wheel.position = place * Vector2(direction, 1)
 	wheel.mass = 0.9
+	wheel.elastic_model = SoftBody2D.ELASTIC_MODEL_NETWORK
 	wheel.stiffness = 420
 	wheel.damping = 0.5
 	wheel.pressure = 300

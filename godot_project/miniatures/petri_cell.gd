@@ -33,6 +33,7 @@ var _tick := 0
 func _init(radius := 34.0, tint := Color.WHITE, substance: SoftBodyMaterial2D = null) -> void:
 	polygon = make_circle_polygon(radius, POINTS)
 	center_point = false
+	elastic_model = ELASTIC_MODEL_NETWORK
 	soft_body_material = substance
 	gravity_scale = 0
 	rotation = radius # no two look alike

@@ -75,6 +75,7 @@ func _add_part(part_name: String, outline: PackedVector2Array, place: Vector2, t
 	part.polygon = outline
 	part.position = place
 	part.mass = part_mass
+	part.elastic_model = SoftBody2D.ELASTIC_MODEL_NETWORK
 	part.stiffness = 420 * part_mass
 	part.damping = 0.35 * part_mass
 	part.shape_matching = 0.6

@@ -210,3 +210,47 @@ func test_the_examples_show_what_their_captions_say() -> void:
 	check_above(polygon_of(sail)[9].x - sail.to_global(sail.polygon[9]).x, 15, "belly of the sail")
 	check_above(scene.get_node("Marshmallow").position.x, 700, "where the marshmallow is")
 	check_below(heavy.position.x - start, 120, "way of the car panel")
+
+
+func test_a_body_that_floats_falls_asleep_and_wakes_when_the_water_changes() -> void:
+	var water := _add_fluid(Vector2(0, 500), Vector2(4000, 1000)) # the surface is at 0
+	var body := add_body(Vector2(0, -100))
+	await seconds(20)
+	check(body.sleeping, "asleep after 20 s in still water")
+	var share := body.mass / (2.0 * body.get_rest_area() / PIXELS)
+	check_near(body.get_center_of_mass_position().y, 50 * _depth_of(share), 2.0, "depth of the sleeper")
+	var changes := {
+		"level": func() -> void: water.position.y += 30,
+		"density": func() -> void: water.density = 2.5,
+		"flow": func() -> void: water.flow = Vector2(40, 0),
+		"no flow": func() -> void: water.flow = Vector2.ZERO,
+		"shape": func() -> void: ((water.get_child(0) as CollisionShape2D).shape as RectangleShape2D).size.y -= 20,
+		"monitoring": func() -> void: water.monitoring = false,
+	}
+	for change: String in changes:
+		body.set_sleeping(true) # in case it still bobs
+		await ticks(2)
+		check(body.sleeping or change == "no flow", "asleep before another " + change)
+		(changes[change] as Callable).call()
+		await ticks(2)
+		check(not body.sleeping, "another %s wakes it" % change)
+	water.monitoring = true
+	body.set_sleeping(true)
+	await ticks(3)
+	water.free()
+	await ticks(2)
+	check(not body.sleeping, "water that is gone wakes it")
+
+
+func test_waves_and_a_touch_wake_what_floats() -> void:
+	var water := _add_fluid(Vector2(0, 500), Vector2(4000, 1000))
+	var body := add_body(Vector2(0, -50))
+	for i in 600:
+		water.position.y = 500 + 3 * sin(i / 20.0)
+		await ticks(1)
+		check(not body.sleeping, "awake on waves")
+	await seconds(15)
+	check(body.sleeping, "asleep when the waves are over")
+	add_body(Vector2(0, -200))
+	await seconds(1)
+	check(not body.sleeping, "another body wakes it")

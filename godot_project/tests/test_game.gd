@@ -324,6 +324,18 @@ func test_a_platform_carries() -> void:
 	check_near(player.get_center_of_mass_position().x, 300, 60, "place of the jelly where the platform turns")
 
 
+func test_nothing_slips_between_the_lift_of_the_burrow_and_its_wall() -> void:
+	var level: Level = (load("res://game/levels/level_2.tscn") as PackedScene).instantiate()
+	stage.add_child(level)
+	var lift := level.get_node(^"Platform") as Platform
+	var player := _add_player(lift.position + Vector2(0, -60))
+	await seconds(0.3)
+	Input.action_press(&"game_right")
+	for i in 180: # until just below the top
+		await ticks(1)
+		check_below(player.get_center_of_mass_position().y, lift.position.y, "height of a jelly that leans on the wall while the lift rises")
+
+
 func test_it_pushes_a_crate_and_stands_on_it() -> void:
 	_grip(add_floor(100))
 	var crate: RigidBody2D = (load("res://game/world/crate.tscn") as PackedScene).instantiate()

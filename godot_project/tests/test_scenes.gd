@@ -34,6 +34,7 @@ func _run_scene(path: String) -> void:
 	for node in bodies:
 		var body := node as SoftBody2D
 		check_equal(body.get_warnings(), PackedStringArray(), "%s: warnings of %s" % [path, body.name])
+		check(body.get_substep_plan()["elastic_reason"] != "network_values", "%s: %s says that it is meant as a network" % [path, body.name])
 		check(all_finite(body.get_point_positions()), "%s: a point of %s is not finite" % [path, body.name])
 		check_above(body.get_area() / body.get_rest_area(), 0.4, "%s: area of %s over its rest area" % [path, body.name])
 		var distance := body.get_center_of_mass_position().length()
@@ -86,6 +87,7 @@ func test_every_scene_of_the_game_runs() -> void:
 		for node in root.find_children("*", "SoftBody2D", true, false):
 			var body := node as SoftBody2D
 			check_equal(body.get_warnings(), PackedStringArray(), "%s: warnings of %s" % [path, body.name])
+			check(body.get_substep_plan()["elastic_reason"] != "network_values", "%s: %s says that it is meant as a network" % [path, body.name])
 			check(all_finite(body.get_point_positions()), "%s: a point of %s is not finite" % [path, body.name])
 			check_above(body.get_area() / body.get_rest_area(), 0.5, "%s: area of %s over its rest area" % [path, body.name])
 		root.queue_free()

@@ -74,6 +74,7 @@ BodyState strange_state(const SoftBodyData &body, BodyId other, std::uint64_t se
 	state.load.force = random.vector(60);
 	state.load.torque = random.real(1, 60);
 	state.acceleration = random.vector(50);
+	state.fluids = random.bits();
 	const Real c = random.real(0.6, 0.8);
 	state.rotation_memory = { c, std::sqrt(1 - c * c) };
 	state.touch = {};
@@ -126,6 +127,7 @@ const std::vector<NamedChange> &changes() {
 		{ "load.force", [](BodyState &state) { state.load.force.x += 1; } },
 		{ "load.torque", [](BodyState &state) { state.load.torque += 1; } },
 		{ "acceleration", [](BodyState &state) { state.acceleration.x += 1; } },
+		{ "fluids", [](BodyState &state) { state.fluids += 1; } },
 		{ "touch.touching", [](BodyState &state) { state.touch.touching = false; }, true },
 		{ "touch.approach", [](BodyState &state) { state.touch.approach += 1; } },
 		{ "touch.restitution", [](BodyState &state) { state.touch.restitution += Real(0.01); } },

@@ -55,14 +55,14 @@ namespace SoftBodies
 			set => Node.Set(Names.CenterPoint, value);
 		}
 
-		/// <summary>The physics layers this body is in.</summary>
+		/// <summary>The physics layers that this body is in.</summary>
 		public uint CollisionLayer
 		{
 			get => Node.Get(Names.CollisionLayer).AsUInt32();
 			set => Node.Set(Names.CollisionLayer, value);
 		}
 
-		/// <summary>The physics layers this body collides with: other bodies of the scene and soft bodies.</summary>
+		/// <summary>The physics layers that this body collides with.</summary>
 		public uint CollisionMask
 		{
 			get => Node.Get(Names.CollisionMask).AsUInt32();

@@ -28,14 +28,14 @@ namespace SoftBodies
 			set => Node.Set(Names.Look, (long)value);
 		}
 
-		/// <summary>The mass of the whole body in kilograms, whatever makes it.</summary>
+		/// <summary>The mass of the whole body in kilograms.</summary>
 		public double Mass
 		{
 			get => Node.Get(Names.Mass).AsDouble();
 			set => Node.Set(Names.Mass, value);
 		}
 
-		/// <summary>What makes the mass: the size of the body, or the <c>mass</c> that is set.</summary>
+		/// <summary>Whether the mass follows from the size of the body, or is the <c>mass</c> that you set.</summary>
 		public MassModeEnum MassMode
 		{
 			get => (MassModeEnum)Node.Get(Names.MassMode).AsInt32();
@@ -126,7 +126,7 @@ namespace SoftBodies
 			set => Node.Set(Names.PoissonRatio, value);
 		}
 
-		/// <summary>The outline of the body at rest, in the node's coordinates.</summary>
+		/// <summary>The outline of the undeformed body, in the node's coordinates.</summary>
 		public Vector2[] Polygon
 		{
 			get => Node.Get(Names.Polygon).AsVector2Array();
@@ -203,7 +203,7 @@ namespace SoftBodies
 			set => Node.Set(Names.Smooth, value);
 		}
 
-		/// <summary>A material that this body shares with others.</summary>
+		/// <summary>What the body is made of: how firm it is, how it bulges, bounces, dents and tears.</summary>
 		public SoftBodyMaterial2D SoftBodyMaterial
 		{
 			get => SoftBodyMaterial2D.From(Node.Get(Names.SoftBodyMaterial).AsGodotObject());
@@ -259,7 +259,7 @@ namespace SoftBodies
 			set => Node.Set(Names.TearStretch, value);
 		}
 
-		/// <summary>A picture that sticks to the body.</summary>
+		/// <summary>A picture that sticks to the body and bends with it.</summary>
 		public Texture2D Texture
 		{
 			get => (Texture2D)Node.Get(Names.Texture).AsGodotObject();

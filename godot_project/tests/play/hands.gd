@@ -87,6 +87,11 @@ func tap_key(key: Key) -> void:
 	_key(key, false)
 
 
+func tap_pad(button: JoyButton) -> void:
+	_pad(button, true)
+	_pad(button, false)
+
+
 func _key(key: Key, pressed: bool) -> void:
 	var event := InputEventKey.new()
 	event.keycode = key

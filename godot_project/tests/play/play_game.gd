@@ -113,7 +113,7 @@ func _play_level(index: int) -> bool:
 	if not check(game.level_index == index, "level %d follows" % (index + 1)):
 		return false
 	await _ticks(60)
-	await _picture("level_%d_start" % (index + 1))
+	await _picture("level_%d_00_start" % (index + 1))
 	if index == 0:
 		await _try_pause(game)
 	var pops := [0]
@@ -161,6 +161,13 @@ func _try_pause(game: Game) -> void:
 	check(game.time == time, "no time passes in a pause")
 	await _tap(KEY_ESCAPE)
 	check(not paused, "Escape goes on")
+	await _tap_pad(JOY_BUTTON_START)
+	check(paused and game._pause.visible, "the gamepad's start button pauses")
+	await _tap_pad(JOY_BUTTON_B)
+	check(not paused, "the gamepad's B goes on")
+	await _tap_pad(JOY_BUTTON_START)
+	await _tap_pad(JOY_BUTTON_A)
+	check(not paused, "the gamepad's A presses the button in focus, which goes on")
 	var start := game.player.get_center_of_mass_position()
 	_hands.roll(1, Vector2.ZERO)
 	await _ticks(40)
@@ -188,7 +195,7 @@ func _look_around(index: int, place: Vector2) -> void:
 		var name := "level_%d_%s" % [index + 1, sight[4]]
 		if not _seen.has(name) and Rect2(sight[0], sight[1], sight[2] - sight[0], sight[3] - sight[1]).has_point(place):
 			_seen[name] = true
-			await _picture(name)
+			await _picture("level_%d_%02d_%s" % [index + 1, _seen.size(), sight[4]]) # in this order by name, too
 
 
 func _look_at_the_end() -> void:
@@ -218,6 +225,12 @@ func check_quietly(condition: bool, claim: String) -> bool:
 func _tap(key: Key) -> void:
 	await process_frame
 	_hands.tap_key(key)
+	await _ticks(2)
+
+
+func _tap_pad(button: JoyButton) -> void:
+	await process_frame
+	_hands.tap_pad(button)
 	await _ticks(2)
 
 

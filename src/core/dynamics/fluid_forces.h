@@ -30,8 +30,8 @@ Status check_fluid(const Fluid &fluid);
 std::vector<Vec2> clip_to_convex(std::span<const Vec2> polygon, std::span<const Vec2> region);
 
 /// Adds the forces of a fluid in a convex region of positive winding to those of the points of a hull of either winding, each of
-/// mass `point_mass`. Buoyancy is -ρ A `gravity`, A being the area inside, and acts at the centroid of that area. No force of
-/// drag does more in `time_step` [s] than to take the fluid's speed. O(n·m).
+/// mass `point_mass`. Buoyancy is -ρ A `gravity`, and acts at the centroid of A, the area that will be inside in the middle of a
+/// step of `time_step` [s]. No force of drag does more in `time_step` than to take the fluid's speed. O(n·m).
 void add_fluid_forces(const Fluid &fluid, std::span<const Vec2> region, std::span<const Vec2> hull, std::span<const Vec2> velocities, Real point_mass, Real time_step, std::span<Vec2> forces);
 
 } // namespace softbody

@@ -46,9 +46,13 @@ void SleepWatch::begin_step(bool is_rearranged) {
 	take_over(is_rearranged);
 	for (std::uint32_t i = 0; is_rearranged && bodies_.resting_count() > 0 && i < bodies_.count(); ++i) {
 		// A body put to sleep from outside is compared with the environment of this moment.
-		RestState &rest = bodies_.data(i).rest_state();
+		SoftBodyData &body = bodies_.data(i);
+		RestState &rest = body.rest_state();
 		if (rest.asleep && rest.surroundings == 0) {
 			rest.surroundings = describe(i);
+		}
+		if (rest.asleep && body.fluids() == ANY_FLUIDS) {
+			body.set_fluids(0); // nobody has named any
 		}
 	}
 }
@@ -194,7 +198,8 @@ void SleepWatch::release_pulled() {
 		if (least_rest_[island] < SLEEP_TIME || !is_pulled(island)) {
 			continue;
 		}
-		if (bodies_.data(i).is_free()) {
+		// What a fluid bears bobs about a place, and would be driven on by the speed that drowsiness has taken.
+		if (bodies_.data(i).is_free() && bodies_.data(i).fluids() == 0) {
 			const Vec2 velocity = rest.drowsy_velocity + pull_on(i) * (rest.rest_time - DROWSY_TIME);
 			const Vec2 missing = velocity - measure_frame(bodies_.data(i)).velocity;
 			for (Vec2 &v : bodies_.data(i).mutable_velocities()) {

@@ -18,7 +18,7 @@ namespace {
 
 // The bytes begin with these letters, the version, the size of `Real`, and a checksum of all that follows.
 constexpr std::array<std::uint8_t, 4> MAGIC = { 'S', 'B', '2', 'W' };
-constexpr std::uint32_t VERSION = 1;
+constexpr std::uint32_t VERSION = 2;
 constexpr std::size_t AT_CHECKSUM = 12;
 constexpr std::size_t HEAD = 20;
 constexpr std::uint32_t AS_IN_BASE = 0; // in the place of a record's size

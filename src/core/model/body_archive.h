@@ -35,7 +35,8 @@ void visit_state(State &state, auto &archive) {
 			memory.touch.account);
 	each(memory.rest.rest_time, memory.rest.drowsy_center, memory.rest.drowsy_velocity, memory.rest.asleep, memory.rest.island,
 			memory.rest.surroundings);
-	each(memory.damage_pause, memory.placed, memory.active, memory.frozen, memory.load.force, memory.load.torque, memory.acceleration);
+	each(memory.damage_pause, memory.placed, memory.active, memory.frozen, memory.load.force, memory.load.torque, memory.acceleration,
+			memory.fluids);
 }
 
 } // namespace softbody

@@ -17,7 +17,7 @@ namespace softbody {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> MAGIC = { 'S', 'B', '2', 'S' };
-constexpr std::uint32_t VERSION = 5;
+constexpr std::uint32_t VERSION = 6;
 constexpr const char *DAMAGED = "keep the bytes as they were saved";
 
 constexpr const char *UNSOUND = "restore a sound state";

@@ -84,6 +84,9 @@ struct RestState {
 	friend bool operator==(const RestState &, const RestState &) = default;
 };
 
+/// Stands for any fluids (`SoftBodyData::fluids`): of a body that was put to sleep, until the next step.
+inline constexpr std::uint64_t ANY_FLUIDS = ~std::uint64_t(0);
+
 /// What a body remembers besides the places and speeds of its points.
 struct BodyMemory {
 	std::vector<Vec2> previous_positions; ///< of all points, for drawing [length]
@@ -91,6 +94,7 @@ struct BodyMemory {
 	std::vector<ExternalForce> external_forces; ///< queued for the next step
 	RigidLoad load; ///< queued for the next step
 	Vec2 acceleration; ///< SoftBodyData::acceleration [length/s²]
+	std::uint64_t fluids = 0; ///< SoftBodyData::fluids
 	TouchMemory touch;
 	std::vector<PairMemory> pair_touches;
 	std::vector<OneWayMemory> one_ways; ///< the few one-way colliders that hold the body or that it passes through

@@ -104,6 +104,7 @@ void SoftBodyData::put_to_sleep() {
 	note_change(); // the step determines sleeping bodies anew
 	memory_.rest = {};
 	memory_.rest.asleep = true;
+	memory_.fluids = ANY_FLUIDS;
 	memory_.rest.island = NOT_OF_A_STEP | (changes_ ? ++changes_->put_to_sleep : 0);
 }
 
@@ -308,6 +309,24 @@ Status SoftBodyData::set_acceleration(Vec2 acceleration) {
 	if (acceleration != memory_.acceleration) {
 		memory_.acceleration = acceleration;
 		wake();
+		count(&ChangeCounts::forces);
+	}
+	return {};
+}
+
+void SoftBodyData::set_fluids(std::uint64_t fluids) {
+	const std::uint64_t before = std::exchange(memory_.fluids, fluids);
+	if (before != fluids && before != ANY_FLUIDS) {
+		wake();
+	}
+}
+
+Status SoftBodyData::add_fluid_force(std::uint32_t point, Vec2 force) {
+	if (Status status = check_point(point, "force", force)) {
+		return status;
+	}
+	if (!memory_.frozen && !memory_.rest.asleep) {
+		memory_.external_forces.push_back({ point, force });
 		count(&ChangeCounts::forces);
 	}
 	return {};

@@ -166,6 +166,13 @@ public:
 	/// stepped alone. Refuses non-finite values. Default 0.
 	Vec2 acceleration() const { return memory_.acceleration; }
 	Status set_acceleration(Vec2 acceleration);
+	/// A number that stands for the fluids that bear the body: their values and where they are; 0 for none. Another number than before
+	/// wakes the body. A body that floats sleeps as long as the number stays. Default 0.
+	std::uint64_t fluids() const { return memory_.fluids; }
+	void set_fluids(std::uint64_t fluids);
+	/// Adds a force of a fluid [mass·length/s²], which acts during the next step only. Unlike `add_external_force` it does not wake the
+	/// body: a fluid pushes all the time. Does nothing to a sleeping or frozen body. Refuses the same values.
+	Status add_fluid_force(std::uint32_t point, Vec2 force);
 	/// Gravity plus acceleration [length/s²]; exactly 0 where they cancel up to rounding.
 	Vec2 total_acceleration(Vec2 gravity) const;
 	/// Whether queued forces or an acceleration act on the body in the next step.

@@ -174,6 +174,7 @@ public:
 	void apply_point_force(int p_index, const Vector2 &p_force);
 	void apply_point_impulse(int p_index, const Vector2 &p_impulse);
 	void apply_point_forces(const PackedVector2Array &p_forces);
+	void push_by_fluid(const PackedVector2Array &p_forces, bool p_flows); ///< In the coming step, one a point; a flow keeps it awake.
 	PackedVector2Array get_point_forces() const;
 	void set_point_position(int p_index, const Vector2 &p_position);
 	void set_point_positions(const PackedVector2Array &p_positions);
@@ -461,7 +462,6 @@ protected:
 	HashMap<StringName, String> refused_; ///< last refused value of a property, until a good one is set
 	uint64_t rest_version_ = 0;
 	std::vector<softbody::Vec2> rest_points_; ///< in the core's order
-
 	softbody::SoftBodySpace2D *space_ = nullptr;
 	softbody::BodyId body_id_;
 	std::unique_ptr<softbody::SoftBodyData> stored_body_; ///< while in no space

@@ -152,6 +152,16 @@ void SoftBody2D::apply_point_forces(const PackedVector2Array &p_forces) {
 	}
 }
 
+void SoftBody2D::push_by_fluid(const PackedVector2Array &p_forces, bool p_flows) {
+	softbody::SoftBodyData *target = followed_body();
+	if (p_flows) {
+		target->wake();
+	}
+	for (int i = 0; i < get_point_count(); i++) {
+		accept("force", target->add_fluid_force(uint32_t(core_index(i)), to_core(p_forces[i])));
+	}
+}
+
 // Measures.
 
 double SoftBody2D::get_penetration() const {

@@ -3,6 +3,7 @@
 #include "godot/nodes/soft_body_fluid_2d.h"
 
 #include "core/base/constants.h"
+#include "core/base/hash.h"
 #include "core/base/value_range.h"
 #include "core/geometry/aabb.h"
 #include "godot/convert.h"
@@ -16,6 +17,8 @@
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
 
+#include <algorithm>
+#include <bit>
 #include <vector>
 
 using softbody::to_core;
@@ -94,32 +97,45 @@ void SoftBodyFluid2D::leave_space() {
 	}
 }
 
-// The bodies that an area would find, as they are now: the engine tells of overlaps a tick or two late, and not at all between steps
-// that a game makes by itself.
-void SoftBodyFluid2D::push_bodies(double p_delta) {
-	const uint32_t mask = get_collision_mask();
-	if (!is_monitoring() || density_ == 0 || mask == 0 || !can_process()) {
-		return;
+bool SoftBodyFluid2D::look() {
+	region_.clear();
+	number_ = 0;
+	if (!is_monitoring() || density_ == 0 || get_collision_mask() == 0 || !can_process()) {
+		return false;
 	}
-	const std::vector<std::vector<softbody::Vec2>> region = softbody::read_fluid_region(*this);
-	softbody::Aabb reach;
-	for (const std::vector<softbody::Vec2> &part : region) {
-		reach.include(softbody::bounding_box(part));
+	region_ = softbody::read_fluid_region(*this);
+	global_flow_ = to_core(get_global_transform().basis_xform(flow_));
+	reach_ = {};
+	softbody::Hash hash;
+	for (const std::vector<softbody::Vec2> &part : region_) {
+		reach_.include(softbody::bounding_box(part));
+		hash.add(uint64_t(part.size()));
+		for (const softbody::Vec2 corner : part) {
+			hash.add(corner);
+		}
 	}
-	const softbody::WorldData &world = space_->world();
-	space_->nodes().for_each([&](const softbody::SteppedNode &p_node) {
-		const softbody::SoftBodyData *data = world.find(p_node.get_body_id());
-		if (data == nullptr || !data->is_active() || data->is_frozen() || (data->settings().collision_layer & mask) == 0 ||
-				!reach.overlaps(softbody::bounding_box(data->hull()))) {
-			return;
-		}
-		if (SoftBody2D *body = Object::cast_to<SoftBody2D>(ObjectDB::get_instance(p_node.instance_id()))) {
-			push(*body, region, p_delta);
-		}
-	});
+	for (const double value : { density_, drag_, viscosity_ }) {
+		hash.add(std::bit_cast<uint64_t>(value));
+	}
+	hash.add(global_flow_);
+	if (buoyancy_enabled_) {
+		number_ = std::max(hash.value(), uint64_t(1));
+	}
+	return !region_.empty();
 }
 
-void SoftBodyFluid2D::push(SoftBody2D &r_body, const std::vector<std::vector<softbody::Vec2>> &p_region, double p_delta) const {
+// The bodies that an area would find, as they are now: the engine tells of overlaps a tick or two late, and not at all between steps
+// that a game makes by itself.
+bool SoftBodyFluid2D::reaches(const softbody::SoftBodyData &p_body, const softbody::Aabb &p_box) const {
+	return (p_body.settings().collision_layer & get_collision_mask()) != 0 && reach_.overlaps(p_box);
+}
+
+void SoftBodyFluid2D::push(softbody::SteppedNode &r_node, double p_delta) {
+	SoftBody2D *node = Object::cast_to<SoftBody2D>(ObjectDB::get_instance(r_node.instance_id()));
+	if (node == nullptr) {
+		return;
+	}
+	SoftBody2D &r_body = *node;
 	const PackedVector2Array places = r_body.get_point_positions();
 	const PackedVector2Array velocities = r_body.get_point_velocities();
 	const std::size_t hull_count = std::size_t(r_body.get_simulated_polygon().size());
@@ -137,7 +153,7 @@ void SoftBodyFluid2D::push(SoftBody2D &r_body, const std::vector<std::vector<sof
 	fluid.density = softbody::Real(density_ / PIXELS);
 	fluid.drag = softbody::Real(drag_);
 	fluid.viscosity = softbody::Real(viscosity_);
-	fluid.flow = to_core(get_global_transform().basis_xform(flow_));
+	fluid.flow = global_flow_;
 	if (buoyancy_enabled_) {
 		fluid.gravity = to_core(r_body.get_gravity());
 	}
@@ -148,7 +164,7 @@ void SoftBodyFluid2D::push(SoftBody2D &r_body, const std::vector<std::vector<sof
 	const softbody::Real point_mass = softbody::Real(r_body.get_mass() / double(places.size()));
 	const softbody::Real time_step = softbody::Real(p_delta);
 	std::vector<softbody::Vec2> forces(hull_count);
-	for (const std::vector<softbody::Vec2> &part : p_region) {
+	for (const std::vector<softbody::Vec2> &part : region_) {
 		softbody::add_fluid_forces(fluid, part, hull, speeds, point_mass, time_step, forces);
 	}
 	PackedVector2Array pushes;
@@ -159,8 +175,9 @@ void SoftBodyFluid2D::push(SoftBody2D &r_body, const std::vector<std::vector<sof
 		pushes[int64_t(i)] = to_godot(forces[i]);
 		is_pushed = is_pushed || length(forces[i]) * time_step > LEAST_PUSH * point_mass;
 	}
-	if (is_pushed) { // else a body that lies in still air could not sleep
-		r_body.apply_point_forces(pushes);
+	// Without the bound a body that lies in a faint breeze could not sleep. What a fluid moves along is awake, however slowly it drifts.
+	if (is_pushed) {
+		r_body.push_by_fluid(pushes, flows());
 	}
 }
 

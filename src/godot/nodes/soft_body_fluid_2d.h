@@ -9,6 +9,9 @@
 #include <godot_cpp/classes/area2d.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 
+#include <cstdint>
+#include <vector>
+
 namespace softbody {
 
 class SoftBodySpace2D;
@@ -37,7 +40,11 @@ public:
 
 	~SoftBodyFluid2D();
 
-	void push_bodies(double p_delta) override;
+	bool look() override;
+	uint64_t number() const override { return number_; }
+	bool flows() const override { return flow_ != Vector2(); }
+	bool reaches(const softbody::SoftBodyData &p_body, const softbody::Aabb &p_box) const override;
+	void push(softbody::SteppedNode &r_node, double p_delta) override;
 
 	PackedStringArray get_warnings() const;
 	PackedStringArray _get_configuration_warnings() const override { return get_warnings(); }
@@ -54,7 +61,6 @@ private:
 	String describe() const;
 	void enter_space();
 	void leave_space();
-	void push(SoftBody2D &r_body, const std::vector<std::vector<softbody::Vec2>> &p_region, double p_delta) const;
 
 	softbody::UnfitValues unfit_;
 	softbody::SoftBodySpace2D *space_ = nullptr; ///< null outside of the tree, and in the editor
@@ -63,6 +69,12 @@ private:
 	double drag_ = 1; ///< [1]
 	double viscosity_ = 2; ///< [1/s]
 	Vector2 flow_; ///< in the area's own directions [px/s]
+
+	// What `look` has found.
+	std::vector<std::vector<softbody::Vec2>> region_;
+	softbody::Aabb reach_;
+	softbody::Vec2 global_flow_; ///< [px/s]
+	uint64_t number_ = 0;
 };
 
 } // namespace godot

@@ -2,6 +2,8 @@
 // All soft bodies of one physics space.
 #include "godot/server/soft_body_space_2d.h"
 
+#include "core/base/hash.h"
+#include "core/geometry/aabb.h"
 #include "godot/convert.h"
 #include "godot/server/step_signals.h"
 #include "godot/surroundings/hull_proxy.h"
@@ -13,8 +15,10 @@
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
+#include <vector>
 
 using namespace godot;
 
@@ -127,13 +131,34 @@ void SoftBodySpace2D::list_islands(TypedArray<Dictionary> &r_islands) const {
 // Whatever steps the space, tick or game, and however often between two ticks of the engine: what fluids do follows from where bodies
 // and fluids are, and from nothing that the engine remembers.
 void SoftBodySpace2D::push_by_fluids(double p_delta) {
-	if (fluids_.empty()) {
+	const bool was_restored = std::exchange(seen_restores_, world_.change_counts().restores) != seen_restores_;
+	const bool had_fluids = std::exchange(had_fluids_, !fluids_.empty());
+	if (fluids_.empty() && !had_fluids && !was_restored) {
 		return;
 	}
 	busy_.for_each([](SteppedNode &r_node) { r_node.take_over_transform(); });
-	for (SteppedFluid *fluid : fluids_) {
-		fluid->push_bodies(p_delta);
-	}
+	std::vector<SteppedFluid *> filled;
+	std::ranges::copy_if(fluids_, std::back_inserter(filled), [](SteppedFluid *fluid) { return fluid->look(); });
+	nodes_.for_each([&](SteppedNode &r_node) {
+		SoftBodyData *body = world_.find(r_node.get_body_id());
+		if (body == nullptr || !body->is_active() || body->is_frozen()) {
+			return;
+		}
+		const Aabb box = bounding_box(body->hull());
+		uint64_t around = 0;
+		for (const SteppedFluid *fluid : filled) {
+			around += fluid->reaches(*body, box) ? mixed(fluid->number()) : 0;
+		}
+		if (body->fluids() != around) {
+			body->set_fluids(around);
+			busy_.add(r_node);
+		}
+		for (SteppedFluid *fluid : filled) {
+			if ((fluid->flows() || !body->is_asleep()) && fluid->reaches(*body, box)) {
+				fluid->push(r_node, p_delta);
+			}
+		}
+	});
 }
 
 void SoftBodySpace2D::prepare_joints() {

@@ -146,6 +146,8 @@ private:
 	int most_tears_ = 0; ///< StepSettings::most_tears
 	int64_t contact_count_ = 0;
 	std::vector<IslandReport> islands_; ///< of the last step, if they are reported
+	bool had_fluids_ = false; ///< at the last step
+	uint64_t seen_restores_ = 0; ///< states restored before the last step
 	uint64_t last_frame_ = UINT64_MAX; ///< of the engine's physics, at the last step
 	WorldState state_;
 	std::vector<uint8_t> saved_; ///< scratch memory of `save_state`

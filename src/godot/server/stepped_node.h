@@ -2,6 +2,7 @@
 // What a space asks of the nodes whose bodies and joints it steps.
 #pragma once
 
+#include "core/geometry/aabb.h"
 #include "core/model/contact.h"
 #include "core/model/joint.h"
 #include "core/model/soft_body_data.h"
@@ -125,8 +126,16 @@ protected:
 /// A fluid in a `SoftBodySpace2D`.
 class SteppedFluid {
 public:
-	/// Before a step of `p_delta` [s]: adds its forces in that step to the bodies of the space that are inside.
-	virtual void push_bodies(double p_delta) = 0;
+	/// Looks at its shapes and values before a step. False if it pushes nothing now.
+	virtual bool look() = 0;
+	/// Stands for what `look` has found, if it bears bodies; 0 if it does not.
+	virtual uint64_t number() const = 0;
+	/// Whether it flows, and so may wake a body.
+	virtual bool flows() const = 0;
+	/// Whether it may push a body whose hull has that box, by what `look` has found.
+	virtual bool reaches(const SoftBodyData &p_body, const Aabb &p_box) const = 0;
+	/// Adds its forces in a step of `p_delta` [s] to the body of a node that it reaches.
+	virtual void push(SteppedNode &r_node, double p_delta) = 0;
 
 protected:
 	~SteppedFluid() = default;
