@@ -34,6 +34,7 @@ BodyState full_state() {
 	state.pin_targets = { { 5, { 3, 1 } } };
 	state.load = { { 1, 2 }, 3 };
 	state.acceleration = { 4, 5 };
+	state.fluids = 0x123456789abcdefu;
 	return state;
 }
 
@@ -59,7 +60,7 @@ TEST_CASE("a state survives bytes, and a body holds the state that it was given"
 
 TEST_CASE("the bytes are little-endian and begin with a name and a version") {
 	const std::vector<std::uint8_t> bytes = to_bytes(BodyState{});
-	const std::vector<std::uint8_t> head = { 'S', 'B', '2', 'S', 5, 0, 0, 0, std::uint8_t(sizeof(Real)), 0, 0, 0 };
+	const std::vector<std::uint8_t> head = { 'S', 'B', '2', 'S', 6, 0, 0, 0, std::uint8_t(sizeof(Real)), 0, 0, 0 };
 	CHECK(std::equal(head.begin(), head.end(), bytes.begin()));
 }
 
@@ -147,7 +148,7 @@ TEST_CASE("bytes with a right checksum but wrong lists or values are refused too
 	REQUIRE_FALSE(body_state_from_bytes(signed_again(huge)));
 	CHECK(body_state_from_bytes(signed_again(huge)).error().name == "state.length");
 	std::vector<std::uint8_t> no_bool = bytes;
-	no_bool[no_bool.size() - 1 - 5 * sizeof(Real)] = 2; // whether it is frozen, before load and acceleration
+	no_bool[no_bool.size() - 1 - 5 * sizeof(Real) - sizeof(std::uint64_t)] = 2; // whether it is frozen, before load, acceleration and fluids
 	CHECK(body_state_from_bytes(signed_again(no_bool)).error().name == "state.length");
 	Random random(3);
 	int accepted = 0;
