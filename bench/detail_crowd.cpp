@@ -45,6 +45,7 @@ struct Way {
 	std::string name;
 	bool is_automatic = false; // the fewest points within the tolerance, instead of the points as drawn
 	double share = 1; // of those points
+	bool flies = false; // rigid flight
 };
 
 std::vector<OutlineKind> crowd_outlines() {
@@ -96,11 +97,12 @@ void add_box(softbody::WorldData &world, Vec2 from, Vec2 to) {
 // A crowd and the scene that it lies in.
 class Crowd {
 public:
-	Crowd(std::span<const CrowdKind> kinds, int bodies, bool may_sleep) : simulator_(world_) {
+	Crowd(std::span<const CrowdKind> kinds, int bodies, bool may_sleep, bool flies) : simulator_(world_) {
 		softbody::testing::Random random(3);
 		const int near = bodies / 10;
 		const int drifting = (bodies - near) / 3;
 		world_.set_sleeping(may_sleep);
+		world_.set_rigid_flight(flies);
 		for (int pit = 0; pit * PIT_BODIES < near; ++pit) {
 			const Real left = Real(pit * (PIT_COLUMNS + 2) * SPACING);
 			const Real right = left + Real(PIT_COLUMNS * SPACING);
@@ -129,7 +131,7 @@ public:
 		}
 	}
 
-	void step() {
+	std::size_t step() {
 		if (tick_ % TICKS_A_TOSS == 0) {
 			for (std::size_t i = std::size_t(tick_ / TICKS_A_TOSS % 3); i < near_.size(); i += 3) {
 				softbody::SoftBodyData &body = *world_.find(near_[i]);
@@ -138,7 +140,7 @@ public:
 			}
 		}
 		++tick_;
-		simulator_.simulate(Real(TICK));
+		return simulator_.simulate(Real(TICK)).flying_bodies;
 	}
 
 private:
@@ -168,26 +170,27 @@ json measure_crowd(const Way &way, int bodies, bool may_sleep, const Options &op
 		error = std::max(error, kinds.back().error / kinds.back().radius);
 		points += kinds.back().points;
 	}
-	Crowd crowd(kinds, bodies, may_sleep);
+	Crowd crowd(kinds, bodies, may_sleep, way.flies);
 	const int settle = int((options.quick ? QUICK_SETTLE : SETTLE) / TICK);
 	const int measured = int((options.quick ? QUICK_MEASURED : MEASURED) / TICK);
 	for (int tick = 0; tick < settle; ++tick) {
 		crowd.step();
 	}
 	std::vector<Duration> times;
+	double flying = 0;
 	for (int tick = 0; tick < measured; ++tick) {
 		const Stopwatch watch;
-		crowd.step();
+		flying += double(crowd.step()) / measured;
 		times.push_back(watch.elapsed());
 	}
 	return { { "way", way.name }, { "sleep", may_sleep }, { "bodies", bodies }, { "points_a_body", double(points) / double(kinds.size()) },
-		{ "outline_error_percent", 100 * error }, { "tick_ms", times_of(times).cpu.mean * 1e3 } };
+		{ "outline_error_percent", 100 * error }, { "flying", flying }, { "tick_ms", times_of(times).cpu.mean * 1e3 } };
 }
 
 } // namespace
 
 json detail_crowd(const Options &options) {
-	const std::vector<Way> ways = { { "as drawn" }, { "automatic", true }, { "half the points", true, 0.5 }, { "a quarter", true, 0.25 } };
+	const std::vector<Way> ways = { { "as drawn" }, { "automatic", true }, { "automatic, rigid flight", true, 1, true }, { "half the points", true, 0.5 }, { "a quarter", true, 0.25 } };
 	json rows = json::array();
 	for (const bool may_sleep : { true, false }) {
 		double as_drawn = 0;

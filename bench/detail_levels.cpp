@@ -10,6 +10,8 @@
 #include "core/model/rigid_motion.h"
 #include "core/skin/outline_binding.h"
 
+#include "support/random.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -25,6 +27,7 @@ using softbody::Vec2;
 
 constexpr int TICKS = 90; // of a throw, during which the body lands and bounces
 constexpr int TICKS_A_SWITCH = 6;
+constexpr int FLYERS = 200;
 
 // A hull that stands for an outline, with what follows it.
 struct Level {
@@ -63,7 +66,7 @@ Level level_of(std::string name, const Points &outline, double tolerance, int mo
 		level.hull = made.hull;
 		level.binding = softbody::OutlineBinding(outline, made.hull, made.places);
 	}
-	level.body = outline_body(level.hull, has_deep_dents);
+	level.body = outline_body(level.hull, has_deep_dents, !is_outline);
 	return level;
 }
 
@@ -129,9 +132,96 @@ json measure_switch(const OutlineKind &kind, const Level &from, const Level &to)
 		linear_error = std::max(linear_error, double(length(is.linear - was.linear)) / std::max(double(length(was.linear)), 100 * mass));
 		angular_error = std::max(angular_error, std::abs(is.angular - was.angular) / std::max(std::abs(was.angular), mass * radius * radius / 2));
 	}
-	return { { "outline", kind.name }, { "from", from.name }, { "to", to.name }, { "points_from", from.hull.size() }, { "points_to", to.hull.size() },
+	return { { "outline", kind.name }, { "by", "a script" }, { "from", from.name }, { "to", to.name }, { "points_from", from.hull.size() }, { "points_to", to.hull.size() },
 		{ "outline_error_percent", 100 * outline_distance(kind.outline, to.hull) / radius }, { "jump_px", jump },
 		{ "linear_momentum_error", linear_error }, { "angular_momentum_error", angular_error }, { "switch_us", times_of(times).cpu.median * 1e6 } };
+}
+
+// Bodies in the air that wobble, each in its own way, until all of them fly.
+struct Flyers {
+	softbody::WorldData world = weighty_world();
+
+	Flyers(const Level &level, int count) {
+		softbody::testing::Random random(17);
+		softbody::Border floor;
+		floor.plane = { { 0, 1e6 }, { 0, -1 } };
+		check(world.add_border(floor));
+		for (int i = 0; i < count; ++i) {
+			softbody::Pose pose;
+			pose.position = { Real(300 * i), 0 };
+			softbody::SoftBodyData body = take(softbody::SoftBodyData::create(level.body.shape, level.body.settings, pose));
+			check(softbody::set_linear_velocity(body, random.vector(300)));
+			check(softbody::set_angular_velocity(body, random.real(-1, 1)));
+			for (std::uint32_t k = 0; k < body.point_count(); ++k) { // squashed by up to a tenth
+				const Vec2 rest = body.shape().rest_positions()[k];
+				check(body.set_point(k, body.positions()[k] + Vec2{ rest.x, -rest.y } * Real(0.02 + 0.08 * i / count), body.velocities()[k]));
+			}
+			world.add_soft_body(std::move(body));
+		}
+	}
+};
+
+// From soft to rigid in flight, which the core does by itself. A body that leaves flight goes on from where it is: nothing is changed then.
+json measure_flight(const OutlineKind &kind, const Level &level, int count) {
+	Flyers flyers(level, count);
+	softbody::WorldData world = flyers.world;
+	softbody::Simulator simulator(world);
+	const std::size_t drawn = kind.outline.size();
+	double jump = 0;
+	double linear_error = 0;
+	double angular_error = 0;
+	double soft_us = 0;
+	double rigid_us = 0;
+	std::vector<double> switch_us;
+	std::vector<char> flew(std::size_t(count), 0);
+	int entered = 0;
+	for (int tick = 0; tick < 4 * TICKS && entered < count; ++tick) {
+		softbody::WorldData soft = world;
+		world.set_rigid_flight(true);
+		const Stopwatch rigid_watch;
+		const std::size_t flying = simulator.simulate(Real(TICK)).flying_bodies;
+		const double with_us = rigid_watch.elapsed().cpu * 1e6 / count;
+		softbody::Simulator without(soft);
+		softbody::WorldData warm = soft; // the first step of a simulator lists its bodies
+		softbody::Simulator arranged(warm);
+		arranged.simulate(Real(TICK));
+		const Stopwatch soft_watch;
+		arranged.simulate(Real(TICK));
+		const double without_us = soft_watch.elapsed().cpu * 1e6 / count;
+		const softbody::WorldData before = soft;
+		without.simulate(Real(TICK));
+		if (flying == 0 && tick > 2) {
+			switch_us.push_back(std::max(0.0, with_us - without_us)); // what it costs to look
+			soft_us = without_us;
+		}
+		if (flying == std::size_t(count)) {
+			rigid_us = with_us;
+		}
+		for (std::size_t i = 0; i < flew.size(); ++i) {
+			if (flew[i] != 0 || !simulator.has_flown(world.id_at(i))) {
+				continue;
+			}
+			flew[i] = 1;
+			++entered;
+			const Points a = level.drawn(world.soft_bodies()[i].positions(), drawn);
+			const Points b = level.drawn(soft.soft_bodies()[i].positions(), drawn);
+			for (std::size_t k = 0; k < drawn; ++k) {
+				jump = std::max(jump, double(length(a[k] - b[k])));
+			}
+			const Momentum is = momentum_of(world.soft_bodies()[i]);
+			const Momentum same = momentum_of(soft.soft_bodies()[i]);
+			const double mass = double(level.body.shape->total_mass());
+			const double radius = softbody::radius_of_area(kind.outline);
+			linear_error = std::max(linear_error, double(length(is.linear - same.linear)) / std::max(double(length(same.linear)), 100 * mass));
+			angular_error = std::max(angular_error, std::abs(is.angular - same.angular) / std::max(std::abs(same.angular), mass * radius * radius / 2));
+		}
+	}
+	std::sort(switch_us.begin(), switch_us.end());
+	return { { "outline", kind.name }, { "by", "the core" }, { "from", level.name }, { "to", "rigid flight" }, { "points_from", level.hull.size() },
+		{ "points_to", level.hull.size() }, { "outline_error_percent", 100 * outline_distance(kind.outline, level.hull) / softbody::radius_of_area(kind.outline) },
+		{ "jump_px", jump }, { "linear_momentum_error", linear_error }, { "angular_momentum_error", angular_error },
+		{ "switch_us", switch_us.empty() ? 0.0 : switch_us[switch_us.size() / 2] }, { "bodies", count }, { "entered", entered }, { "soft_us", soft_us },
+		{ "rigid_us", rigid_us } };
 }
 
 } // namespace
@@ -144,6 +234,7 @@ json detail_levels(const Options &options) {
 		const int points = int(automatic.hull.size());
 		const Level half = level_of("half", kind.outline, DETAIL_TOLERANCE, points / 2, false);
 		const Level quarter = level_of("quarter", kind.outline, DETAIL_TOLERANCE, std::max(4, points / 4), false);
+		rows.push_back(measure_flight(kind, automatic, options.quick ? 64 : FLYERS));
 		rows.push_back(measure_switch(kind, drawn, automatic));
 		rows.push_back(measure_switch(kind, automatic, drawn));
 		rows.push_back(measure_switch(kind, automatic, half));

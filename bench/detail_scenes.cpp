@@ -45,8 +45,8 @@ std::vector<OutlineKind> fine_outlines(bool is_quick) {
 	return all;
 }
 
-ElasticBody outline_body(const Points &hull, bool has_deep_dents) {
-	ElasticBody body = elastic_body(default_model(), hull, MASS, softbody::Material());
+ElasticBody outline_body(const Points &hull, bool has_deep_dents, bool balanced) {
+	ElasticBody body = elastic_body(default_model(), hull, MASS, softbody::Material(), balanced);
 	body.settings.friction = Real(0.4);
 	body.settings.rolling_resistance = Real(0.03);
 	body.settings.linear_damp = Real(0.1);

@@ -25,7 +25,7 @@ struct OutlineKind {
 std::vector<OutlineKind> fine_outlines(bool is_quick);
 
 /// A body with a node's default values and the drawn outline's kind of self-collision; it does not fall asleep.
-ElasticBody outline_body(const Points &hull, bool has_deep_dents);
+ElasticBody outline_body(const Points &hull, bool has_deep_dents, bool balanced = false);
 
 /// The hull at a tolerance; `most_points` as in `SimplifyOptions`.
 softbody::SimplifiedOutline simplified(const Points &outline, double tolerance, int most_points = 0);
