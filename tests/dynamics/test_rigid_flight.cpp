@@ -47,8 +47,17 @@ Kind elastic_kind(std::span<const Vec2> hull, ElasticModel model = ElasticModel:
 	return kind;
 }
 
+std::vector<Vec2> blob_of(int count, Random &random) {
+	std::vector<Vec2> blob = random_blob(count, random);
+	const Vec2 middle = area_centroid(blob);
+	for (Vec2 &p : blob) {
+		p = p - middle;
+	}
+	return blob;
+}
+
 Kind random_kind(Random &random) {
-	const std::vector<Vec2> blob = random_blob(random.integer(8, 40), random);
+	const std::vector<Vec2> blob = blob_of(random.integer(8, 40), random);
 	return elastic_kind(blob, random.chance(0.2) ? ElasticModel::TRIANGLES : ElasticModel::MODES);
 }
 
@@ -264,7 +273,7 @@ TEST_CASE("no body flies in a step in which it touches anything") {
 
 TEST_CASE("whatever acts on a flying body alone ends its flight in the next step") {
 	Random random(5);
-	const Kind kind = elastic_kind(random_blob(16, random));
+	const Kind kind = elastic_kind(blob_of(16, random));
 	const auto flies_after = [&](auto &&change) {
 		WorldData world = pixel_world();
 		world.set_rigid_flight(true);
@@ -316,7 +325,7 @@ TEST_CASE("whatever acts on a flying body alone ends its flight in the next step
 
 TEST_CASE("a body whose springs are tense by design takes its own shape in the air") {
 	Random random(9);
-	const std::vector<Vec2> blob = random_blob(16, random);
+	const std::vector<Vec2> blob = blob_of(16, random);
 	StructureOptions options;
 	options.elastic = true;
 	options.stiffness = 200;

@@ -26,7 +26,7 @@ FlightSlice flight_slice(const BodySettings &settings, const SubstepPlan &plan, 
 	slice.duration = dt;
 	slice.substeps = plan.substeps;
 	slice.h = dt / Real(plan.substeps);
-	slice.early = integrator_traits(plan.integrator).velocity_leads ? Real(1) : Real(0.5);
+	slice.early = integrator_traits(plan.integrator).velocity_leads ? Real(0.5) : Real(1);
 	if (settings.has_damp()) {
 		slice.lost = Real(-exponential_minus_one(-double(settings.linear_damp) * double(slice.h)));
 		slice.lost_spin = Real(-exponential_minus_one(-double(settings.angular_damp) * double(slice.h)));

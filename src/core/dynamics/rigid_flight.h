@@ -32,8 +32,8 @@ struct FlightSlice {
 	Real duration = 0; ///< of the step [s]
 	Real h = 0; ///< of a substep [s]
 	int substeps = 1;
-	/// Share of the speed that a substep gains with which its way is gone: 1 where the velocity leads, else 1/2.
-	Real early = 1;
+	/// Share of the speed that a substep gains with which its way is gone: 1/2 where the velocity leads (`IntegratorTraits`), else 1.
+	Real early = 1; ///< [1]
 	Real lost = 0; ///< share of the velocity that damping takes in a substep [1]
 	Real lost_spin = 0; ///< the same of the spin
 	std::span<const Border> borders;
