@@ -37,6 +37,7 @@ nlohmann::json detail(const Options &options);
 /// Parts of `detail`.
 nlohmann::json detail_levels(const Options &options);
 nlohmann::json detail_crowd(const Options &options);
+nlohmann::json detail_refinement(const Options &options);
 nlohmann::json dents(const Options &options);
 nlohmann::json rollback(const Options &options);
 /// A part of `dents`.

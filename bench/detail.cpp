@@ -138,7 +138,8 @@ json detail(const Options &options) {
 			rows.push_back(measure(kind, tolerance, options));
 		}
 	}
-	return { { "bodies", COLUMNS * ROWS }, { "rows", rows }, { "levels", detail_levels(options) }, { "crowd", detail_crowd(options) } };
+	return { { "bodies", COLUMNS * ROWS }, { "rows", rows }, { "levels", detail_levels(options) }, { "refinement", detail_refinement(options) },
+		{ "crowd", detail_crowd(options) } };
 }
 
 } // namespace bench

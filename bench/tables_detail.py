@@ -46,7 +46,7 @@ def summarize(result):
         "momentum_error": momentum_error,
         "crowd_speedup": crowd_speedup,
     }
-    lists = {"rows": rows, "levels": result["levels"], "crowd": result["crowd"]}
+    lists = {"rows": rows, "levels": result["levels"], "refinement": result["refinement"], "crowd": result["crowd"]}
     return rounded({"targets": targets, **load(), **head, "bodies": result["bodies"], **lists}, 5)
 
 
@@ -59,6 +59,14 @@ def print_levels(rows):
               f" {row['angular_momentum_error']:>9.1e} {row['switch_us']:>7.2f} us")
     print("  error: of the new hull at rest; jump: of a drawn point at the switch; momentum and spin: what changes of them; a switch by the core is"
           " the work of a first tick beyond that of a soft one")
+
+
+def print_refinement(rows):
+    print("A stamp pressed into the middle of a body: drawn outline against that of 128 points")
+    print(f"  {'outline':<12} {'simulated':<24} {'points':>6} {'error':>8} {'a tick':>9} {'changes':>8} {'they took':>10}")
+    for row in rows:
+        print(f"  {row['outline']:<12} {row['way']:<24} {row['points']:>6} {row['error_percent']:>6.2f} % {row['us']:>6.1f} us"
+              f" {row['switches']:>8} {row['switch_ms']:>7.2f} ms")
 
 
 def print_crowd(rows):
@@ -81,6 +89,7 @@ def print_table(summary):
           " settled: of the drawn outline from that of the body simulated as drawn, dropped and come to rest;"
           " us: a body a tick; over: time over that of the cheapest hull of fewer points within the tolerance; placing: the drawn points of one body in a frame")
     print_levels(summary["levels"])
+    print_refinement(summary["refinement"])
     print_crowd(summary["crowd"])
     print_load(summary)
     print_targets(summary)

@@ -2,8 +2,9 @@
 extends SceneTree
 ## Runs the tests inside the engine: every method `test_*` of every suite `res://tests/test_*.gd`.
 ##
-##     godot --headless --fixed-fps 60 --path godot_project --script res://tests/run.gd [-- [--without=FILTER] [FILTER...]]
+##     godot --headless --fixed-fps 60 --path godot_project --script res://tests/run.gd [-- [--levels] [--without=FILTER] [FILTER...]]
 ##
+## With `--levels` bodies change their level every ten ticks: rigid flight is switched on and off in turn.
 ## With filters only tests run whose "suite/test" contains one of them, and none that contains what follows `--without=`. One
 ## line a failure, last line `N passed, N failed`, and `, N skipped` if tests could not be done here: those of drawing need
 ## a window, without `--headless`. Exit code 1 if anything failed or nothing ran. Tests provoke errors on purpose, and the
@@ -12,6 +13,8 @@ extends SceneTree
 const FOLDER := "res://tests"
 const SUITE_BASE := "res://tests/support/suite.gd"
 const ERROR_LOG := "res://tests/support/error_log.gd"
+const RIGID_FLIGHT := "physics/soft_body_2d/solver/rigid_flight"
+const TICKS_A_LEVEL := 10
 const REQUIRED: Array[StringName] = [&"SoftBody2D", &"SoftBodySimulation2D"]
 
 var _filters := PackedStringArray()
@@ -29,7 +32,9 @@ func _initialize() -> void:
 
 func _run() -> void:
 	for argument in OS.get_cmdline_user_args():
-		if argument.begins_with("--without="):
+		if argument == "--levels":
+			physics_frame.connect(_change_levels)
+		elif argument.begins_with("--without="):
 			_without = argument.trim_prefix("--without=")
 		else:
 			_filters.append(argument)
@@ -52,6 +57,11 @@ func _run() -> void:
 	if _passed + _failed + _skipped == 0:
 		_fail("(no tests)", ["nothing ran"])
 	_finish()
+
+
+func _change_levels() -> void:
+	if Engine.get_physics_frames() % TICKS_A_LEVEL == 0:
+		ProjectSettings.set_setting(RIGID_FLIGHT, Engine.get_physics_frames() % (2 * TICKS_A_LEVEL) == 0)
 
 
 func _finish() -> void:
