@@ -33,7 +33,7 @@ constexpr double SHARP_TURN = 0.35; // rad by which the hull turns more at a poi
 constexpr float FINER = 4; // times as fine there
 constexpr double NEAR = 0.5; // of the radius, around such a point
 
-struct Hull {
+struct Simulated {
 	Points points;
 	ElasticBody body;
 	softbody::OutlineBinding binding;
@@ -49,12 +49,12 @@ struct Hull {
 	}
 };
 
-Hull hull_of(const Points &outline, double tolerance, std::vector<float> weights = {}) {
+Simulated hull_of(const Points &outline, double tolerance, std::vector<float> weights = {}) {
 	softbody::SimplifyOptions options;
 	options.tolerance = tolerance;
 	options.weights = std::move(weights);
 	const softbody::SimplifiedOutline made = softbody::simplify_outline(outline, options).value();
-	Hull hull;
+	Simulated hull;
 	hull.points = made.hull;
 	hull.is_outline = made.is_outline;
 	if (!made.is_outline) {
@@ -135,7 +135,7 @@ std::vector<double> turns(std::span<const Vec2> hull) {
 }
 
 // The weights of the outline with those near sharply bent points of the hull finer; empty if there are none.
-std::vector<float> weights_where_bent(const Points &outline, const Hull &hull, std::span<const Vec2> now) {
+std::vector<float> weights_where_bent(const Points &outline, const Simulated &hull, std::span<const Vec2> now) {
 	const std::vector<double> rest = turns(hull.points);
 	const std::vector<double> bent = turns(now.first(hull.points.size()));
 	const double reach = NEAR * softbody::radius_of_area(outline);
@@ -154,7 +154,7 @@ std::vector<float> weights_where_bent(const Points &outline, const Hull &hull, s
 	return weights;
 }
 
-Pressed press(const Points &outline, Hull hull, bool refines) {
+Pressed press(const Points &outline, Simulated hull, bool refines) {
 	Press scene(outline, hull.body);
 	Pressed result;
 	const int down = scene.ticks_down();
@@ -168,7 +168,7 @@ Pressed press(const Points &outline, Hull hull, bool refines) {
 			if (!wanted.empty() && wanted != weights && weights.empty()) {
 				const Stopwatch switching;
 				const softbody::SoftBodyData &old = scene.body();
-				Hull finer = hull_of(outline, DETAIL_TOLERANCE, wanted);
+				Simulated finer = hull_of(outline, DETAIL_TOLERANCE, wanted);
 				const Points places = hull.drawn(old.positions(), outline.size());
 				const Points speeds = hull.drawn(old.velocities(), outline.size());
 				Points fitted(finer.points.size());
@@ -208,7 +208,7 @@ json detail_refinement(const Options &options) {
 	json rows = json::array();
 	for (const OutlineKind &kind : fine_outlines(options.quick)) {
 		const double radius = softbody::radius_of_area(kind.outline);
-		Hull reference;
+		Simulated reference;
 		reference.points = spaced(kind.outline, REFERENCE_POINTS);
 		reference.is_outline = true;
 		reference.body = outline_body(reference.points, softbody::has_deep_dents(kind.outline));

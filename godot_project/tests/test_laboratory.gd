@@ -3,6 +3,8 @@ extends "res://tests/support/suite.gd"
 ## The laboratory does to all bodies what its sliders and buttons say, and the stress test keeps to its bounds.
 
 const LABORATORY := "res://laboratory/laboratory.tscn"
+const Levels := preload("res://laboratory/levels.gd")
+const LEVELS := "res://laboratory/levels.tscn"
 const STRESS_TEST := "res://laboratory/stress_test.tscn"
 
 var _scene: Node2D
@@ -131,3 +133,20 @@ func test_the_stress_test_can_be_started_anew() -> void:
 		check_equal((node as SoftBody2D).integrator, SoftBody2D.INTEGRATOR_MIDPOINT, "integrator of a body")
 		check_equal((node as SoftBody2D).collision_mask, 0, "mask of a body without collisions")
 	check_below(SoftBodySimulation2D.get_body_count(), 40, "number of bodies")
+
+
+func test_the_levels_are_told_by_color_and_the_setting_is_put_back() -> void:
+	var before: bool = ProjectSettings.get_setting(Levels.RIGID_FLIGHT)
+	_open(LEVELS)
+	var bodies: Array = _scene.get(&"bodies")
+	var seen := {}
+	for i in 150:
+		await ticks(1)
+		for body: SoftBody2D in bodies:
+			var level: String = body.get_detail_report().level
+			seen[level] = true
+			check_equal(body.color, Levels.COLORS[level], "color of a body that is " + level)
+	check(seen.has("full") and seen.has("rigid"), "bodies were soft and flew: %s" % [seen.keys()])
+	check_equal(bodies[-1].get_detail_report().level, "rigid", "level of a body that drifts")
+	_scene.free()
+	check_equal(ProjectSettings.get_setting(Levels.RIGID_FLIGHT), before, "the setting afterwards")
