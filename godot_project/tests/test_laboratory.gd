@@ -142,10 +142,13 @@ func test_the_levels_are_told_by_color_and_the_setting_is_put_back() -> void:
 	var seen := {}
 	for i in 150:
 		await ticks(1)
+		var colored := {}
 		for body: SoftBody2D in bodies:
-			var level: String = body.get_detail_report().level
+			var level: Variant = Levels.COLORS.find_key(body.color)
 			seen[level] = true
-			check_equal(body.color, Levels.COLORS[level], "color of a body that is " + level)
+			colored[level] = colored.get(level, 0) + 1
+		for level: String in Levels.COLORS:
+			check_equal(colored.get(level, 0), _scene.get(&"counts")[level], "bodies of the color of " + level)
 	check(seen.has("full") and seen.has("rigid"), "bodies were soft and flew: %s" % [seen.keys()])
 	check_equal(bodies[-1].get_detail_report().level, "rigid", "level of a body that drifts")
 	_scene.free()
