@@ -85,9 +85,7 @@ softbody::SoftBodyData switched(const softbody::SoftBodyData &old, const Level &
 	const Points positions = to.fitted(from.drawn(old.positions(), count));
 	const Points velocities = to.fitted(from.drawn(old.velocities(), count));
 	softbody::SoftBodyData body = take(softbody::SoftBodyData::create(to.body.shape, to.body.settings));
-	for (std::size_t i = 0; i < positions.size(); ++i) {
-		check(body.set_point(std::uint32_t(i), positions[i], velocities[i]));
-	}
+	place_points(body, positions, velocities);
 	const softbody::BodyFrame frame = softbody::measure_frame(old);
 	check(softbody::set_linear_velocity(body, frame.velocity));
 	check(softbody::set_angular_velocity(body, frame.angular_velocity));
@@ -178,6 +176,7 @@ json measure_flight(const OutlineKind &kind, const Level &level, int count) {
 	for (int tick = 0; tick < 4 * TICKS && entered < count; ++tick) {
 		softbody::WorldData soft = world;
 		world.set_rigid_flight(true);
+		soft.set_rigid_flight(false);
 		const Stopwatch rigid_watch;
 		const std::size_t flying = simulator.simulate(Real(TICK)).flying_bodies;
 		const double with_us = rigid_watch.elapsed().cpu * 1e6 / count;
@@ -188,7 +187,6 @@ json measure_flight(const OutlineKind &kind, const Level &level, int count) {
 		const Stopwatch soft_watch;
 		arranged.simulate(Real(TICK));
 		const double without_us = soft_watch.elapsed().cpu * 1e6 / count;
-		const softbody::WorldData before = soft;
 		without.simulate(Real(TICK));
 		if (flying == 0 && tick > 2) {
 			switch_us.push_back(std::max(0.0, with_us - without_us)); // what it costs to look

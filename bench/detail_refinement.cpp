@@ -176,9 +176,7 @@ Pressed press(const Points &outline, Simulated hull, bool refines) {
 				finer.binding.fit(places, fitted);
 				finer.binding.fit(speeds, fitted_speeds);
 				softbody::SoftBodyData body = take(softbody::SoftBodyData::create(finer.body.shape, finer.body.settings));
-				for (std::size_t i = 0; i < fitted.size(); ++i) {
-					check(body.set_point(std::uint32_t(i), fitted[i], fitted_speeds[i]));
-				}
+				place_points(body, fitted, fitted_speeds);
 				scene.replace(std::move(body));
 				hull = std::move(finer);
 				weights = wanted;

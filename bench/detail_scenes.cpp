@@ -3,6 +3,7 @@
 #include "detail_scenes.h"
 
 #include "core/creator/hulls.h"
+#include "core/geometry/circle.h"
 #include "core/geometry/polygon.h"
 #include "scenes/fine_outlines.h"
 
@@ -78,6 +79,15 @@ double outline_distance(const Points &a, const Points &b) {
 		}
 	}
 	return most;
+}
+
+void place_points(softbody::SoftBodyData &body, const Points &positions, const Points &velocities) {
+	for (std::size_t i = 0; i < positions.size(); ++i) {
+		check(body.set_point(std::uint32_t(i), positions[i], velocities[i]));
+	}
+	if (body.point_count() == positions.size() + 1) {
+		check(body.set_point(std::uint32_t(positions.size()), softbody::mean_of(positions), softbody::mean_of(velocities)));
+	}
 }
 
 softbody::WorldData weighty_world() {

@@ -33,6 +33,9 @@ softbody::SimplifiedOutline simplified(const Points &outline, double tolerance, 
 /// The largest distance of the one from the other [px], by brute force and in both directions.
 double outline_distance(const Points &a, const Points &b);
 
+/// Sets places and velocities of a body's hull; a center point goes to their means, as a node puts it there.
+void place_points(softbody::SoftBodyData &body, const Points &positions, const Points &velocities);
+
 /// Throws if it is an error.
 void check(const softbody::Status &status);
 

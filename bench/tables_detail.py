@@ -11,7 +11,7 @@ MOST_OVER_MODELLING = 2
 LEAST_CROWD_SPEEDUP = 3
 MOST_JUMP = 0.25  # px at a switch that the core makes by itself
 MOST_SWITCH_US = 5
-MOST_MOMENTUM_ERROR = 1e-5
+MOST_MOMENTUM_ERROR = 1e-4  # the sums of a tick of a soft body are rounded by a tenth of that
 
 
 def summarize(result):

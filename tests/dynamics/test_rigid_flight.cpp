@@ -425,3 +425,17 @@ TEST_CASE("a weightless body in rigid flight comes to rest and falls asleep as o
 	CHECK_FALSE(world.find(other)->is_asleep());
 	CHECK(double(measure_frame(*world.find(other)).center.x) == doctest::Approx(500 + 45).epsilon(1e-4));
 }
+
+TEST_CASE("a body in rigid flight is an island of its own in reports, as any body in the air") {
+	const Kind kind = elastic_kind(circle_hull(50, 16).value());
+	WorldData world = pixel_world();
+	world.set_rigid_flight(true);
+	for (int i = 0; i < 3; ++i) {
+		world.add_soft_body(at(kind, { Real(400 * i), 0 }));
+	}
+	Simulator simulator(world);
+	simulator.set_reporting_islands(true);
+	const StepReport report = simulator.simulate(FRAME);
+	CHECK(report.flying_bodies == 3);
+	CHECK(report.islands.size() == 3);
+}

@@ -92,6 +92,11 @@ StepReport Simulator::simulate(Real dt) {
 	}
 	collect(report);
 	if (reports_islands_) {
+		for (std::uint32_t i = 0; i < flown_.size(); ++i) { // alone as those that were stepped in full
+			if (flown_[i] != 0) {
+				free_.push_back(i);
+			}
+		}
 		report.islands = report_islands({ world_, bodies_, free_, coupled_, contact_substeps_.island_substeps(), pair_contacts_.pairs(),
 				pair_contacts_.touched(), joint_solver_.joined(), beside_dynamic_ });
 	}
