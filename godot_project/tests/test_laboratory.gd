@@ -140,6 +140,7 @@ func test_the_levels_are_told_by_color_and_the_setting_is_put_back() -> void:
 	_open(LEVELS)
 	var bodies: Array = _scene.get(&"bodies")
 	var seen := {}
+	await ticks(2)
 	for i in 150:
 		await ticks(1)
 		var colored := {}
