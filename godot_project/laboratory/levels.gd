@@ -12,7 +12,7 @@ const COLORS := {
 }
 const COLUMNS := 6
 const ROWS := 2
-const TOSS := 1100.0 # px/s
+const TOSS := 900.0 # px/s
 const TICKS_A_TOSS := 45
 
 ## Bodies of each level in the last tick.
@@ -31,9 +31,9 @@ func _ready() -> void:
 	_toggle.toggled.connect(set_rigid_flight)
 	set_rigid_flight(true)
 	for i in COLUMNS * ROWS:
-		_add_body(Vector2(200 + 176 * (i % COLUMNS), 560 - 120 * floori(i / float(COLUMNS))), 16 + 8 * (i % 3))
+		_add_body(Vector2(340 + 150 * (i % COLUMNS), 560 - 120 * floori(i / float(COLUMNS))), 16 + 8 * (i % 3))
 	for i in 3:
-		var drifting := _add_body(Vector2(260 + 340 * i, 130), 24)
+		var drifting := _add_body(Vector2(400 + 300 * i, 130), 24)
 		drifting.gravity_scale = 0
 		drifting.linear_damp_mode = SoftBody2D.DAMP_MODE_REPLACE
 		drifting.angular_damp_mode = SoftBody2D.DAMP_MODE_REPLACE
