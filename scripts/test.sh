@@ -5,7 +5,7 @@
 #
 # Usage: scripts/test.sh             what to run after a change: core, engine, editor and game, without what takes longest; says
 #                                    what it leaves out
-#        scripts/test.sh all         all parts up to portable: what continuous integration runs. First the core; then those that only compile and
+#        scripts/test.sh all         all parts up to portable but levels: what continuous integration runs. First the core; then those that only compile and
 #                                    simulate run beside those that run Godot; what a part prints comes as a whole, once it has ended
 #        scripts/test.sh PART
 #   core         only the tests of the simulation core, which need neither Godot nor godot-cpp
