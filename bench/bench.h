@@ -34,6 +34,10 @@ nlohmann::json soak(const Options &options);
 nlohmann::json model(const Options &options);
 nlohmann::json heap(const Options &options);
 nlohmann::json detail(const Options &options);
+/// Parts of `detail`.
+nlohmann::json detail_levels(const Options &options);
+nlohmann::json detail_crowd(const Options &options);
+nlohmann::json detail_refinement(const Options &options);
 nlohmann::json dents(const Options &options);
 nlohmann::json rollback(const Options &options);
 /// A part of `dents`.

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Outlines of hundreds of points, simulated as drawn and by the few points that keep them within a tolerance: error and time.
 #include "bench.h"
-#include "elastic_bodies.h"
-#include "soft_pile.h"
+#include "detail_scenes.h"
 
 #include "core/creator/hulls.h"
-#include "core/creator/simplify_outline.h"
 #include "core/dynamics/simulator.h"
 #include "core/geometry/polygon.h"
 #include "core/skin/outline_binding.h"
-#include "scenes/fine_outlines.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,9 +21,6 @@ using nlohmann::json;
 using softbody::Real;
 using softbody::Vec2;
 
-constexpr double GRAVITY = 980; // px/s²
-constexpr double MASS = 1; // kg
-constexpr double TOLERANCE = 0.03;
 // Bodies of the timed scene, which lie awake in two layers between walls, and how long it is.
 constexpr int COLUMNS = 4;
 constexpr int ROWS = 2;
@@ -38,45 +31,6 @@ constexpr int REPEATS = 3; // of which the fastest counts, A and B in turns
 constexpr int FEWER_POINTS = 6; // than the simplified hull has, tried for the over-modelling ratio
 constexpr double SETTLE = 4; // s that a dropped body has to come to rest
 
-struct Kind {
-	std::string name;
-	Points outline;
-};
-
-std::vector<Kind> kinds(bool is_quick) {
-	softbody::testing::Random random(23);
-	std::vector<Kind> all = { { "character", softbody::testing::character_outline(200) } };
-	if (!is_quick) {
-		all.push_back({ "circle", softbody::circle_hull(50, 200).value() });
-		all.push_back({ "blob", softbody::testing::random_blob(200, random) });
-		all.push_back({ "traced blob", softbody::testing::noisy_blob(300, random) });
-	}
-	for (Kind &kind : all) {
-		const Vec2 middle = softbody::area_centroid(kind.outline);
-		for (Vec2 &p : kind.outline) {
-			p = p - middle;
-		}
-	}
-	return all;
-}
-
-ElasticBody node(const Points &hull, bool has_deep_dents) {
-	ElasticBody body = elastic_body(default_model(), hull, MASS, softbody::Material());
-	body.settings.friction = Real(0.4);
-	body.settings.rolling_resistance = Real(0.03);
-	body.settings.linear_damp = Real(0.1);
-	body.settings.angular_damp = 1;
-	body.settings.collision_mask = 1;
-	body.settings.self_collision = has_deep_dents;
-	return body;
-}
-
-void check(const softbody::Status &status) {
-	if (status) {
-		throw std::runtime_error(status->message());
-	}
-}
-
 softbody::Border wall(Vec2 at, Vec2 normal) {
 	softbody::Border border;
 	border.plane = { at, normal };
@@ -85,9 +39,7 @@ softbody::Border wall(Vec2 at, Vec2 normal) {
 
 // Microseconds a body a tick, the median of the second half of the scene: what lies and is pressed.
 double time_of(const ElasticBody &kind, double seconds) {
-	softbody::WorldData world;
-	check(world.set_length_unit(Real(PIXELS_A_METER)));
-	check(world.set_gravity({ 0, Real(GRAVITY) }));
+	softbody::WorldData world = weighty_world();
 	check(world.add_border(wall({ 0, 0 }, { 0, -1 })));
 	check(world.add_border(wall({ 0, 0 }, { 1, 0 })));
 	check(world.add_border(wall({ Real(COLUMNS * SPACING), 0 }, { -1, 0 })));
@@ -111,9 +63,7 @@ double time_of(const ElasticBody &kind, double seconds) {
 
 // The points of a body that was dropped on a floor and has come to rest.
 Points settled(const ElasticBody &kind) {
-	softbody::WorldData world;
-	check(world.set_length_unit(Real(PIXELS_A_METER)));
-	check(world.set_gravity({ 0, Real(GRAVITY) }));
+	softbody::WorldData world = weighty_world();
 	check(world.add_border(wall({ 0, 0 }, { 0, -1 })));
 	softbody::Pose pose;
 	pose.position = { 0, -100 };
@@ -126,22 +76,7 @@ Points settled(const ElasticBody &kind) {
 	return Points(body.hull().begin(), body.hull().end());
 }
 
-// By brute force, in both directions: places of the one from the edges of the other [px].
-double outline_distance(const Points &a, const Points &b) {
-	double most = 0;
-	for (const auto &[from, to] : { std::pair(&a, &b), std::pair(&b, &a) }) {
-		for (std::size_t i = 0; i < from->size(); ++i) {
-			const Vec2 next = (*from)[(i + 1) % from->size()];
-			for (int k = 0; k < 8; ++k) {
-				const Vec2 place = (*from)[i] + (next - (*from)[i]) * (Real(k) / 8);
-				most = std::max(most, std::sqrt(double(softbody::nearest_place(*to, place).distance_squared)));
-			}
-		}
-	}
-	return most;
-}
-
-json measure(const Kind &kind, double tolerance, const Options &options) {
+json measure(const OutlineKind &kind, double tolerance, const Options &options) {
 	const bool has_deep_dents = softbody::has_deep_dents(kind.outline);
 	const double radius = softbody::radius_of_area(kind.outline);
 	softbody::SimplifyOptions simplify;
@@ -149,8 +84,8 @@ json measure(const Kind &kind, double tolerance, const Options &options) {
 	const Stopwatch watch;
 	const softbody::SimplifiedOutline made = softbody::simplify_outline(kind.outline, simplify).value();
 	const double simplify_ms = watch.elapsed().cpu * 1e3;
-	const ElasticBody full = node(kind.outline, has_deep_dents);
-	const ElasticBody few = node(made.hull, has_deep_dents);
+	const ElasticBody full = outline_body(kind.outline, has_deep_dents);
+	const ElasticBody few = outline_body(made.hull, has_deep_dents);
 	const double seconds = options.quick ? QUICK_SECONDS : SECONDS;
 	double full_us = 1e30;
 	double few_us = 1e30;
@@ -165,7 +100,7 @@ json measure(const Kind &kind, double tolerance, const Options &options) {
 		counted.most_points = int(made.hull.size()) - fewer;
 		const softbody::SimplifiedOutline other = softbody::simplify_outline(kind.outline, counted).value();
 		if (!other.is_outline && other.error <= tolerance) {
-			cheapest_us = std::min(cheapest_us, time_of(node(other.hull, has_deep_dents), seconds));
+			cheapest_us = std::min(cheapest_us, time_of(outline_body(other.hull, has_deep_dents), seconds));
 		}
 	}
 	const Points full_rest = settled(full);
@@ -197,13 +132,14 @@ json measure(const Kind &kind, double tolerance, const Options &options) {
 
 json detail(const Options &options) {
 	json rows = json::array();
-	const std::vector<double> tolerances = options.quick ? std::vector<double>{ TOLERANCE } : std::vector<double>{ 0.01, TOLERANCE, 0.1 };
-	for (const Kind &kind : kinds(options.quick)) {
+	const std::vector<double> tolerances = options.quick ? std::vector<double>{ DETAIL_TOLERANCE } : std::vector<double>{ 0.01, DETAIL_TOLERANCE, 0.1 };
+	for (const OutlineKind &kind : fine_outlines(options.quick)) {
 		for (const double tolerance : tolerances) {
 			rows.push_back(measure(kind, tolerance, options));
 		}
 	}
-	return { { "bodies", COLUMNS * ROWS }, { "rows", rows } };
+	return { { "bodies", COLUMNS * ROWS }, { "rows", rows }, { "levels", detail_levels(options) }, { "refinement", detail_refinement(options) },
+		{ "crowd", detail_crowd(options) } };
 }
 
 } // namespace bench

@@ -49,12 +49,13 @@ ElasticBody old_network(const Points &hull, double mass, bool damped) {
 	return body;
 }
 
-ElasticBody of_material(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material) {
+ElasticBody of_material(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material, bool balanced) {
 	const ElasticModel model = choice.model;
 	softbody::StructureOptions options;
 	options.mass = Real(mass);
 	options.stiffness = 1; // the material says how much of each the body has
 	options.damping = 1;
+	options.balanced_mass = balanced;
 	options.elastic = model != ElasticModel::TRIANGLES;
 	options.elastic_triangles = model == ElasticModel::TRIANGLES;
 	options.triangle_points = int(choice.inner_points * double(hull.size()));
@@ -75,9 +76,9 @@ const ModelChoice &default_model() {
 	return *std::find_if(std::begin(CHOICES), std::end(CHOICES), [](const ModelChoice &c) { return c.model == ElasticModel::MODES; });
 }
 
-ElasticBody elastic_body(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material) {
+ElasticBody elastic_body(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material, bool balanced) {
 	ElasticBody body = choice.is_old_network ? old_network(hull, mass, double(material.damping_ratio) > LITTLE_DAMPING)
-											 : of_material(choice, hull, mass, material);
+											 : of_material(choice, hull, mass, material, balanced);
 	softbody::testing::set_default_limits(body.settings);
 	body.settings.friction = 0;
 	body.settings.can_sleep = false;

@@ -32,8 +32,9 @@ struct ElasticBody {
 };
 
 /// A body of that outline [px]. The old network has k = 100 N/m, c = 0.12 N s/m and shape matching whatever the material says;
-/// of the material it takes only whether there is damping to speak of.
-ElasticBody elastic_body(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material);
+/// of the material it takes only whether there is damping to speak of. With `balanced` the center of mass is the area's centroid, as a
+/// node has it for a hull that stands for an outline of more points.
+ElasticBody elastic_body(const ModelChoice &choice, const Points &hull, double mass, const softbody::Material &material, bool balanced = false);
 
 /// Evenly on a circle; with `on_edge` an edge is lowest, else a corner. For counts that are multiples of four.
 Points circle(double radius, int count, bool on_edge);

@@ -18,7 +18,8 @@
 #   model           outlines under every elastic model against finite elements, and what they cost; independence of the mesh
 #   heap            heaps of nodes at their default values: folded bodies, sleep, time
 #   dents           dents over tick rates and elastic models; random cuts against brute force, and what a cut costs
-#   detail          outlines of hundreds of points simulated as drawn and by few points: error of the outline, time
+#   detail          outlines of hundreds of points simulated as drawn and by few points: error of the outline, time; changes of the
+#                   level in motion, refinement where a body bends, a crowd of 3,000
 #   rollback        states of whole worlds: what they cost; two peers over a bad network who roll back and agree
 #   peers           piles in other engines, Box2D 2 and 3 and Chipmunk, against ours; scripts/lib/peers.sh says where from
 #   engine          nodes in an exported game: how many hold 60 ticks per second, and where their time goes

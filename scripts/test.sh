@@ -5,11 +5,13 @@
 #
 # Usage: scripts/test.sh             what to run after a change: core, engine, editor and game, without what takes longest; says
 #                                    what it leaves out
-#        scripts/test.sh all         all parts up to portable: what continuous integration runs. First the core; then those that only compile and
+#        scripts/test.sh all         all parts up to portable but levels: what continuous integration runs. First the core; then those that only compile and
 #                                    simulate run beside those that run Godot; what a part prints comes as a whole, once it has ended
 #        scripts/test.sh PART
 #   core         only the tests of the simulation core, which need neither Godot nor godot-cpp
 #   engine       only the tests inside of Godot
+#   levels       the tests inside of Godot once more, with bodies that change their level every ten ticks; arguments after it are the
+#                filters of godot_project/tests/run.gd
 #   editor       only the tests of the editor addon in a real editor, which no one sees if there is no screen
 #   game         only the scripted player, who has to win the game; leaves pictures in build/game
 #   export       the exported demo, and the tests of the nodes in an exported release
@@ -300,6 +302,19 @@ test_engine() {
 	count_engine "$status" "$log"
 }
 
+# What bodies do does not depend on their level: everything but the tests of levels themselves holds while it changes all the time.
+test_levels() {
+	local log=$LOG_DIR/tests_levels.log status=0
+	build_extension target=template_debug || return 1
+	find_godot || return 1
+	import_project || return 1
+	check_extension || return 1
+	step "Testing in Godot, levels changing every ten ticks"
+	godot_headless $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd -- --levels --without=test_levels "$@" 2>&1 |
+		tee "$log" || status=$?
+	count_engine "$status" "$log"
+}
+
 # with_physics_thread COMMAND…: runs it with that project setting.
 with_physics_thread() {
 	local override=$PROJECT_DIR/override.cfg status=0
@@ -478,10 +493,10 @@ after_change=
 parts=()
 case ${1:-} in
 	'') after_change=yes QUICK=1 parts=(core engine editor game) ;;
-	core | engine | editor | game | export | newcomer | package | csharp | quick | portable | sanitize | determinism | leaks | platforms) parts=("$1") ;;
+	core | engine | levels | editor | game | export | newcomer | package | csharp | quick | portable | sanitize | determinism | leaks | platforms) parts=("$1") ;;
 	--sanitize | --determinism) parts=("${1#--}") ;;
 	all) ;;
-	*) problem "usage: scripts/test.sh [all|core|engine|editor|game|export|newcomer|package|csharp|quick|portable|sanitize|determinism|leaks|platforms]" || exit 2 ;;
+	*) problem "usage: scripts/test.sh [all|core|engine|levels|editor|game|export|newcomer|package|csharp|quick|portable|sanitize|determinism|leaks|platforms]" || exit 2 ;;
 esac
 shift $(($# > 0))
 if [[ ${#parts[@]} -eq 0 ]]; then

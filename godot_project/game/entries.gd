@@ -9,6 +9,7 @@ const SCENES: Array[Dictionary] = [
 	{"title": "Jelly wrestlers", "path": "res://miniatures/jelly_wrestlers.tscn", "about": "Push the other one off"},
 	{"title": "Crash", "path": "res://miniatures/crash.tscn", "about": "A car that keeps its dents"},
 	{"title": "Laboratory", "path": "res://laboratory/laboratory.tscn", "about": "Models and methods under one load"},
+	{"title": "Levels", "path": "res://laboratory/levels.tscn", "about": "What is simulated in full?"},
 	{"title": "Stress test", "path": "res://laboratory/stress_test.tscn", "about": "How many does this machine hold?"},
 	{"title": "Crates and a lift", "path": "res://examples/crates_and_lift.tscn", "about": "Rigid bodies push and are pushed"},
 	{"title": "Cuts", "path": "res://examples/cuts.tscn", "about": "Draw a line through jelly"},

@@ -3,6 +3,8 @@ extends "res://tests/support/suite.gd"
 ## The laboratory does to all bodies what its sliders and buttons say, and the stress test keeps to its bounds.
 
 const LABORATORY := "res://laboratory/laboratory.tscn"
+const Levels := preload("res://laboratory/levels.gd")
+const LEVELS := "res://laboratory/levels.tscn"
 const STRESS_TEST := "res://laboratory/stress_test.tscn"
 
 var _scene: Node2D
@@ -131,3 +133,23 @@ func test_the_stress_test_can_be_started_anew() -> void:
 		check_equal((node as SoftBody2D).integrator, SoftBody2D.INTEGRATOR_MIDPOINT, "integrator of a body")
 		check_equal((node as SoftBody2D).collision_mask, 0, "mask of a body without collisions")
 	check_below(SoftBodySimulation2D.get_body_count(), 40, "number of bodies")
+
+
+func test_the_levels_are_told_by_color_and_the_setting_is_put_back() -> void:
+	var before: bool = ProjectSettings.get_setting(Levels.RIGID_FLIGHT)
+	_open(LEVELS)
+	var bodies: Array = _scene.get(&"bodies")
+	var seen := {}
+	await ticks(2)
+	for i in 150:
+		await ticks(1)
+		var colored := {}
+		for body: SoftBody2D in bodies:
+			var level: Variant = Levels.COLORS.find_key(body.color)
+			seen[level] = true
+			colored[level] = colored.get(level, 0) + 1
+		for level: String in Levels.COLORS:
+			check_equal(colored.get(level, 0), _scene.get(&"counts")[level], "bodies of the color of " + level)
+	check(seen.has("full") and seen.has("rigid"), "bodies were soft and flew: %s" % [seen.keys()])
+	_scene.free()
+	check_equal(ProjectSettings.get_setting(Levels.RIGID_FLIGHT), before, "the setting afterwards")

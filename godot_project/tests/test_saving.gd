@@ -29,7 +29,7 @@ var properties := {
 	"uv": [Vector2(0, 0), Vector2(8, 0), Vector2(16, 0), Vector2(16, 8), Vector2(16, 16), Vector2(8, 16), Vector2(0, 16)],
 	"dents": [Vector2(2, 1), Vector2.ZERO, Vector2(-2, 1), Vector2.ZERO, Vector2.ZERO, Vector2(0, -2), Vector2.ZERO, Vector2.ZERO, Vector2.ZERO],
 	"pinned_points": [3], "pin_targets": [^".."],
-	"can_sleep": false, "lock_rotation": true, "input_pickable": true, "simulate_off_screen": false, "failure_mode": 1, "disable_mode": 1, "self_collision": 1, "contact_monitor": true, "max_contacts_reported": 4,
+	"can_sleep": false, "lock_rotation": true, "input_pickable": true, "simulate_off_screen": false, "important": true, "failure_mode": 1, "disable_mode": 1, "self_collision": 1, "contact_monitor": true, "max_contacts_reported": 4,
 }
 # Resources, and what would keep the body from moving.
 const OTHERS: Array[String] = ["texture", "outline_texture", "cut_texture", "soft_body_material", "physics_material_override", "sleeping", "freeze"]

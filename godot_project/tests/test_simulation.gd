@@ -6,7 +6,8 @@ const THREADS := "physics/soft_body_2d/solver/threads"
 const CONTACT_SUBSTEPS := "physics/soft_body_2d/solver/contact_substeps"
 const SUBSTEPS := "physics/soft_body_2d/solver/default_substeps"
 const SLEEP := "physics/soft_body_2d/sleep/enabled"
-const DEFAULTS := { THREADS: 0, CONTACT_SUBSTEPS: 4, SUBSTEPS: 0, SLEEP: true }
+const BUDGET := "physics/soft_body_2d/solver/budget_ms"
+const DEFAULTS := { THREADS: 0, CONTACT_SUBSTEPS: 4, SUBSTEPS: 0, SLEEP: true, BUDGET: 0.0 }
 
 
 func tear_down() -> void:
@@ -16,7 +17,7 @@ func tear_down() -> void:
 
 
 func test_project_settings_are_registered_with_defaults_and_hints() -> void:
-	var expected := { THREADS: "0,64,1", CONTACT_SUBSTEPS: "1,64,1", SUBSTEPS: "0,64,1", SLEEP: "" }
+	var expected := { THREADS: "0,64,1", CONTACT_SUBSTEPS: "1,64,1", SUBSTEPS: "0,64,1", SLEEP: "", BUDGET: "0,16,0.1,or_greater,suffix:ms" }
 	var found := {}
 	for property in ProjectSettings.get_property_list():
 		if expected.has(property.name):

@@ -139,7 +139,7 @@ namespace SoftBodies
 		public Color GetColorInUse() =>
 			Node.Call(Names.GetColorInUse).AsColor();
 
-		/// <summary>Returns how what is simulated compares with what is drawn: - <c>points_drawn</c>: the points of <c>polygon</c>; - <c>points_simulated</c>: those of <c>get_simulated_polygon</c>; - <c>outline_error</c>: the largest distance of any place of the one from the other at rest, as a share of the radius of a disk of the same area; 0 where they are the same; - <c>outline_error_px</c>: the same in pixels of the node; - <c>points_at_tolerance</c>: how many points <c>DETAIL_MODE_AUTOMATIC</c> would simulate at <c>detail_tolerance</c>.</summary>
+		/// <summary>Returns how what is simulated compares with what is drawn: - <c>points_drawn</c>: the points of <c>polygon</c>; - <c>points_simulated</c>: those of <c>get_simulated_polygon</c>; - <c>outline_error</c>: the largest distance of any place of the one from the other at rest, as a share of the radius of a disk of the same area; 0 where they are the same; - <c>outline_error_px</c>: the same in pixels of the node; - <c>points_at_tolerance</c>: how many points <c>DETAIL_MODE_AUTOMATIC</c> would simulate at <c>detail_tolerance</c>; - <c>level</c>: how its last step was: <c>"full"</c>; <c>"rigid"</c> in the air, if the project setting <c>physics/soft_body_2d/solver/rigid_flight</c> is on; <c>"asleep"</c>, also of a frozen body; <c>"paused"</c>, also of a body outside the tree.</summary>
 		public Godot.Collections.Dictionary GetDetailReport() =>
 			Node.Call(Names.GetDetailReport).AsGodotDictionary();
 

@@ -251,6 +251,13 @@ namespace SoftBodies
 			set => Node.Set(Names.Holes, Native.ArrayOf(value));
 		}
 
+		/// <summary>If <c>true</c>, the body is simulated in full whatever the project saves elsewhere: it does not fly as a rigid body (<c>physics/soft_body_2d/solver/rigid_flight</c>), and <c>physics/soft_body_2d/solver/budget_ms</c> takes nothing from it.</summary>
+		public bool Important
+		{
+			get => Node.Get(Names.Important).AsBool();
+			set => Node.Set(Names.Important, value);
+		}
+
 		/// <summary>The moment of inertia about the center of mass in kg·px², as the points lie now.</summary>
 		public double Inertia
 		{

@@ -139,6 +139,7 @@ namespace SoftBodies
 			internal static readonly StringName HasPoint = "has_point";
 			internal static readonly StringName HasSelfCollision = "has_self_collision";
 			internal static readonly StringName Holes = "holes";
+			internal static readonly StringName Important = "important";
 			internal static readonly StringName Inertia = "inertia";
 			internal static readonly StringName Inflation = "inflation";
 			internal static readonly StringName InnerPoints = "inner_points";

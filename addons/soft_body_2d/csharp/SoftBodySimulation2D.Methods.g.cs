@@ -15,6 +15,10 @@ namespace SoftBodies
 		public static int GetBodyCount() =>
 			Instance.Call(Names.GetBodyCount).AsInt32();
 
+		/// <summary>Returns what bodies give up for the project setting <c>physics/soft_body_2d/solver/budget_ms</c>, and why.</summary>
+		public static Godot.Collections.Dictionary GetBudgetReport() =>
+			Instance.Call(Names.GetBudgetReport).AsGodotDictionary();
+
 		/// <summary>Returns how many rest shapes have been built since the game began.</summary>
 		public static int GetBuiltShapeCount() =>
 			Instance.Call(Names.GetBuiltShapeCount).AsInt32();
@@ -42,6 +46,10 @@ namespace SoftBodies
 		/// <summary>Returns the mean of <c>get_last_step_usec</c> over all steps since the start or the last <c>reset_statistics</c>.</summary>
 		public static double GetMeanStepUsec() =>
 			Instance.Call(Names.GetMeanStepUsec).AsDouble();
+
+		/// <summary>Returns how many bodies the last step moved as rigid ones, with place and rotation only: see the project setting <c>physics/soft_body_2d/solver/rigid_flight</c>.</summary>
+		public static int GetRigidFlightCount() =>
+			Instance.Call(Names.GetRigidFlightCount).AsInt32();
 
 		/// <summary>Returns where the time of a step goes, in microseconds a tick, as a mean over all steps since the start or the last <c>reset_statistics</c>: <c>prepare</c> (taking over what scripts changed), <c>surroundings</c> (reading bodies and shapes near soft bodies), <c>simulate</c> (springs and contacts), <c>finish</c> (moving the nodes along) and <c>proxies</c> (showing the polygons to the engine).</summary>
 		public static Godot.Collections.Dictionary GetStepProfile() =>

@@ -17,6 +17,7 @@ namespace SoftBodies
 		{
 			internal static readonly StringName GetAwakeBodyCount = "get_awake_body_count";
 			internal static readonly StringName GetBodyCount = "get_body_count";
+			internal static readonly StringName GetBudgetReport = "get_budget_report";
 			internal static readonly StringName GetBuiltShapeCount = "get_built_shape_count";
 			internal static readonly StringName GetContactCount = "get_contact_count";
 			internal static readonly StringName GetIslands = "get_islands";
@@ -24,6 +25,7 @@ namespace SoftBodies
 			internal static readonly StringName GetLastDrawnCount = "get_last_drawn_count";
 			internal static readonly StringName GetLastStepUsec = "get_last_step_usec";
 			internal static readonly StringName GetMeanStepUsec = "get_mean_step_usec";
+			internal static readonly StringName GetRigidFlightCount = "get_rigid_flight_count";
 			internal static readonly StringName GetStepProfile = "get_step_profile";
 			internal static readonly StringName GetThreadCount = "get_thread_count";
 			internal static readonly StringName GetTickCount = "get_tick_count";

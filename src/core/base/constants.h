@@ -173,6 +173,20 @@ inline constexpr Real LIMIT_SMOOTHING = Real(0.25);
 /// are too soft tremble for ever. Larger: ruined bodies rise more slowly.
 inline constexpr Real LIMIT_DAMPING = 24;
 
+/// Rigid flight (`WorldData::set_rigid_flight`): largest distance of a point from its place in the rigid copy of the rest shape, over
+/// the radius [1], and largest speed of a point relative to that copy, over the radius [1/s], with which a body flies as a rigid one.
+/// Larger: bodies stop wobbling in the air, visibly. Smaller: bodies wobble for longer before they save anything.
+inline constexpr Real FLIGHT_STRAIN = Real(0.005);
+inline constexpr Real FLIGHT_STRAIN_RATE = Real(0.15);
+
+/// Gap to the environment, beyond the way of a step and over the radius [1], below which a body does not fly as a rigid one. Larger: bodies
+/// near the ground save nothing. Smaller: a body may meet the ground in the step in which it is first stepped in full.
+inline constexpr Real FLIGHT_GAP = Real(0.125);
+
+/// Largest difference of the length of a spring at rest and of its line in the rest shape [1] with which a body may fly as a rigid one.
+/// Larger: bodies that are tense by design keep a wrong shape. Smaller: rounding decides.
+inline constexpr Real SLACK_SPRING = Real(1e-3);
+
 /// Fraction of its rest length below which a spring has no usable direction and exerts no force in that evaluation [1].
 inline constexpr Real DEGENERATE_LENGTH = Real(1e-6);
 

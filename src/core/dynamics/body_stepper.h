@@ -46,6 +46,9 @@ public:
 	/// step or the last, the path of a body starts where its contacts with colliders were last solved. A coupled slice ends by measuring
 	/// extents (`SolverBody::measure_extent`). Prefetches all of `prefetch` meanwhile.
 	void advance(const Batch &batch, const TimeSlice &slice, StatePrefetch &prefetch);
+	/// Moves the bodies of a batch that may fly as rigid ones through a whole step of `dt` [s], rest times included, and returns the bit
+	/// mask of their lanes. The others are as they were. The bodies must meet no other body in the step. In rigid_flight.cpp.
+	std::uint32_t fly(const Batch &batch, Real dt);
 	/// Forgets what had pushed bodies that nothing pushes any more (SoftBodyData::last_valid_hull).
 	void forget_pushes(const Batch &batch);
 	/// Solves the contacts of a body with itself, after other bodies have pushed it in a substep of `h` [s].
@@ -98,6 +101,7 @@ private:
 	std::vector<Vec2> start_; ///< positions and velocities at the start of a slice, one lane after the other
 	std::vector<Vec2> before_; ///< positions at the start of the substep
 	std::vector<Vec2> hull_before_; ///< hull points at the start of the substep, of a body that collides with itself
+	std::vector<std::uint32_t> near_colliders_; ///< of a body that could fly as a rigid one
 	std::vector<Vec2> limited_; ///< state of a body while its limits are kept
 	std::unique_ptr<LaneStepper> narrow_ = make_narrow_stepper();
 	std::unique_ptr<LaneStepper> wide_ = make_wide_stepper(); ///< may be null

@@ -7,6 +7,7 @@
 #include "core/collision/pair_constraint.h"
 #include "core/collision/surface_constraint.h"
 #include "core/dynamics/batch.h"
+#include "core/dynamics/rigid_flight.h"
 #include "core/dynamics/state_prefetch.h"
 #include "core/model/surroundings.h"
 
@@ -66,6 +67,8 @@ public:
 	virtual ~LaneStepper();
 	/// Prefetches all of `prefetch` meanwhile.
 	virtual LaneResult advance(const LaneSlice &slice, StatePrefetch &prefetch) = 0;
+	/// Moves the bodies of `slice.batch` that may fly as rigid ones. The others are as they were.
+	virtual FlightResult fly(const FlightSlice &slice, FlightGate &gate) = 0;
 	/// Measures the frames of the bodies.
 	virtual void measure_frames(const Batch &batch, std::span<BodyFrame> frames) = 0;
 };

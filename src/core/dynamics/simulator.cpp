@@ -66,6 +66,7 @@ StepReport Simulator::simulate(Real dt) {
 	if (bounces) {
 		bounce_ledger_.begin_step(bodies_, world_.gravity(), parallel_for_);
 	}
+	fly(dt);
 	step_free(dt);
 	timer_.lap(profile_.bodies);
 	const bool are_coupled = !coupled_.empty() || rigid_contacts_.has_bodies();
@@ -91,6 +92,11 @@ StepReport Simulator::simulate(Real dt) {
 	}
 	collect(report);
 	if (reports_islands_) {
+		for (std::uint32_t i = 0; i < flown_.size(); ++i) { // alone as those that were stepped in full
+			if (flown_[i] != 0) {
+				free_.push_back(i);
+			}
+		}
 		report.islands = report_islands({ world_, bodies_, free_, coupled_, contact_substeps_.island_substeps(), pair_contacts_.pairs(),
 				pair_contacts_.touched(), joint_solver_.joined(), beside_dynamic_ });
 	}
@@ -196,6 +202,33 @@ bool Simulator::may_bounce() {
 	return pair_contacts_.bounces() || surroundings_.bounces() ||
 			std::ranges::any_of(borders, [](const Border &border) { return border.surface.restitution != 0; }) ||
 			std::ranges::any_of(bodies_.awake(), [&](std::uint32_t i) { return bodies_.has_touch(i) != 0; });
+}
+
+// Bodies that fly leave the list; the order of the others, and so what shares a batch, stays.
+void Simulator::fly(Real dt) {
+	flown_.clear();
+	if (!world_.has_rigid_flight() || free_.empty()) {
+		return;
+	}
+	flown_.assign(bodies_.count(), 0);
+	for_batches(free_, 1, [&](BodyStepper &stepper, const Batch &batch, StatePrefetch &) {
+		const std::uint32_t flown = stepper.fly(batch, dt);
+		for (std::uint32_t lane = 0; flown != 0 && lane < batch.count; ++lane) {
+			flown_[batch.active_indices[lane]] = char(flown >> lane & 1);
+		}
+	});
+	std::erase_if(free_, [&](std::uint32_t i) { return flown_[i] != 0; });
+}
+
+bool Simulator::has_flown(BodyId id) const {
+	const SoftBodyData *body = world_.find(id);
+	if (body == nullptr || flown_.empty()) {
+		return false;
+	}
+	const std::uint32_t body_index = std::uint32_t(body - world_.soft_bodies().data());
+	const auto found = std::ranges::lower_bound(bodies_.body_indices(), body_index);
+	const std::size_t active_index = std::size_t(found - bodies_.body_indices().begin());
+	return active_index < flown_.size() && *found == body_index && flown_[active_index] != 0;
 }
 
 void Simulator::step_free(Real dt) {
@@ -374,6 +407,7 @@ void Simulator::collect(StepReport &report) {
 		std::ranges::copy(body.positions(), body.mutable_previous_positions().begin());
 	}
 	report.pair_contacts = pair_contacts_.contact_count();
+	report.flying_bodies = std::size_t(std::ranges::count(flown_, char(1)));
 	report.contacts += rigid_contact_count_;
 	std::vector<std::uint32_t> non_finite;
 	std::vector<std::uint32_t> dented;

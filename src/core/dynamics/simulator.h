@@ -40,6 +40,7 @@ struct StepReport {
 	/// a point is pinned. Pinned points stay. Other bodies are not changed. Bodies with FailureResponse::FREEZE are
 	/// frozen from the next step on.
 	std::vector<BodyId> reset_bodies;
+	std::size_t flying_bodies = 0; ///< that took the step as rigid ones (`WorldData::set_rigid_flight`)
 	std::vector<BodyId> dented_bodies; ///< bodies whose rest shape has changed in this step (`PlasticFlow`)
 	std::uint64_t self_contacts = 0; ///< contacts of bodies with themselves solved, summed over substeps
 	/// Joints removed because they bore more than Joint::break_force. Each joint is reported once.
@@ -91,6 +92,9 @@ public:
 	/// Lists the bodies that the last step left awake: neither asleep, nor frozen, nor inactive. O(awake bodies).
 	void list_awake(std::vector<BodyId> &ids);
 
+	/// Whether a body took the last step as a rigid one. O(log bodies).
+	bool has_flown(BodyId id) const;
+
 	/// The substeps that `simulate(dt)` would choose for a body by itself. A body that may touch another takes at least
 	/// the contact substeps.
 	SubstepPlan plan(const SoftBodyData &body, Real dt) const;
@@ -100,6 +104,7 @@ private:
 	void begin_step(Real dt);
 	void find_rigid_contacts(Real dt);
 	void divide_bodies(Real dt);
+	void fly(Real dt);
 	void step_free(Real dt);
 	void step_coupled(Real dt);
 	bool may_bounce();
@@ -140,6 +145,7 @@ private:
 	// Active indices, ordered as `ActiveBodies::awake`.
 	std::vector<std::uint32_t> free_; ///< bodies that meet no other body
 	std::vector<std::uint32_t> coupled_; ///< bodies that take contact substeps
+	std::vector<char> flown_; ///< for each active index, whether the body took the last step as a rigid one; empty if none could
 	std::vector<std::uint32_t> group_; ///< bodies of `coupled_` in the current substep group
 	ContactSubsteps contact_substeps_;
 	std::vector<std::uint32_t> beside_dynamic_; ///< active indices of bodies that may meet a dynamic rigid body, or are joined to one

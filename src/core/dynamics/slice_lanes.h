@@ -10,6 +10,7 @@
 #include "core/dynamics/integrators/lane_steps.h"
 #include "core/dynamics/lane_stepper.h"
 #include "core/dynamics/rigid_damping_lanes.h"
+#include "core/dynamics/rigid_flight_lanes.h"
 #include "core/dynamics/shape_limits_lanes.h"
 #include "core/dynamics/state_lanes.h"
 #include "core/model/body_frame_lanes.h"
@@ -45,6 +46,7 @@ template <class T>
 class BasicLaneStepper final : public LaneStepper {
 public:
 	LaneResult advance(const LaneSlice &slice, StatePrefetch &prefetch) override;
+	FlightResult fly(const FlightSlice &slice, FlightGate &gate) override;
 	void measure_frames(const Batch &batch, std::span<BodyFrame> frames) override;
 
 private:
@@ -113,6 +115,25 @@ LaneResult BasicLaneStepper<T>::advance(const LaneSlice &slice, StatePrefetch &p
 	}
 	if (hull_count > 0) {
 		hand_out_extents(bodies.positions.first(hull_count), slice);
+	}
+	return result;
+}
+
+template <class T>
+FlightResult BasicLaneStepper<T>::fly(const FlightSlice &slice, FlightGate &gate) {
+	const Batch &batch = *slice.batch;
+	StatePrefetch none;
+	const BodyLanes<T> bodies = load(batch, none);
+	const FlightResult result = fly_lanes<T>(bodies, slice, gate);
+	if (result.flown == (1u << LANES<T>)-1) {
+		store(bodies, batch);
+		return result;
+	}
+	for (std::size_t lane = 0; result.flown != 0 && lane < LANES<T>; ++lane) {
+		for (std::size_t i = 0; (result.flown >> lane & 1) != 0 && i < bodies.positions.size(); ++i) {
+			batch.states[lane][i] = lane_of(bodies.positions[i], lane);
+			batch.velocities(lane)[i] = lane_of(bodies.velocities[i], lane);
+		}
 	}
 	return result;
 }

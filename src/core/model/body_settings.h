@@ -105,6 +105,8 @@ struct BodySettings {
 	Integrator integrator = Integrator::AUTOMATIC;
 	/// Substeps a step, 1..MAX_SUBSTEPS, or 0 for the automatic rule (see `plan_substeps`).
 	int substeps = 0;
+	/// Whether the body may fly as a rigid one, if its world lets bodies do so (`WorldData::set_rigid_flight`).
+	bool can_fly_rigid = true;
 	/// Whether the body may fall asleep when its island has hardly moved for a while (see `Simulator`).
 	bool can_sleep = true;
 	/// Layers of the body. Two bodies touch when one's mask shares a bit with the other's layer.

@@ -2,6 +2,7 @@
 // Checks and derived quantities of a soft body's structure.
 #include "core/model/soft_body_shape.h"
 
+#include "core/base/constants.h"
 #include "core/base/elementary.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/round_outline.h"
@@ -160,6 +161,10 @@ Status SoftBodyShape::derive() {
 	for (Vec2 &position : rest_positions_) {
 		position -= center;
 	}
+	is_tense_ = std::ranges::any_of(springs_, [this](const Spring2D &spring) {
+		const Real line = length(rest_positions_[spring.b] - rest_positions_[spring.a]);
+		return spring.stiffness > 0 && std::abs(spring.rest_length - line) > SLACK_SPRING * line;
+	});
 	measure();
 	renew_bounds();
 	if (Status status = chain_ ? chain_->measure(rest_positions_, masses_) : Status()) {

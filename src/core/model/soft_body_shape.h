@@ -102,6 +102,8 @@ public:
 	Real area_inverse_mass() const { return area_inverse_mass_; }
 	Real least_hull_mass() const { return least_hull_mass_; } ///< [mass]
 	Real shortest_hull_edge() const { return shortest_hull_edge_; } ///< at rest [length], > 0
+	/// Whether a spring pulls or pushes in the rest shape (SLACK_SPRING), so that the body takes another shape by itself.
+	bool is_tense() const { return is_tense_; }
 	/// How far the round outline at rest bulges out from the middle of each hull edge [length], see `edge_bulges`. Empty
 	/// if all edges are straight.
 	std::span<const Real> bulges() const { return bulges_; }
@@ -155,6 +157,7 @@ private:
 	Real shortest_hull_edge_ = 0;
 	std::vector<Real> bulges_;
 	Real greatest_bulge_ = 0;
+	bool is_tense_ = false;
 };
 
 } // namespace softbody

@@ -40,6 +40,11 @@ public:
 	int contact_substeps() const { return contact_substeps_; }
 	Status set_contact_substeps(int contact_substeps);
 
+	/// Whether bodies of elastic material that touch nothing and hardly wobble are moved as rigid ones, with three degrees of freedom
+	/// (`RigidFlight`): cheaper, and without the last of their wobble. Default false.
+	bool has_rigid_flight() const { return rigid_flight_; }
+	void set_rigid_flight(bool flies) { rigid_flight_ = flies; }
+
 	/// Wakes every sleeping body.
 	void wake_all();
 
@@ -149,6 +154,7 @@ private:
 	Real length_unit_ = 1;
 	int contact_substeps_ = MIN_CONTACT_SUBSTEPS;
 	bool sleeping_ = true;
+	bool rigid_flight_ = false;
 	IdList<SoftBodyData> bodies_;
 	std::vector<CollisionException> collision_exceptions_;
 	IdList<Joint> joints_;

@@ -111,6 +111,7 @@ struct BodyProperties : SkinChoices {
 		bool lock_rotation = false;
 		DisableMode disable_mode = DISABLE_MODE_REMOVE;
 		bool simulate_off_screen = true;
+		bool important = false;
 		FailureMode failure_mode = FAILURE_MODE_RESET;
 	};
 

@@ -285,7 +285,7 @@ void SoftBody2D::prepare_step(double p_delta) {
 	take_over_transform();
 	follow_pin_targets();
 	if (softbody::SoftBodyData *found = body()) {
-		const bool is_wanted = takes_part() && (values_.simulate_off_screen || !is_off_screen());
+		const bool is_wanted = takes_part() && (!is_off_screen() || (values_.simulate_off_screen && !is_paused));
 		const bool sleeps_through_pause = enabled_ && found->is_active() && found->is_asleep() && get_tree()->is_paused();
 		found->set_active(is_wanted || sleeps_through_pause); // to take it out and back would wake it
 		if (found->is_active() && !found->is_asleep() && !found->is_frozen()) {
@@ -295,6 +295,12 @@ void SoftBody2D::prepare_step(double p_delta) {
 		}
 	}
 	tell_structure_problems();
+}
+
+bool SoftBody2D::may_pause() const {
+	const softbody::SoftBodyData *found = body();
+	const bool is_moved = found != nullptr && (is_paused || (found->is_active() && !found->is_asleep() && !found->is_frozen()));
+	return is_moved && values_.simulate_off_screen && !values_.important && is_off_screen();
 }
 
 void SoftBody2D::finish_step() {
@@ -333,7 +339,7 @@ bool SoftBody2D::is_idle() const {
 		return false;
 	}
 	const bool has_pin_targets = !pins_.points().is_empty() && !pins_.targets().is_empty();
-	const bool is_asked = values_.contact_monitor || has_pin_targets || !values_.simulate_off_screen ||
+	const bool is_asked = values_.contact_monitor || has_pin_targets || !values_.simulate_off_screen || is_paused ||
 			(!enabled_ && values_.disable_mode != DISABLE_MODE_REMOVE);
 	const bool has_felt_areas = !found->is_active() || (knows_areas_ && (engine_steps_ > 1 || !proxy_.is_in_space()));
 	return !is_asked && has_felt_areas && proxy_.is_still();

@@ -275,6 +275,7 @@ public:
 	bool watches_contacts() const override { return values_.contact_monitor; }
 	void take_contacts(std::span<const softbody::Contact> p_contacts, std::span<const uint64_t> p_colliders,
 			std::vector<uint64_t> p_touched, softbody::StepSignals &r_signals) override;
+	bool may_pause() const override;
 	bool is_idle() const override;
 	void take_over_transform() override;
 	void write_state(softbody::StateWriter &r_to) const override;
@@ -493,8 +494,7 @@ protected:
 	bool on_screen_ = false; ///< as the rendering server saw it last
 	int unseen_frames_ = 0; ///< in a row, counted no further than needed
 	Rect2 skin_area_; ///< part of the node's plane in which the skin may move before `seen_area` is set anew
-	Callable entered_screen_;
-	Callable left_screen_;
+	Callable entered_screen_, left_screen_;
 };
 
 } // namespace godot

@@ -25,6 +25,14 @@ Dictionary SoftBody2D::get_detail_report() const {
 	report["outline_error_px"] = outline != nullptr ? outline->error() * softbody::radius_of_area(softbody::to_core(get_polygon())) : 0.0;
 	const auto at_tolerance = structure_.outline_at_tolerance();
 	report["points_at_tolerance"] = at_tolerance != nullptr ? int(at_tolerance->hull().size()) : structure_.polygon_count();
+	const softbody::SoftBodyData *found = body();
+	if (found == nullptr || space_ == nullptr || !found->is_active()) {
+		report["level"] = "paused";
+	} else if (found->is_asleep() || found->is_frozen()) {
+		report["level"] = "asleep";
+	} else {
+		report["level"] = space_->simulator().has_flown(body_id_) ? "rigid" : "full";
+	}
 	return report;
 }
 

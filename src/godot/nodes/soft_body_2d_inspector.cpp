@@ -121,6 +121,7 @@ void SoftBody2D::bind_properties() {
 	bind_property("freeze", &SoftBody2D::set_freeze_enabled, &SoftBody2D::is_freeze_enabled, PROPERTY_HINT_NONE, "", "is_freeze_enabled", "set_freeze_enabled");
 	bind_value<&Values::disable_mode>({ "disable_mode", Range::between(DISABLE_MODE_REMOVE, DISABLE_MODE_KEEP_ACTIVE), &SoftBody2D::note_enabled }, PROPERTY_HINT_ENUM, "Remove,Make Static,Keep Active");
 	bind_value<&Values::simulate_off_screen>({ "simulate_off_screen" }, PROPERTY_HINT_NONE, "", "is_simulating_off_screen");
+	bind_value<&Values::important>({ "important", {}, &SoftBody2D::apply_settings }, PROPERTY_HINT_NONE, "", "is_important");
 	bind_value<&Values::failure_mode>({ "failure_mode", Range::between(FAILURE_MODE_RESET, FAILURE_MODE_FREEZE), &SoftBody2D::apply_settings }, PROPERTY_HINT_ENUM, "Reset,Freeze");
 
 	ADD_GROUP("Network", "");

@@ -130,6 +130,7 @@ softbody::Result<softbody::BodySettings> SoftBody2D::make_settings(const Design 
 	settings.collision_layer = values_.collision_layer;
 	settings.collision_mask = values_.collision_mask;
 	settings.can_sleep = values_.can_sleep;
+	settings.can_fly_rigid = !values_.important;
 	settings.contact_monitor = values_.contact_monitor;
 	settings.self_collision = uses_self_collision(p_design);
 	settings.failure_response = values_.failure_mode == FAILURE_MODE_FREEZE ? softbody::FailureResponse::FREEZE : softbody::FailureResponse::RESET;

@@ -92,6 +92,7 @@ void SoftBodySimulation2D::read_settings() {
 	settings_ = softbody::read_step_settings();
 	settings_known_ = true;
 	threads_.set_thread_count(settings_.threads);
+	budget_.set_limit(settings_.budget_ms);
 	for (Space &space : spaces_) {
 		space.content->apply_settings(settings_);
 	}
@@ -138,6 +139,7 @@ void SoftBodySimulation2D::step_all() {
 	const uint64_t start = Time::get_singleton()->get_ticks_usec();
 	step_spaces(delta);
 	last_step_usec_ = double(Time::get_singleton()->get_ticks_usec() - start);
+	budget_.note_step(last_step_usec_ / 1000);
 	total_step_usec_ += last_step_usec_;
 	counted_steps_++;
 	tick_count_++;
@@ -150,6 +152,7 @@ void SoftBodySimulation2D::step_spaces(double p_delta) {
 	const size_t count = spaces_.size(); // spaces added meanwhile wait for the next tick
 	for (size_t i = 0; i < count; i++) {
 		if (is_automatic_stepping(spaces_[i].rid)) {
+			spaces_[i].content->apply_budget(budget_.levels());
 			spaces_[i].content->step(p_delta, threads_, signals_, profile_);
 		}
 	}
@@ -197,6 +200,23 @@ int64_t SoftBodySimulation2D::get_awake_body_count() const {
 
 int64_t SoftBodySimulation2D::get_contact_count() const {
 	return count_in_spaces([](const softbody::SoftBodySpace2D &p_space) { return p_space.contact_count(); });
+}
+
+int64_t SoftBodySimulation2D::get_rigid_flight_count() const {
+	return count_in_spaces([](const softbody::SoftBodySpace2D &p_space) { return p_space.flying_body_count(); });
+}
+
+Dictionary SoftBodySimulation2D::get_budget_report() const {
+	const softbody::BudgetLevels levels = budget_.levels();
+	Dictionary report;
+	report["budget_ms"] = budget_.limit();
+	report["step_ms"] = last_step_usec_ / 1000;
+	report["reason"] = budget_.reason();
+	report["levels_down"] = budget_.depth();
+	report["rigid_flight"] = levels.rigid_flight;
+	report["paused_share"] = levels.paused_share;
+	report["paused_bodies"] = count_in_spaces([](const softbody::SoftBodySpace2D &p_space) { return p_space.paused_body_count(); });
+	return report;
 }
 
 int64_t SoftBodySimulation2D::get_built_shape_count() const {
@@ -292,6 +312,8 @@ void SoftBodySimulation2D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_body_count"), &SoftBodySimulation2D::get_body_count);
 	ClassDB::bind_method(D_METHOD("get_awake_body_count"), &SoftBodySimulation2D::get_awake_body_count);
 	ClassDB::bind_method(D_METHOD("get_contact_count"), &SoftBodySimulation2D::get_contact_count);
+	ClassDB::bind_method(D_METHOD("get_rigid_flight_count"), &SoftBodySimulation2D::get_rigid_flight_count);
+	ClassDB::bind_method(D_METHOD("get_budget_report"), &SoftBodySimulation2D::get_budget_report);
 	ClassDB::bind_method(D_METHOD("get_built_shape_count"), &SoftBodySimulation2D::get_built_shape_count);
 	ClassDB::bind_method(D_METHOD("get_thread_count"), &SoftBodySimulation2D::get_thread_count);
 	ClassDB::bind_method(D_METHOD("get_step_profile"), &SoftBodySimulation2D::get_step_profile);

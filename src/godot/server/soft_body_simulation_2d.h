@@ -58,6 +58,8 @@ public:
 	int64_t get_body_count() const;
 	int64_t get_awake_body_count() const;
 	int64_t get_contact_count() const;
+	int64_t get_rigid_flight_count() const;
+	Dictionary get_budget_report() const;
 	int64_t get_built_shape_count() const;
 	int get_thread_count() const { return threads_.get_thread_count(); }
 	int64_t get_tick_count() const { return tick_count_; }
@@ -119,6 +121,7 @@ private:
 	uint64_t watched_tree_ = 0; ///< instance id of the tree whose ticks step the spaces
 	int64_t tick_count_ = 0;
 	double last_step_usec_ = 0;
+	softbody::StepBudget budget_;
 	softbody::TickProfile profile_; ///< summed since the last reset
 	double total_step_usec_ = 0;
 	int64_t counted_steps_ = 0;

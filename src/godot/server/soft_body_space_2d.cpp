@@ -15,6 +15,8 @@
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -71,6 +73,7 @@ SoftBodySpace2D::SoftBodySpace2D(const RID &p_space, ParallelFor p_parallel_for)
 void SoftBodySpace2D::apply_settings(const StepSettings &p_settings) {
 	world_.set_contact_substeps(p_settings.contact_substeps);
 	world_.set_sleeping(p_settings.can_sleep);
+	has_rigid_flight_ = p_settings.rigid_flight;
 	character_mass_ = p_settings.character_mass;
 	most_tears_ = p_settings.most_tears;
 	if (default_substeps_ != p_settings.substeps) {
@@ -84,6 +87,8 @@ void SoftBodySpace2D::remove(SteppedNode &r_node) {
 	busy_.remove(r_node);
 	near_moving_.remove(r_node);
 	undrawn_.remove(r_node);
+	paused_.remove(r_node);
+	r_node.is_paused = false;
 	detailed_count_ -= int(std::exchange(r_node.is_counted_detailed, false));
 }
 
@@ -240,6 +245,8 @@ void SoftBodySpace2D::read_environment(double p_delta) {
 void SoftBodySpace2D::step(double p_delta, StepThreads &p_threads, StepSignals &r_signals, TickProfile &r_profile) {
 	Stopwatch watch;
 	read_gravity();
+	world_.set_rigid_flight(has_rigid_flight_ || budget_.rigid_flight);
+	pause_unseen();
 	push_by_fluids(p_delta);
 	busy_.for_each([p_delta](SteppedNode &r_node) { r_node.prepare_step(p_delta); });
 	prepare_joints();
@@ -260,6 +267,7 @@ void SoftBodySpace2D::step(double p_delta, StepThreads &p_threads, StepSignals &
 	}
 	r_profile.simulate += watch.lap();
 	contact_count_ = int64_t(report.contacts + report.pair_contacts + report.self_contacts);
+	flying_count_ = int64_t(report.flying_bodies);
 	islands_ = std::move(report.islands);
 	simulator_.list_awake(awake_);
 	for (const BodyId body : awake_) {
@@ -397,6 +405,46 @@ void SoftBodySpace2D::collect_signals(StepSignals &r_signals) {
 		}
 		r_node.take_contacts(contacts, colliders, std::move(touched), r_signals);
 	});
+}
+
+void SoftBodySpace2D::apply_budget(const BudgetLevels &p_levels) {
+	budget_ = p_levels;
+}
+
+// Of bodies that nobody sees none costs anything on the screen, so those of the most points go first. They come back in the reverse order, and
+// at once when they are seen.
+void SoftBodySpace2D::pause_unseen() {
+	if (budget_.paused_share == 0 && paused_.count() == 0) {
+		return;
+	}
+	paused_.for_each([&](SteppedNode &r_node) {
+		if (!r_node.may_pause()) { // it was seen, or the user made it important
+			r_node.is_paused = false;
+			paused_.remove(r_node);
+		}
+	});
+	pausable_.clear();
+	busy_.for_each([&](SteppedNode &r_node) {
+		if (!r_node.is_paused && r_node.may_pause()) {
+			pausable_.push_back(&r_node);
+		}
+	});
+	const std::size_t wanted = std::size_t(std::ceil(budget_.paused_share * double(paused_.count() + pausable_.size())));
+	while (paused_.count() > wanted) {
+		SteppedNode &node = paused_[paused_.count() - 1];
+		node.is_paused = false;
+		paused_.remove(node);
+		busy_.add(node);
+	}
+	if (paused_.count() >= wanted) {
+		return;
+	}
+	const auto points = [this](const SteppedNode *p_node) { return world_.find(p_node->get_body_id())->point_count(); };
+	std::ranges::stable_sort(pausable_, std::ranges::greater{}, points);
+	for (std::size_t i = 0; paused_.count() < wanted && i < pausable_.size(); ++i) {
+		pausable_[i]->is_paused = true;
+		paused_.add(*pausable_[i]);
+	}
 }
 
 // Turn by turn: one that cannot be torn, as it would leave too little, does not keep the others waiting.

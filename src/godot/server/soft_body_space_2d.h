@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/simulator.h"
+#include "core/dynamics/step_budget.h"
 #include "core/dynamics/world_state.h"
 #include "core/model/world_data.h"
 #include "godot/server/node_list.h"
@@ -53,6 +54,12 @@ public:
 	/// Of a node whose body bears its strain no more, while it finishes the step. It is torn after the step, or after a later
 	/// one if there are too many.
 	void note_overstretched(SteppedNode &r_node) { overstretched_.push_back(&r_node); }
+	/// What bodies give up for the project's budget, from the next step on.
+	void apply_budget(const BudgetLevels &p_levels);
+	/// Number of bodies that took the last step as rigid ones.
+	int64_t flying_body_count() const { return flying_count_; }
+	/// Number of bodies that stand still for the budget.
+	int64_t paused_body_count() const { return int64_t(paused_.count()); }
 	/// Contacts solved in the last step, counted in every substep.
 	int64_t contact_count() const { return contact_count_; }
 	void set_reporting_islands(bool p_reports) { simulator_.set_reporting_islands(p_reports); }
@@ -110,6 +117,7 @@ private:
 	void tell_proxies();
 	void tell_riders();
 	void move_proxies();
+	void pause_unseen();
 	void tear_overstretched(StepSignals &r_signals);
 	void let_idle();
 	/// The node of a body; null if the body has left the world.
@@ -145,6 +153,11 @@ private:
 	uint64_t turn_to_tear_ = 0; ///< tears looked for so far
 	int most_tears_ = 0; ///< StepSettings::most_tears
 	int64_t contact_count_ = 0;
+	int64_t flying_count_ = 0;
+	BudgetLevels budget_;
+	bool has_rigid_flight_ = false; ///< StepSettings::rigid_flight
+	NodeList<&SteppedNode::Places::paused> paused_; ///< for the budget
+	std::vector<SteppedNode *> pausable_; ///< scratch memory of `pause_unseen`
 	std::vector<IslandReport> islands_; ///< of the last step, if they are reported
 	bool had_fluids_ = false; ///< at the last step
 	uint64_t seen_restores_ = 0; ///< states restored before the last step

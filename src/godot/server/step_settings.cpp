@@ -20,12 +20,15 @@ constexpr const char *THREADS = "physics/soft_body_2d/solver/threads";
 constexpr const char *CONTACT_SUBSTEPS = "physics/soft_body_2d/solver/contact_substeps";
 constexpr const char *SUBSTEPS = "physics/soft_body_2d/solver/default_substeps";
 constexpr const char *MOST_TEARS = "physics/soft_body_2d/solver/max_tears_per_tick";
+constexpr const char *RIGID_FLIGHT = "physics/soft_body_2d/solver/rigid_flight";
+constexpr const char *BUDGET = "physics/soft_body_2d/solver/budget_ms";
 constexpr const char *CAN_SLEEP = "physics/soft_body_2d/sleep/enabled";
 constexpr const char *PHYSICS_THREAD = "physics/2d/run_on_separate_thread"; // the engine's
 constexpr const char *CHARACTER_MASS = "physics/soft_body_2d/characters/mass";
 constexpr int MAX_THREADS = 64;
 constexpr int MAX_TEARS = 1000;
 constexpr double MAX_CHARACTER_MASS = 1e6; // [kg]
+constexpr double MAX_BUDGET = 1000; // [ms]
 
 void add_setting(const char *p_name, const Variant &p_default, PropertyHint p_hint, const String &p_hint_string) {
 	ProjectSettings *settings = ProjectSettings::get_singleton();
@@ -70,6 +73,8 @@ void register_step_settings() {
 	add_setting(CONTACT_SUBSTEPS, defaults.contact_substeps, PROPERTY_HINT_RANGE, "1," + itos(MAX_SUBSTEPS) + ",1");
 	add_setting(SUBSTEPS, defaults.substeps, PROPERTY_HINT_RANGE, "0," + itos(MAX_SUBSTEPS) + ",1");
 	add_setting(MOST_TEARS, defaults.most_tears, PROPERTY_HINT_RANGE, "0," + itos(MAX_TEARS) + ",1");
+	add_setting(RIGID_FLIGHT, defaults.rigid_flight, PROPERTY_HINT_NONE, "");
+	add_setting(BUDGET, defaults.budget_ms, PROPERTY_HINT_RANGE, "0,16,0.1,or_greater,suffix:ms");
 	add_setting(CHARACTER_MASS, double(defaults.character_mass), PROPERTY_HINT_RANGE, "0,10,0.01,or_greater,suffix:kg");
 	add_setting(CAN_SLEEP, defaults.can_sleep, PROPERTY_HINT_NONE, "");
 }
@@ -83,6 +88,8 @@ StepSettings read_step_settings() {
 	settings.substeps = read_count(SUBSTEPS, 0, MAX_SUBSTEPS, defaults.substeps);
 	settings.most_tears = read_count(MOST_TEARS, 0, MAX_TEARS, defaults.most_tears);
 	settings.character_mass = Real(read_number(CHARACTER_MASS, 0, MAX_CHARACTER_MASS, double(defaults.character_mass)));
+	settings.rigid_flight = ProjectSettings::get_singleton()->get_setting(RIGID_FLIGHT, defaults.rigid_flight);
+	settings.budget_ms = read_number(BUDGET, 0, MAX_BUDGET, defaults.budget_ms);
 	settings.can_sleep = ProjectSettings::get_singleton()->get_setting(CAN_SLEEP, defaults.can_sleep);
 	return settings;
 }

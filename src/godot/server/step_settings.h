@@ -13,6 +13,8 @@ struct StepSettings {
 	int contact_substeps = MIN_CONTACT_SUBSTEPS; ///< see `WorldData::contact_substeps`
 	int substeps = 0; ///< of bodies with 0 substeps; 0: automatic
 	int most_tears = 8; ///< in a tick, of the bodies of a space; the others tear in the next ticks
+	bool rigid_flight = false; ///< see `WorldData::has_rigid_flight`
+	double budget_ms = 0; ///< of a step, see `StepBudget`; 0: none
 	bool can_sleep = true; ///< whether any body may fall asleep
 	bool has_physics_thread = false; ///< whether the engine steps its 2D physics on a thread of its own
 	Real character_mass = 1; ///< of a CharacterBody2D on soft bodies [kg], >= 0; see `CharacterMotion`

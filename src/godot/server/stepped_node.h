@@ -59,6 +59,8 @@ public:
 	/// 0 for none.
 	virtual void take_contacts(std::span<const Contact> p_contacts, std::span<const uint64_t> p_colliders,
 			std::vector<uint64_t> p_touched, StepSignals &r_signals) = 0;
+	/// Whether the budget may pause the body, or keep it paused: it moves, is not important, and no camera sees it.
+	virtual bool may_pause() const = 0;
 	/// Whether all of these can be left out until the body moves or the node changes (`SoftBodySpace2D::note_change`).
 	virtual bool is_idle() const = 0;
 
@@ -87,10 +89,13 @@ public:
 		std::size_t busy = SIZE_MAX;
 		std::size_t near_moving = SIZE_MAX;
 		std::size_t undrawn = SIZE_MAX;
+		std::size_t paused = SIZE_MAX;
 	};
 	Places places;
 	/// Whether its proxy shows dents, as the space last counted it.
 	bool is_counted_detailed = false;
+	/// Whether the body stands still for the budget. The space alone changes it.
+	bool is_paused = false;
 
 protected:
 	~SteppedNode() = default;
