@@ -18,7 +18,7 @@
 #   newcomer     a newcomer's first five minutes in a real editor: empty project, unzip, enable, a body, a floor, play, a material,
 #                drag a point, play, export; any warning or error on the way fails it; filmed into build/newcomer
 #   package      what judges a release; newcomer; the packed addon without the editor, and every example of the documentation
-#   csharp       the addon's C# classes: as the class reference has them, compiled and run against a stand-in for Godot
+#   csharp       the addon's C# classes: as the class reference has them, compiled by two compilers and run against a stand-in for Godot
 #   quick        sanitize and determinism, each without what takes longest; says what it leaves out
 #   portable     whether scenes end in the same bits on arm64 and Windows, by emulators; whether the extension would load in a
 #                Godot 4.3 and with an old glibc

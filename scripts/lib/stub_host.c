@@ -56,6 +56,58 @@ static void *nothing(void) {
 	return (void *)nothing;
 }
 
+// WebAssembly calls a function only by its own type, so what the entry calls has one here, and so does what it gets from that.
+static void construct(void *to, const void *const *from) {
+	(void)to, (void)from;
+}
+
+static void destroy(void *value) {
+	(void)value;
+}
+
+static void *constructor(int type, int32_t index) {
+	(void)type, (void)index;
+	return (void *)construct;
+}
+
+static void *destructor(int type) {
+	(void)type;
+	return (void *)destroy;
+}
+
+static void *of_type(int type) {
+	(void)type;
+	return (void *)nothing;
+}
+
+static void *of_member(int type, const void *name) {
+	(void)type, (void)name;
+	return (void *)nothing;
+}
+
+static void *of_operator(int operation, int left, int right) {
+	(void)operation, (void)left, (void)right;
+	return (void *)nothing;
+}
+
+static void *of_method(int type, const void *name, int64_t hash) {
+	(void)type, (void)name, (void)hash;
+	return (void *)nothing;
+}
+
+static void *of_function(const void *name, int64_t hash) {
+	(void)name, (void)hash;
+	return (void *)nothing;
+}
+
+static void new_name(void *to, const char *text, uint8_t is_static) {
+	(void)to, (void)text, (void)is_static;
+}
+
+static void new_text(void *to, const char *text) {
+	(void)to, (void)text;
+}
+
 static void get_version(struct Version *version) {
 	version->major = 4;
 	version->minor = 3;
@@ -76,6 +128,39 @@ static void *reallocate(void *memory, size_t size) {
 	return realloc(memory, size);
 }
 
+static void release(void *memory) {
+	free(memory);
+}
+
+static const struct {
+	const char *name;
+	Function function;
+} answers[] = {
+	{ "get_godot_version", (Function)get_version },
+	{ "print_error", (Function)print_error },
+	{ "mem_alloc", (Function)allocate },
+	{ "mem_realloc", (Function)reallocate },
+	{ "mem_free", (Function)release },
+	{ "variant_get_ptr_constructor", (Function)constructor },
+	{ "variant_get_ptr_destructor", (Function)destructor },
+	{ "get_variant_from_type_constructor", (Function)of_type },
+	{ "get_variant_to_type_constructor", (Function)of_type },
+	{ "variant_get_ptr_indexed_setter", (Function)of_type },
+	{ "variant_get_ptr_indexed_getter", (Function)of_type },
+	{ "variant_get_ptr_keyed_setter", (Function)of_type },
+	{ "variant_get_ptr_keyed_getter", (Function)of_type },
+	{ "variant_get_ptr_keyed_checker", (Function)of_type },
+	{ "variant_get_ptr_setter", (Function)of_member },
+	{ "variant_get_ptr_getter", (Function)of_member },
+	{ "variant_get_ptr_operator_evaluator", (Function)of_operator },
+	{ "variant_get_ptr_builtin_method", (Function)of_method },
+	{ "variant_get_ptr_utility_function", (Function)of_function },
+	{ "string_name_new_with_latin1_chars", (Function)new_name },
+	{ "string_name_new_with_utf8_chars", (Function)new_text },
+	{ "string_new_with_latin1_chars", (Function)new_text },
+	{ "string_new_with_utf8_chars", (Function)new_text },
+};
+
 static Function find(const char *name) {
 	if (!is_in(asked, asked_count, name)) {
 		add(asked, &asked_count, name);
@@ -85,17 +170,10 @@ static Function find(const char *name) {
 		++refused_count;
 		return NULL;
 	}
-	if (strcmp(name, "get_godot_version") == 0) {
-		return (Function)get_version;
-	}
-	if (strcmp(name, "print_error") == 0) {
-		return (Function)print_error;
-	}
-	if (strcmp(name, "mem_alloc") == 0) {
-		return (Function)allocate;
-	}
-	if (strcmp(name, "mem_realloc") == 0) {
-		return (Function)reallocate;
+	for (size_t i = 0; i < sizeof(answers) / sizeof(answers[0]); ++i) {
+		if (strcmp(name, answers[i].name) == 0) {
+			return answers[i].function;
+		}
 	}
 	return (Function)nothing;
 }

@@ -3,7 +3,14 @@
 #include "determinism/hashed_scenes.h"
 
 #include "core/creator/body_cut.h"
+#include "core/creator/hole_weights.h"
 #include "core/creator/hulls.h"
+#include "core/creator/rope_creator.h"
+#include "core/creator/simplify_outline.h"
+#include "core/dynamics/fluid_forces.h"
+#include "core/skin/hole_binding.h"
+#include "core/skin/outline_binding.h"
+#include "scenes/fine_outlines.h"
 #include "scenes/metal.h"
 #include "scenes/mixed.h"
 
@@ -168,6 +175,81 @@ WorldData carts() {
 	return world;
 }
 
+// A drawn character of 160 points with a mouth, and the few points that stand for it, finer at its ears.
+struct Drawn {
+	std::vector<Vec2> outline = character_outline(160);
+	Holes holes = { { { -20, 10 }, { 0, 20 }, { 20, 10 }, { 12, 26 }, { -12, 26 } } };
+	SimplifiedOutline simple;
+
+	explicit Drawn(float fineness) {
+		SimplifyOptions options;
+		for (const Vec2 point : outline) {
+			options.weights.push_back(point.y < -40 ? fineness : 1.0f);
+		}
+		simple = simplify_outline(outline, options).value();
+	}
+};
+
+constexpr int CHARACTERS = 10;
+constexpr Real WATER = -70; // its surface; y is down
+
+float fineness_of(int character) {
+	return 1 + 0.5f * float(character % 3);
+}
+
+// Characters of every elastic model fall past ropes into water.
+WorldData characters() {
+	WorldData world = floor_world();
+	for (int i = 0; i < 3; ++i) {
+		const std::array<Vec2, 3> path = { Vec2{ Real(-120 + 160 * i), -260 }, { Real(-50 + 160 * i), -230 }, { Real(20 + 160 * i), -260 } };
+		const std::vector<Vec2> points = divide_path(path, 12).value();
+		const std::vector<Real> widths(points.size(), Real(6));
+		const auto rope = create_rope(points, widths, Real(0.5)).value();
+		const BodyId id = world.add_soft_body(SoftBodyData::create(rope, {}).value());
+		const std::span<const ChainSection> sections = rope->chain()->sections();
+		world.find(id)->set_pinned(sections.front().center, true);
+		world.find(id)->set_pinned(sections.back().center, i == 1);
+	}
+	for (int i = 0; i < CHARACTERS; ++i) {
+		Metal metal{ MODELS[std::size_t(i) % MODELS.size()] };
+		metal.yield = i % 2 == 0 ? Real(0) : Real(0.1);
+		world.add_soft_body(metal_body(Drawn(fineness_of(i)).simple.hull, metal, { Real(i % 5) * 90 - 150, -360 - Real(i / 5) * 180 }));
+	}
+	return world;
+}
+
+void flood(WorldData &world, int) {
+	const Fluid water{ Real(0.0004), 1, Real(0.5), { 30, 0 }, world.gravity() };
+	const std::array<Vec2, 4> sea = { Vec2{ -1000, WATER }, { 1000, WATER }, { 1000, 0 }, { -1000, 0 } };
+	for (SoftBodyData &body : world.soft_bodies()) {
+		const std::size_t count = body.shape().hull_count();
+		std::vector<Vec2> forces(count);
+		add_fluid_forces(water, sea, body.positions().first(count), body.velocities().first(count), 1 / Real(count), TICK, forces);
+		for (std::uint32_t i = 0; i < count; ++i) {
+			(void)body.add_external_force(i, forces[i]);
+		}
+	}
+}
+
+void draw_characters(const WorldData &world, BitHash &hash) {
+	const std::span<const SoftBodyData> bodies = world.soft_bodies();
+	for (int i = 0; i < CHARACTERS; ++i) {
+		const Drawn drawn(fineness_of(i));
+		const std::vector<Vec2> &hull = drawn.simple.hull;
+		const std::span<const Vec2> now = bodies[bodies.size() - CHARACTERS + std::size_t(i)].positions().first(hull.size());
+		std::vector<Vec2> outline(drawn.outline.size());
+		OutlineBinding(drawn.outline, hull, drawn.simple.places).place(now, outline);
+		const HoleBinding binding(drawn.holes, hull, hole_weights(hull, drawn.holes));
+		std::vector<Vec2> holes(binding.point_count());
+		binding.place(now, holes);
+		for (const auto *places : { &outline, &holes }) {
+			for (const Vec2 place : *places) {
+				hash.add(place);
+			}
+		}
+	}
+}
+
 class Run {
 public:
 	Run(const HashedScene &scene, const ParallelFor &parallel_for) :
@@ -205,6 +287,9 @@ public:
 	std::uint64_t state() const { return hash_of_state(world_); }
 	std::uint64_t all() {
 		hash_.add(state());
+		if (scene_.draw) {
+			scene_.draw(world_, hash_);
+		}
 		return hash_.value();
 	}
 
@@ -219,10 +304,11 @@ private:
 } // namespace
 
 std::span<const HashedScene> hashed_scenes() {
-	static const std::array<HashedScene, 7> scenes = { HashedScene{ "mixed", [] { return mixed_world(); }, {} },
+	static const std::array<HashedScene, 8> scenes = { HashedScene{ "mixed", [] { return mixed_world(); }, {} },
 		HashedScene{ "chain", chain_of_bodies, carry_pin }, HashedScene{ "ribbons", folding_ribbons, {} },
 		HashedScene{ "pile", large_pile, {} }, HashedScene{ "metal", dented_metal, {} },
-		HashedScene{ "turning", [] { return mixed_world(2); }, {} }, HashedScene{ "carts", carts, {} } };
+		HashedScene{ "turning", [] { return mixed_world(2); }, {} }, HashedScene{ "carts", carts, {} },
+		HashedScene{ "characters", characters, flood, draw_characters } };
 	return scenes;
 }
 

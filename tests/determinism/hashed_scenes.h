@@ -12,17 +12,21 @@
 
 namespace softbody::testing {
 
+class BitHash;
+
 struct HashedScene {
 	const char *name;
 	std::function<WorldData()> make;
 	std::function<void(WorldData &world, int tick)> drive; ///< before each tick; may be empty
+	std::function<void(const WorldData &world, BitHash &hash)> draw = {}; ///< adds what is drawn of the end; may be empty
 };
 
 /// Built by functions whose bits are the same on every machine (core/base/elementary.h), and by no random numbers. Between
-/// them they have joints, pins, self contacts, dents, cut pieces, every integrator and elastic model, and dynamic rigid bodies.
+/// them they have joints, pins, self contacts, dents, cut pieces, every integrator and elastic model, dynamic rigid bodies, drawn
+/// outlines with holes that few points stand for, ropes, and fluids.
 std::span<const HashedScene> hashed_scenes();
 
-/// Of all states and contacts after `ticks` steps of 1/60 s.
+/// Of all states and contacts after `ticks` steps of 1/60 s, and of what is drawn then.
 std::uint64_t run_hashed(const HashedScene &scene, int ticks, const ParallelFor &parallel_for);
 /// Of the states alone; after a third of the ticks all bodies are saved, stepped on for `detour` ticks, and put back.
 std::uint64_t run_hashed_with_detour(const HashedScene &scene, int ticks, int detour, const ParallelFor &parallel_for);

@@ -32,7 +32,7 @@ TEST_CASE("scenes end in the bits that they always have ended in, on every proce
 		std::string scene;
 		std::uint64_t hash;
 	};
-	const std::array<Golden, 7> golden = { {
+	const std::array<Golden, 8> golden = { {
 			{ "mixed", 0x47487506aca3fef0u },
 			{ "chain", 0xfec3670d30c8f09bu },
 			{ "ribbons", 0xb6d72f83592125e6u },
@@ -40,6 +40,7 @@ TEST_CASE("scenes end in the bits that they always have ended in, on every proce
 			{ "metal", 0x41008d39aeeb81a5u },
 			{ "turning", 0x6fe2ea410686c536u },
 			{ "carts", 0xec721fc486ef4dcau },
+			{ "characters", 0x6807337eb4d17efcu },
 	} };
 	REQUIRE(hashed_scenes().size() == golden.size());
 	for (std::size_t i = 0; i < golden.size(); ++i) {

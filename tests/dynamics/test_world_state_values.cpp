@@ -234,24 +234,31 @@ TEST_CASE("every value that a body remembers is in the state of its world, whate
 }
 
 TEST_CASE("what lasts for one step only does not come back with a state") {
-	WorldData world = two_bodies();
-	Simulator simulator(world);
-	SoftBodyData &body = world.soft_bodies()[0];
-	const BodyState plain = state_of(body);
-	WorldState reader;
-	const Bytes bytes = reader.save(simulator, {}).value();
-	for (int round = 0; round < 2; ++round) { // the second one finds what the first has left in the reader's memory
-		BodyState other = plain;
-		other.positions[0].x += 1;
-		other.touch.ended = true;
-		other.touch.missing = 3;
-		other.touch.work = 5;
-		other.rest.restored = 4;
-		other.pair_touches = { { world.id_at(1), { true, 2, true, 1 } } };
-		put(body, other);
-		REQUIRE_FALSE(reader.read(simulator, {}, bytes));
-		reader.put_back(simulator);
-		CHECK(state_of(body) == plain);
+	for (const bool has_pair_touch : { false, true }) {
+		CAPTURE(has_pair_touch);
+		WorldData world = two_bodies();
+		Simulator simulator(world);
+		SoftBodyData &body = world.soft_bodies()[0];
+		BodyState plain = state_of(body);
+		if (has_pair_touch) {
+			plain.pair_touches = { { world.id_at(1), { true, 4, false, 3 } } };
+			put(body, plain);
+		}
+		WorldState reader;
+		const Bytes bytes = reader.save(simulator, {}).value();
+		for (int round = 0; round < 2; ++round) { // the second one finds what the first has left in the reader's memory
+			BodyState other = plain;
+			other.positions[0].x += 1;
+			other.touch.ended = true;
+			other.touch.missing = 3;
+			other.touch.work = 5;
+			other.rest.restored = 4;
+			other.pair_touches = { { world.id_at(1), { true, 2, true, 1 } } };
+			put(body, other);
+			REQUIRE_FALSE(reader.read(simulator, {}, bytes));
+			reader.put_back(simulator);
+			CHECK(state_of(body) == plain);
+		}
 	}
 }
 
