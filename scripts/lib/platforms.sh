@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Other processors and systems than this one: builds for them, and runs what was built by emulators.
 #
-# Needs common.sh, godot.sh and build.sh, and `count` and `count_doctest` of scripts/test.sh. docs/platforms.md says what was run.
+# Needs common.sh, godot.sh and build.sh, and `count`, `count_doctest` and `count_engine` of scripts/test.sh. docs/platforms.md says what was run.
 
 OWN_HASHES=$LOG_DIR/platform_own.log
 PLATFORMS=(linux-arm64 linux-arm64-godot windows web macos linux-old)
