@@ -27,9 +27,9 @@
 #   determinism  whether gcc and clang, at -O0, -O2 and -O3, on one to eight threads, compute the same bits
 #   leaks        the tests inside of Godot once more, with the extension under AddressSanitizer, UndefinedBehaviorSanitizer
 #                and LeakSanitizer; arguments after it are the filters of godot_project/tests/run.gd
-#   platforms    portable, with all tests of the core, for more platforms: linux-arm64, windows, web, macos, linux-old; arguments
-#                after it choose among them, and --hashes before them leaves everything out but the bits. docs/platforms.md says
-#                how long each takes
+#   platforms    portable, with all tests of the core, for more platforms: linux-arm64, windows, web, macos, linux-old; and
+#                linux-arm64-godot, the tests of the nodes in a Godot for arm64. Arguments after it choose among them, and --hashes
+#                before them leaves everything out but the bits. docs/platforms.md says how long each takes
 # All from sanitize on build the core anew for each variant: some minutes each, on two cores, the first time.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"

@@ -2,10 +2,10 @@
 extends SceneTree
 ## Runs the tests inside the engine: every method `test_*` of every suite `res://tests/test_*.gd`.
 ##
-##     godot --headless --fixed-fps 60 --path godot_project --script res://tests/run.gd [-- [--levels] [--without=FILTER] [FILTER...]]
+##     godot --headless --fixed-fps 60 --path godot_project --script res://tests/run.gd [-- [--levels] [--without=FILTER...] [FILTER...]]
 ##
 ## With `--levels` bodies change their level every ten ticks: rigid flight is switched on and off in turn.
-## With filters only tests run whose "suite/test" contains one of them, and none that contains what follows `--without=`. One
+## With filters only tests run whose "suite/test" contains one of them, and none that contains what follows a `--without=`. One
 ## line a failure, last line `N passed, N failed`, and `, N skipped` if tests could not be done here: those of drawing need
 ## a window, without `--headless`. Exit code 1 if anything failed or nothing ran. Tests provoke errors on purpose, and the
 ## engine prints them; one that was not expected makes its test fail and is quoted in the list of failures at the end.
@@ -25,7 +25,7 @@ const SAME_BITS := [
 const REQUIRED: Array[StringName] = [&"SoftBody2D", &"SoftBodySimulation2D"]
 
 var _filters := PackedStringArray()
-var _without := ""
+var _without := PackedStringArray()
 var _changes_levels := false
 var _passed := 0
 var _failed := 0
@@ -44,7 +44,7 @@ func _run() -> void:
 			_changes_levels = true
 			physics_frame.connect(_change_levels)
 		elif argument.begins_with("--without="):
-			_without = argument.trim_prefix("--without=")
+			_without.append(argument.trim_prefix("--without="))
 		else:
 			_filters.append(argument)
 	for name in REQUIRED:
@@ -109,12 +109,16 @@ func _run_suite(path: String) -> void:
 	var passed_before := _passed
 	for test in tests:
 		var label := suite_name + "/" + test
-		if (_without != "" and _without in label) or (_changes_levels and label in SAME_BITS):
+		if _is_in(_without, label) or (_changes_levels and label in SAME_BITS):
 			continue
-		if _filters.is_empty() or Array(_filters).any(func(filter: String) -> bool: return filter in label):
+		if _filters.is_empty() or _is_in(_filters, label):
 			await _run_test(script, test, label)
 	if _passed > passed_before:
 		print("%s: %d passed" % [suite_name, _passed - passed_before])
+
+
+func _is_in(filters: PackedStringArray, label: String) -> bool:
+	return Array(filters).any(func(filter: String) -> bool: return filter in label)
 
 
 func _is_suite(script: Script) -> bool:

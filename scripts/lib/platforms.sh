@@ -2,23 +2,29 @@
 # SPDX-License-Identifier: MIT
 # Other processors and systems than this one: builds for them, and runs what was built by emulators.
 #
-# Needs common.sh, godot.sh and build.sh, and `count` and `count_doctest` of scripts/test.sh. docs/platforms.md says what was run.
+# Needs common.sh, godot.sh and build.sh, and `count`, `count_doctest` and `count_engine` of scripts/test.sh. docs/platforms.md says what was run.
 
 OWN_HASHES=$LOG_DIR/platform_own.log
-PLATFORMS=(linux-arm64 windows web macos linux-old)
+PLATFORMS=(linux-arm64 linux-arm64-godot windows web macos linux-old)
 ARM64_CXX=aarch64-linux-gnu-g++
 WINDOWS_CXX=x86_64-w64-mingw32-g++-posix
 OBJDUMP=objdump # one that knows the library's processor
 LARGEST_GLIBC=2.28 # that of Godot's own builds
 FOREIGN_INCLUDE=$REPO_DIR/build/foreign_include
+ARM64_GODOT_ROOT=$CACHE_DIR/godot-root-arm64
+# What cannot hold in an emulator: no window, and threads that end, with which user emulation loses memory.
+ARM64_GODOT_WITHOUT=(test_drawing test_abuse/test_scenes_change_while_threads_run)
 WEB_ROOT=$CACHE_DIR/web-root
 WEB_BIN=$REPO_DIR/build/web-bin
+# As Godot's own program for browsers is linked: with all of the libraries, of which the extension takes what it needs.
+WEB_STUB=(-sMAIN_MODULE=1 -sWASM_BIGINT -sALLOW_MEMORY_GROWTH=1 -sEXIT_RUNTIME=1 -sNODERAWFS=1 "-sSUPPORT_LONGJMP='wasm'" -lstdc++)
 HASHES_ONLY= # by test_platforms: nothing but the bits
 
 # need_platform NAME: installs the compiler and the emulator of that platform.
 need_platform() {
 	case $1 in
 		linux-arm64) need_packages scons g++ g++-aarch64-linux-gnu qemu-user doctest-dev ;;
+		linux-arm64-godot) need_packages scons g++ g++-aarch64-linux-gnu qemu-user && need_arm64_godot ;;
 		windows) need_packages scons g++ g++-mingw-w64-x86-64-posix wine doctest-dev ;;
 		web) need_packages scons g++ doctest-dev && need_emscripten ;;
 		*) need_packages scons g++ ;;
@@ -35,6 +41,24 @@ compiler_of() {
 		windows) echo "$WINDOWS_CXX" ;;
 		web) echo em++ ;;
 	esac
+}
+
+# need_arm64_godot: Debian testing's engine for arm64 in a folder of its own, which is the root directory for the emulator.
+need_arm64_godot() {
+	local part=$ARM64_GODOT_ROOT.part log=$LOG_DIR/arm64_godot_install.log
+	[[ ! -x $ARM64_GODOT_ROOT/usr/bin/godot ]] || return 0
+	need_packages mmdebstrap debian-archive-keyring || return 1
+	step "Installing Godot for arm64 into $ARM64_GODOT_ROOT (483 MB)"
+	rm -rf "$part" "$ARM64_GODOT_ROOT"
+	mkdir -p "$part/tmp"
+	TMPDIR=$part/tmp mmdebstrap --variant=extract --mode=chrootless --architectures=arm64 --format=tar \
+		--aptopt='Acquire::Check-Valid-Until "false"' --aptopt='Acquire::Retries "3"' \
+		--include=godot,libgl1-mesa-dri,libegl-mesa0,libgl1,libegl1 testing - 2>"$log" </dev/null |
+		tar -x --no-same-owner --exclude=./dev --exclude=./tmp -C "$part" ||
+		{ problem "could not install Godot for arm64 (see $log)"; return 1; }
+	rm -rf "$part/tmp"
+	[[ -e $part/lib ]] || ln -s usr/lib "$part/lib"
+	mv "$part" "$ARM64_GODOT_ROOT"
 }
 
 # need_emscripten: the em++ on the PATH if its library knows C++20, else that of Debian 13 in a folder of its own, which is the root
@@ -62,7 +86,7 @@ need_emscripten() {
 	# Its own libraries are in a folder that nobody may write to, and its settings say so.
 	mkdir -p "$WEB_BIN" "$CACHE_DIR/emscripten" "$WEB_ROOT"{/tmp,/dev,/proc}
 	sed 's/^FROZEN_CACHE.*/FROZEN_CACHE = False/' "$WEB_ROOT/usr/share/emscripten/.emscripten" >"$CACHE_DIR/emscripten/config"
-	for name in em++ node; do
+	for name in emcc em++ emar emranlib node; do
 		cat >"$WEB_BIN/$name" <<-END
 			#!/usr/bin/env bash
 			exec bwrap --bind "$WEB_ROOT" / --dev /dev --proc /proc --bind "$REPO_DIR" "$REPO_DIR" --bind /tmp /tmp \\
@@ -124,10 +148,12 @@ own_hashes() {
 		{ problem "the scenes do not end on this machine (see $log)"; return 1; }
 }
 
-# test_hashes NAME LEVEL TICKS [_double]: whether the scenes end there in the bits of own_hashes. Says so, with the hash of all hashes.
+# test_hashes NAME LEVEL TICKS [_double [_nothreads]]: whether the scenes end there in the bits of own_hashes. Says so, with the hash of
+# all hashes. WebAssembly with threads steps on two of them, too.
 test_hashes() {
-	local name=$1 program log=$LOG_DIR/platform_$1${4:-}.log start=$SECONDS built
-	program=hashes_$(compiler_of "$name")_$2${4:-}
+	local name=$1 program log=$LOG_DIR/platform_$1${4:-}${5:-}.log start=$SECONDS built threads=1
+	program=hashes_$(compiler_of "$name")_$2${5:-}${4:-}
+	[[ $name != web || -n ${5:-} ]] || threads=2
 	if ! foreign_scons "$name" "$program" >"$log.build" 2>&1; then
 		tail -n 5 "$log.build" >&2
 		problem "the core does not compile for $name (see $log.build)"
@@ -135,7 +161,7 @@ test_hashes() {
 		return
 	fi
 	built=$((SECONDS - start))
-	if run_foreign "$name" $((3 * TIME_LIMIT)) "$(foreign_program "$name" "determinism/$program")" 1 "$3" >"$log" &&
+	if run_foreign "$name" $((3 * TIME_LIMIT)) "$(foreign_program "$name" "determinism/$program")" $threads "$3" >"$log" &&
 		cmp -s "$OWN_HASHES${4:-}" "$log"; then
 		count 0 1 0
 	else
@@ -143,7 +169,8 @@ test_hashes() {
 		echo "FAILED: $name computes other bits"
 		count 0 0 1
 	fi
-	PLATFORM_LINE+="${4:+,} ${4:+double }hash $(sed -n 's/^all //p' "$log"), built in $built s, run in $((SECONDS - start - built)) s"
+	[[ $PLATFORM_LINE != *hash* ]] || PLATFORM_LINE+=,
+	PLATFORM_LINE+="${5:+ without threads}${4:+ double} hash $(sed -n 's/^all //p' "$log"), built in $built s, run in $((SECONDS - start - built)) s"
 	echo "$PLATFORM_LINE"
 }
 
@@ -173,6 +200,7 @@ need_stub_host() {
 	case ${1:-} in
 		windows) compiler=${WINDOWS_CXX/g++/gcc} ending=.exe libraries=() ;;
 		linux-arm64) compiler=${ARM64_CXX/g++/gcc} ending=.arm64 ;;
+		web) compiler=emcc ending=.js libraries=("${WEB_STUB[@]}") ;;
 	esac
 	need_packages python3 g++ || return 1
 	need_godot_cpp || return 1
@@ -254,7 +282,7 @@ test_platforms() {
 	fi
 	[[ $# -gt 0 ]] || set -- "${PLATFORMS[@]}"
 	for name in "$@"; do
-		[[ " ${PLATFORMS[*]} " == *" $name "* && (-z $HASHES_ONLY || ! $name =~ macos|linux-old) ]] || { problem "no platform $name: ${PLATFORMS[*]}"; return 1; }
+		[[ " ${PLATFORMS[*]} " == *" $name "* && (-z $HASHES_ONLY || ! $name =~ godot|macos|linux-old) ]] || { problem "no platform $name: ${PLATFORMS[*]}"; return 1; }
 	done
 	need_packages scons g++ doctest-dev || return 1
 	own_hashes O2 240 || return 1
@@ -280,7 +308,7 @@ test_platforms() {
 # test_foreign_library NAME LIBRARY [SCONS ARGUMENTS…]: whether the release library links for that platform, and a stub host that
 # answers as Godot 4.3 gets through its entry.
 test_foreign_library() {
-	local name=$1 library=addons/soft_body_2d/bin/$2 start=$SECONDS status=passed log=$LOG_DIR/platform_library_$1.log
+	local name=$1 library=addons/soft_body_2d/bin/$2 start=$SECONDS status=passed log=$LOG_DIR/platform_library_$2.log
 	[[ -z $HASHES_ONLY ]] || return 0
 	if ! CXX=$(compiler_of "$name") build_extension "${@:3}" target=template_release >"$log" 2>&1; then
 		problem "the library does not link for $name (see $log)" || true
@@ -294,7 +322,9 @@ test_foreign_library() {
 		status=FAILED
 		count 0 0 1
 	fi
+	[[ $2 != *.nothreads.* ]] || PLATFORM_LINE+=", without threads"
 	PLATFORM_LINE+=", library in a stub host: $status, $((SECONDS - start)) s"
+	echo "$PLATFORM_LINE"
 }
 
 # User emulation loses memory with every thread that ends, so nothing of the suites with threads.
@@ -307,6 +337,24 @@ test_on_linux_arm64() {
 	[[ -n $HASHES_ONLY ]] || OBJDUMP=aarch64-linux-gnu-objdump test_old_glibc "$REPO_DIR/addons/soft_body_2d/bin/$library"
 }
 
+# The tests of the nodes in Debian's Godot for arm64, without a window.
+test_on_linux_arm64_godot() {
+	local log=$LOG_DIR/platform_arm64_godot.log start=$SECONDS status=0 built version
+	local GODOT_COMMAND=(qemu-aarch64 -L "$ARM64_GODOT_ROOT" "$ARM64_GODOT_ROOT/usr/bin/godot")
+	CXX=$ARM64_CXX build_extension platform=linux arch=arm64 target=template_debug >"$log.build" 2>&1 ||
+		{ problem "the library does not link for arm64 (see $log.build)"; return 1; }
+	built=$((SECONDS - start))
+	version=$(godot_version "${GODOT_COMMAND[@]}")
+	import_project || return 1
+	godot_headless $((9 * TIME_LIMIT)) --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd \
+		-- "${ARM64_GODOT_WITHOUT[@]/#/--without=}" >"$log" 2>&1 || status=$?
+	count_engine "$status" "$log"
+	sed -n '/^What failed:$/,$p' "$log"
+	PLATFORM_LINE+=" Godot $version, suite $(sed -nE 's/^([0-9]+) passed, ([0-9]+) failed.*/\1 passed \2 failed/p' "$log" | tail -n 1)"
+	PLATFORM_LINE+=", built in $built s, run in $((SECONDS - start - built)) s"
+	echo "$PLATFORM_LINE"
+}
+
 test_on_windows() {
 	test_hashes windows O2 240
 	test_hashes windows O2 240 _double
@@ -314,12 +362,17 @@ test_on_windows() {
 	test_foreign_library windows libsoft_body_2d.windows.template_release.x86_64.dll platform=windows use_mingw=yes
 }
 
-# The core, under Node.
+# The core and the library under Node, for pages that share memory between threads, and for those that do not.
 test_on_web() {
+	local library=libsoft_body_2d.web.template_release.wasm32
 	PLATFORM_LINE+=" emscripten $(em++ --version 2>/dev/null | sed -nE 's/.* ([0-9]+\.[0-9]+\.[0-9]+) .*/\1/p' | head -n 1),"
 	test_hashes web O2 240
 	test_hashes web O2 240 _double
+	test_hashes web O2 240 '' _nothreads
 	test_foreign_core web
+	test_foreign_library web $library.nothreads.wasm platform=web threads=no
+	WEB_STUB+=(-pthread)
+	test_foreign_library web $library.wasm platform=web threads=yes
 }
 
 # write_zig_tool VENV COMMAND PATH: a program that calls Zig's compiler for macOS, without the flag that names a processor once more.
