@@ -40,7 +40,7 @@ TEST_CASE("scenes end in the bits that they always have ended in, on every proce
 			{ "metal", 0x41008d39aeeb81a5u },
 			{ "turning", 0x6fe2ea410686c536u },
 			{ "carts", 0xec721fc486ef4dcau },
-			{ "characters", 0x6807337eb4d17efcu },
+			{ "characters", 0x04b878be783d55b1u },
 	} };
 	REQUIRE(hashed_scenes().size() == golden.size());
 	for (std::size_t i = 0; i < golden.size(); ++i) {
