@@ -30,7 +30,7 @@ var body_values := {
 	"linear_velocity": Vector2(30, 20), "angular_velocity": 0.5, "constant_force": Vector2(4, 0), "constant_torque": 8.0,
 	"integrator": SoftBody2D.INTEGRATOR_MIDPOINT, "substeps": 9, "collision_layer": 5, "collision_mask": 3,
 	"self_collision": 1, "collision_proxy_enabled": false, "collision_proxy_margin": 2.0, "contact_monitor": true,
-	"max_contacts_reported": 4, "sleeping": true, "can_sleep": false, "lock_rotation": true, "input_pickable": true, "freeze": true, "simulate_off_screen": false,
+	"max_contacts_reported": 4, "sleeping": true, "can_sleep": false, "lock_rotation": true, "input_pickable": true, "freeze": true, "simulate_off_screen": false, "important": true,
 	"failure_mode": 1, "disable_mode": 1, "color": Color(0.25, 0.5, 0.75), "antialiased": true, "smooth": true, "look": SoftBody2D.LOOK_SOFT,
 	"vertex_colors": PackedColorArray([Color.RED, Color.GREEN, Color.BLUE, Color.WHITE, Color.BLACK, Color.RED, Color.GREEN]),
 	"uv": PackedVector2Array([Vector2(0, 0), Vector2(8, 0), Vector2(16, 0), Vector2(16, 8), Vector2(16, 16), Vector2(8, 16),
