@@ -36,9 +36,9 @@ constexpr int SHELF_BODIES = 30;
 constexpr double SHELF_HEIGHT = 400; // px
 constexpr double DRIFT = 15; // px/s
 constexpr double DRIFT_SPACING = 220; // px
-constexpr double SETTLE = 1.4; // s before a tick counts
+constexpr double SETTLE = 4; // s before a tick counts
 constexpr double MEASURED = 0.7; // s
-constexpr double QUICK_SETTLE = 1.2;
+constexpr double QUICK_SETTLE = 4; // as long: less, and nothing sleeps yet
 constexpr double QUICK_MEASURED = 0.7;
 
 // How a crowd is simulated.
