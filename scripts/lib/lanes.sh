@@ -37,12 +37,13 @@ end_part() {
 	[[ $more_failed -eq 0 ]] || FAILED_PARTS+=("$1")
 }
 
-# show_failures: what failed once more, at the end: in the middle of thousands of lines nobody finds it.
+# show_failures: what failed once more, at the end: in the middle of thousands of lines nobody finds it. Lines that begin with ERROR are
+# not meant: Godot prints them for errors that tests provoke on purpose.
 show_failures() {
 	local name lines
 	for name in ${FAILED_PARTS[@]+"${FAILED_PARTS[@]}"}; do
 		echo "==> Failed in part $name:"
-		lines=$(grep -E 'FAILED|ERROR|error:|Traceback|^FAIL:' "$LANE_DIR/$name.log" | grep -vE ' 0 failed|FAILED +0' | head -n 20 | cut -c1-400) || true
+		lines=$(grep -E '^FAILED|^error:|^FAIL: |^[^ ]+\.(cpp|h):[0-9]+: (FATAL )?ERROR' "$LANE_DIR/$name.log" | awk '!seen[$0]++' | head -n 20 | cut -c1-400) || true
 		if [[ -n $lines ]]; then echo "$lines"; else tail -n 20 "$LANE_DIR/$name.log" | cut -c1-400; fi
 	done
 }
