@@ -77,6 +77,14 @@ TEST_CASE("levels come back one by one where there is room, and stay where there
 	CHECK(std::strcmp(budget.reason(), "within_budget") == 0);
 }
 
+TEST_CASE("the first level that is given up comes back as soon as any, however early it was needed") {
+	StepBudget budget = budget_of(4);
+	note(budget, 5, StepBudget::OVER_TICKS);
+	REQUIRE(budget.depth() == 1);
+	note(budget, 1, StepBudget::UP_TICKS);
+	CHECK(budget.depth() == 0);
+}
+
 TEST_CASE("a budget that is set anew, or taken away, gives all back") {
 	StepBudget budget = budget_of(4);
 	note(budget, 5, 100);

@@ -43,7 +43,7 @@ private:
 	int depth_ = 0;
 	int over_ = 0; ///< steps in a row
 	int room_ = 0; ///< steps in a row
-	int since_up_ = 0; ///< steps since the last level up
+	int since_up_ = UP_TICKS + 1; ///< steps since the last level up; as after a long time if there was none
 	int patience_ = 1;
 };
 
