@@ -36,10 +36,8 @@ constexpr int SHELF_BODIES = 30;
 constexpr double SHELF_HEIGHT = 400; // px
 constexpr double DRIFT = 15; // px/s
 constexpr double DRIFT_SPACING = 220; // px
-constexpr double SETTLE = 4; // s before a tick counts
+constexpr double SETTLE = 4; // s before a tick counts; less, and nothing sleeps yet
 constexpr double MEASURED = 0.7; // s
-constexpr double QUICK_SETTLE = 4; // as long: less, and nothing sleeps yet
-constexpr double QUICK_MEASURED = 0.7;
 
 // How a crowd is simulated.
 struct Way {
@@ -185,8 +183,8 @@ std::vector<Measured> measure_crowds(std::span<const Way> ways, bool may_sleep, 
 		all[i].points /= double(all[i].kinds.size());
 		all[i].crowd = std::make_unique<Crowd>(all[i].kinds, bodies, may_sleep, ways[i].flies);
 	}
-	const int settle = int((options.quick ? QUICK_SETTLE : SETTLE) / TICK);
-	const int measured = int((options.quick ? QUICK_MEASURED : MEASURED) / TICK);
+	const int settle = int(SETTLE / TICK);
+	const int measured = int(MEASURED / TICK);
 	for (int tick = 0; tick < settle + measured; ++tick) {
 		for (Measured &each : all) {
 			const Stopwatch watch;

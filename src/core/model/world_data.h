@@ -41,7 +41,7 @@ public:
 	Status set_contact_substeps(int contact_substeps);
 
 	/// Whether bodies of elastic material that touch nothing and hardly wobble are moved as rigid ones, with three degrees of freedom
-	/// (`RigidFlight`): cheaper, and without the last of their wobble. Default false.
+	/// (`FlightSlice`): cheaper, and without the last of their wobble. Default false.
 	bool has_rigid_flight() const { return rigid_flight_; }
 	void set_rigid_flight(bool flies) { rigid_flight_ = flies; }
 
