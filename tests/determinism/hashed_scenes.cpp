@@ -8,6 +8,7 @@
 #include "core/creator/rope_creator.h"
 #include "core/creator/simplify_outline.h"
 #include "core/dynamics/fluid_forces.h"
+#include "core/model/rigid_motion.h"
 #include "core/skin/hole_binding.h"
 #include "core/skin/outline_binding.h"
 #include "scenes/fine_outlines.h"
@@ -250,6 +251,29 @@ void draw_characters(const WorldData &world, BitHash &hash) {
 	}
 }
 
+// Discs and boxes of elastic material thrown up between walls. They fly as rigid bodies while the world lets them, and wobble on
+// each time that it no longer does, in the air, at the floor and on one another.
+WorldData flyers() {
+	WorldData world = floor_world();
+	world.add_border({ { { -700, 0 }, { 1, 0 } }, {} });
+	world.add_border({ { { 700, 0 }, { -1, 0 } }, {} });
+	const std::vector<Vec2> box = box_hull({ 90, 60 }, 15).value();
+	for (int i = 0; i < 30; ++i) {
+		Metal metal{ i % 4 == 3 ? ElasticModel::TRIANGLES : ElasticModel::MODES };
+		metal.yield = 0;
+		const Vec2 place{ Real(i % 10) * 135 - 605, -200 - Real(i / 10) * 150 };
+		SoftBodyData body = i % 3 == 1 ? metal_body(box, metal, place) : metal_disc(metal, place);
+		(void)set_linear_velocity(body, { Real(30 * (i % 5) - 60), Real(-500 - 40 * (i / 10)) });
+		(void)set_angular_velocity(body, Real(0.4) * Real(i % 7 - 3));
+		world.add_soft_body(std::move(body));
+	}
+	return world;
+}
+
+void change_level(WorldData &world, int tick) {
+	world.set_rigid_flight(tick % 40 < 30);
+}
+
 class Run {
 public:
 	Run(const HashedScene &scene, const ParallelFor &parallel_for) :
@@ -304,11 +328,11 @@ private:
 } // namespace
 
 std::span<const HashedScene> hashed_scenes() {
-	static const std::array<HashedScene, 8> scenes = { HashedScene{ "mixed", [] { return mixed_world(); }, {} },
+	static const std::array<HashedScene, 9> scenes = { HashedScene{ "mixed", [] { return mixed_world(); }, {} },
 		HashedScene{ "chain", chain_of_bodies, carry_pin }, HashedScene{ "ribbons", folding_ribbons, {} },
 		HashedScene{ "pile", large_pile, {} }, HashedScene{ "metal", dented_metal, {} },
 		HashedScene{ "turning", [] { return mixed_world(2); }, {} }, HashedScene{ "carts", carts, {} },
-		HashedScene{ "characters", characters, flood, draw_characters } };
+		HashedScene{ "characters", characters, flood, draw_characters }, HashedScene{ "flyers", flyers, change_level } };
 	return scenes;
 }
 

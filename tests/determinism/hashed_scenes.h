@@ -23,7 +23,7 @@ struct HashedScene {
 
 /// Built by functions whose bits are the same on every machine (core/base/elementary.h), and by no random numbers. Between
 /// them they have joints, pins, self contacts, dents, cut pieces, every integrator and elastic model, dynamic rigid bodies, drawn
-/// outlines with holes that few points stand for, ropes, and fluids.
+/// outlines with holes that few points stand for, ropes, fluids, and bodies that change between flying as rigid ones and bending.
 std::span<const HashedScene> hashed_scenes();
 
 /// Of all states and contacts after `ticks` steps of 1/60 s, and of what is drawn then.

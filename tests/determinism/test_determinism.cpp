@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -32,7 +33,7 @@ TEST_CASE("scenes end in the bits that they always have ended in, on every proce
 		std::string scene;
 		std::uint64_t hash;
 	};
-	const std::array<Golden, 8> golden = { {
+	const std::array<Golden, 9> golden = { {
 			{ "mixed", 0x47487506aca3fef0u },
 			{ "chain", 0xfec3670d30c8f09bu },
 			{ "ribbons", 0xb6d72f83592125e6u },
@@ -41,6 +42,7 @@ TEST_CASE("scenes end in the bits that they always have ended in, on every proce
 			{ "turning", 0x6fe2ea410686c536u },
 			{ "carts", 0xec721fc486ef4dcau },
 			{ "characters", 0x04b878be783d55b1u },
+			{ "flyers", 0x2b112a7a3d5a586bu },
 	} };
 	REQUIRE(hashed_scenes().size() == golden.size());
 	for (std::size_t i = 0; i < golden.size(); ++i) {
@@ -48,6 +50,23 @@ TEST_CASE("scenes end in the bits that they always have ended in, on every proce
 		REQUIRE(golden[i].scene == hashed_scenes()[i].name);
 		CHECK(run_hashed(hashed_scenes()[i], 90, {}) == golden[i].hash);
 	}
+}
+
+TEST_CASE("the hashed flyers fly, bend in the air and lie on the floor") {
+	const HashedScene &scene = hashed_scenes().back();
+	WorldData world = scene.make();
+	Simulator simulator(world);
+	std::size_t changes = 0, last = 0, most = 0;
+	for (int tick = 0; tick < 240; ++tick) {
+		scene.drive(world, tick);
+		const std::size_t flying = simulator.simulate(Real(1) / 60).flying_bodies;
+		changes += (flying > 0) != (last > 0);
+		most = std::max(most, flying);
+		last = flying;
+	}
+	CHECK(most >= 20);
+	CHECK(changes >= 4);
+	CHECK(last == 0);
 }
 
 TEST_CASE("scenes end in the same bits with a team whose helpers stay from call to call" * doctest::test_suite("threads")) {
