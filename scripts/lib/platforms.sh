@@ -174,6 +174,16 @@ test_hashes() {
 	echo "$PLATFORM_LINE"
 }
 
+# say_times NAME PROGRAM: what a tick of each hashed scene takes there on one thread, beside this machine's own program [µs]. No test.
+say_times() {
+	local own=$LOG_DIR/platform_times_own.log foreign=$LOG_DIR/platform_times_$1.log
+	[[ -z $HASHES_ONLY ]] || return 0
+	limited "$TIME_LIMIT" "$REPO_DIR/build/determinism/hashes_g++_O2" 1 240 times >"$own" || return 0
+	run_foreign "$1" "$TIME_LIMIT" "$(foreign_program "$1" "determinism/$2")" 1 240 times >"$foreign" || return 0
+	echo "µs a tick, one thread, the least of three runs: scene, bodies, this machine, $1, times as long"
+	paste -d ' ' "$own" "$foreign" | awk '{ printf "  %-10s %4d %7d %7d %6.2f\n", $1, $2, $3, $6, $6 / $3 }'
+}
+
 # test_foreign_core NAME [OPTION…]: the tests of the core there, with options of doctest.
 test_foreign_core() {
 	local name=$1 log=$LOG_DIR/platform_core_$1.log start=$SECONDS status=0
@@ -369,6 +379,7 @@ test_on_web() {
 	test_hashes web O2 240
 	test_hashes web O2 240 _double
 	test_hashes web O2 240 '' _nothreads
+	say_times web hashes_em++_O2_nothreads
 	test_foreign_core web
 	test_foreign_library web $library.nothreads.wasm platform=web threads=no
 	WEB_STUB+=(-pthread)

@@ -16,6 +16,7 @@
 #include "scenes/mixed.h"
 
 #include <array>
+#include <chrono>
 #include <vector>
 
 namespace softbody::testing {
@@ -340,6 +341,13 @@ std::uint64_t run_hashed(const HashedScene &scene, int ticks, const ParallelFor 
 	Run run(scene, parallel_for);
 	run.advance(ticks);
 	return run.all();
+}
+
+double time_hashed(const HashedScene &scene, int ticks) {
+	Run run(scene, {});
+	const auto start = std::chrono::steady_clock::now();
+	run.advance(ticks);
+	return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count() / ticks;
 }
 
 std::uint64_t run_hashed_with_detour(const HashedScene &scene, int ticks, int detour, const ParallelFor &parallel_for) {
