@@ -152,9 +152,7 @@ Points deformed(const SoftBodyShape &shape, Deformation deformation, Random &ran
 softbody::SoftBodyData body_at(const Shape &shape, const BodySettings &settings, const Points &points) {
 	softbody::SoftBodyData body = take(softbody::SoftBodyData::create(shape, settings));
 	for (std::size_t i = 0; i < points.size(); ++i) {
-		if (const softbody::Status status = body.set_point(std::uint32_t(i), points[i], {})) {
-			throw std::runtime_error(status->message());
-		}
+		check(body.set_point(std::uint32_t(i), points[i], {}));
 	}
 	return body;
 }

@@ -39,6 +39,13 @@ T take(softbody::Result<T> result) {
 	return std::move(result.value());
 }
 
+/// Ends the bench likewise if the core refused.
+inline void check(const softbody::Status &status) {
+	if (status) {
+		throw std::runtime_error(status->message());
+	}
+}
+
 using Shape = std::shared_ptr<const softbody::SoftBodyShape>;
 using Points = std::vector<softbody::Vec2>;
 

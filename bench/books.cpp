@@ -34,12 +34,6 @@ constexpr double PIXELS_A_METER = 100;
 constexpr double GRAVITY = 980; // px/s²
 constexpr double DEGREE = std::numbers::pi / 180;
 
-void check(const softbody::Status &status) {
-	if (status) {
-		throw std::runtime_error(status->message());
-	}
-}
-
 WorldData world_of(Vec2 gravity) {
 	WorldData world;
 	check(world.set_length_unit(Real(PIXELS_A_METER)));

@@ -15,6 +15,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+import charts_detail
 import charts_model
 import machine
 import work_precision
@@ -459,6 +460,15 @@ def chart_model(section):
     save(figure, "model")
 
 
+# --- Detail
+
+
+def chart_detail(section):
+    figure = charts_detail.figure_of(section)
+    source_note(figure, section)
+    save(figure, "detail")
+
+
 CHARTS_OF = {
     "work-precision": (chart_work_precision, chart_rounding),
     "stability": (chart_stability,),
@@ -466,6 +476,7 @@ CHARTS_OF = {
     "recovery": (chart_recovery,),
     "contact-accuracy": (chart_contacts, chart_contact_errors),
     "model": (chart_model,),
+    "detail": (chart_detail,),
 }
 
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace bench {
@@ -22,12 +21,6 @@ using softbody::Vec2;
 constexpr double MASS = 1; // kg
 
 } // namespace
-
-void check(const softbody::Status &status) {
-	if (status) {
-		throw std::runtime_error(status->message());
-	}
-}
 
 std::vector<OutlineKind> fine_outlines(bool is_quick) {
 	softbody::testing::Random random(23);

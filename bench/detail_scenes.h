@@ -36,9 +36,6 @@ double outline_distance(const Points &a, const Points &b);
 /// Sets places and velocities of a body's hull; a center point goes to their means, as a node puts it there.
 void place_points(softbody::SoftBodyData &body, const Points &positions, const Points &velocities);
 
-/// Throws if it is an error.
-void check(const softbody::Status &status);
-
 /// An empty world as nodes have it, with weight.
 softbody::WorldData weighty_world();
 

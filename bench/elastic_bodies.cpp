@@ -60,9 +60,7 @@ ElasticBody of_material(const ModelChoice &choice, const Points &hull, double ma
 	options.elastic_triangles = model == ElasticModel::TRIANGLES;
 	options.triangle_points = int(choice.inner_points * double(hull.size()));
 	ElasticBody body{ take(softbody::SoftBodyCreator::create_polygon(hull, options)), {} };
-	if (const softbody::Status refused = apply_material(material, model, *body.shape, body.settings)) {
-		throw std::runtime_error(refused->message());
-	}
+	check(apply_material(material, model, *body.shape, body.settings));
 	return body;
 }
 

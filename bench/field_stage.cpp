@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace bench {
 
@@ -28,12 +27,6 @@ constexpr int SAMPLE = 6; // ticks from one look at penetration to the next
 constexpr double JOULE = PIXELS_A_METER * PIXELS_A_METER; // kg px²/s²
 
 } // namespace
-
-void check(const softbody::Status &status) {
-	if (status) {
-		throw std::runtime_error(status->message());
-	}
-}
 
 Points rectangle(double width, double height) {
 	const Real x = Real(width / 2);

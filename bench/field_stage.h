@@ -40,9 +40,6 @@ struct NodeValues {
 	int least_substeps = 0; ///< of those, where stability needs fewer
 };
 
-/// Refused values are a fault of the bench.
-void check(const softbody::Status &status);
-
 class Stage {
 public:
 	explicit Stage(const Firmness &firmness, double gravity = FIELD_GRAVITY);

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 namespace bench {
@@ -211,11 +210,6 @@ json judge(std::span<const SoftBodyData> bodies) {
 
 json run(const Heap &heap, double patience) {
 	softbody::WorldData world;
-	const auto check = [](const softbody::Status &status) {
-		if (status) {
-			throw std::runtime_error(status->message());
-		}
-	};
 	check(world.set_length_unit(Real(PIXELS_A_METER)));
 	check(world.set_gravity({ 0, Real(GRAVITY) }));
 	check(world.add_border(wall({ 0, Real(FLOOR) }, { 0, -1 })));

@@ -92,12 +92,6 @@ softbody::Border horizontal(double y, double up) {
 	return border;
 }
 
-void check(const softbody::Status &status) {
-	if (status) {
-		throw std::runtime_error(status->message());
-	}
-}
-
 /// A world in pixels, y down.
 class Stage {
 public:

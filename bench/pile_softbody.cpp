@@ -12,7 +12,6 @@
 #include "scenes/integrator_facts.h"
 
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace bench {
@@ -77,12 +76,6 @@ public:
 	}
 
 private:
-	static void check(const softbody::Status &refused) {
-		if (refused) {
-			throw std::runtime_error(refused->message());
-		}
-	}
-
 	// Bodies share their shape, as nodes of one outline and mass do, whatever their stiffness.
 	Handle add_soft(const PileScene::Place &place) {
 		if (!shape_) {

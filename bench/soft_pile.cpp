@@ -105,9 +105,7 @@ StepTimes times_of(std::span<const Duration> steps) {
 SoftPile::SoftPile(PileScene scene, const SoftPileSettings &settings, softbody::ParallelFor parallel_for) :
 		scene_(std::move(scene)), simulator_(world_, std::move(parallel_for), thread_seconds) {
 	world_.set_gravity({ 0, -Real(scene_.gravity) });
-	if (const softbody::Status refused = world_.set_contact_substeps(settings.contact_substeps)) {
-		throw std::runtime_error(refused->message());
-	}
+	check(world_.set_contact_substeps(settings.contact_substeps));
 	world_.set_sleeping(settings.may_sleep);
 	world_.add_border(border(0, 0, { 0, 1 }));
 	if (scene_.has_walls) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Two bodies part with their restitution, and pay for it with their wobble.
+#include "core/base/constants.h"
 #include "core/collision/pair_bounce.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/simulator.h"
@@ -185,4 +186,53 @@ TEST_CASE("jumping balls take the same bits with any number of threads, though t
 		CHECK(sums.momentum == reference.momentum);
 		CHECK(sums.energy == reference.energy);
 	}
+}
+
+TEST_CASE("a touch remembers the fastest approach above the threshold, and forgets it at rest: 20,000 random pairs and touches") {
+	Random random(31);
+	int changed = 0;
+	int at_rest = 0;
+	for (int trial = 0; trial < 20'000; ++trial) {
+		SolverBody a;
+		SolverBody b;
+		for (SolverBody *body : { &a, &b }) {
+			body->inverse_mass = random.real(0.1, 2);
+			body->restitution = Real(0.3);
+			body->mass_center = random.vector(1);
+			const double fast = random.chance(0.5) ? 0.2 : 3;
+			body->mass_velocity = random.vector(fast);
+			body->acceleration = { 0, random.real(-10, 0) };
+			body->pull = Real(9.81);
+		}
+		const Real h = Real(1) / 240;
+		PairTouch touch;
+		touch.touching = random.chance(0.8);
+		touch.approach = random.chance(0.5) ? Real(0) : random.real(0.1, 2);
+		const PairTouch before = touch;
+
+		// By definition: along the line of the centers, with what their accelerations add in the substep.
+		const double x = double(a.mass_center.x) - b.mass_center.x;
+		const double y = double(a.mass_center.y) - b.mass_center.y;
+		const double along_x = (double(a.mass_velocity.x) - b.mass_velocity.x) + (double(a.acceleration.x) - b.acceleration.x) * h;
+		const double along_y = (double(a.mass_velocity.y) - b.mass_velocity.y) + (double(a.acceleration.y) - b.acceleration.y) * h;
+		const double approach = -(along_x * x + along_y * y) / std::hypot(x, y);
+		const double threshold = RESTITUTION_SUBSTEPS * h * 9.81;
+		double remembered = before.touching ? double(before.approach) : 0;
+		if (before.touching && std::abs(approach) <= threshold) {
+			remembered *= 1 - h / BOUNCE_MEMORY;
+		}
+		remembered = std::max(remembered, approach);
+		remembered = remembered > threshold ? remembered : 0;
+		if (std::abs(std::abs(approach) - threshold) < 1e-4 || std::abs(remembered - threshold) < 1e-4) {
+			continue; // either is right
+		}
+		follow_pair_bounce(a, b, { 0, 1 }, touch, h);
+		REQUIRE(touch.touching);
+		REQUIRE(touch.missing == 0);
+		REQUIRE(double(touch.approach) == doctest::Approx(remembered).epsilon(1e-4));
+		changed += before.touching && before.approach == 0 && touch.approach > 0;
+		at_rest += before == touch;
+	}
+	CHECK(changed > 1000);
+	CHECK(at_rest > 1000);
 }

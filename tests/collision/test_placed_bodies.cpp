@@ -54,7 +54,7 @@ SoftBodyData jelly_of(int points, Vec2 place) {
 
 } // namespace
 
-TEST_CASE("a body put across a thin collider comes out on the side of its middle and slides down: 300 random slopes and depths") {
+TEST_CASE("a body put across a thin collider comes out on the side of its middle and slides down: 300 random slopes and depths" * doctest::test_suite("slow")) {
 	Random random(19);
 	for (int n = 0; n < 300; ++n) {
 		CAPTURE(n);

@@ -142,7 +142,7 @@ TEST_CASE("it rolls alike on a half-plane, a box, a segment, tiles and a one-way
 	}
 }
 
-TEST_CASE("round bodies dropped at random come to rest and sleep, and nothing gains energy: 200 seeds") {
+TEST_CASE("round bodies dropped at random come to rest and sleep, and nothing gains energy: 200 seeds" * doctest::test_suite("slow")) {
 	for (std::uint32_t seed = 0; seed < 200; ++seed) {
 		CAPTURE(seed);
 		Random random(seed);

@@ -89,7 +89,7 @@ double roark(double inner, const Material &material, double force) {
 
 } // namespace
 
-TEST_CASE("a ring pressed by two opposite forces gives way as the theory of rings says") {
+TEST_CASE("a ring pressed by two opposite forces gives way as the theory of rings says" * doctest::test_suite("slow")) {
 	// 0.149 F R³ / (E I) for a thin one. Sixteen modes are kept.
 	for (const Real inner : { Real(45), Real(40), Real(32) }) {
 		for (const Real nu : { Real(0), Real(0.45) }) {

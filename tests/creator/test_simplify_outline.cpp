@@ -101,7 +101,7 @@ SimplifiedOutline simplified(const std::vector<Vec2> &outline, const SimplifyOpt
 
 } // namespace
 
-TEST_CASE("480 random outlines are simplified within the tolerance in both directions, with their area and centroid, into simple hulls") {
+TEST_CASE("480 random outlines are simplified within the tolerance in both directions, with their area and centroid, into simple hulls" * doctest::test_suite("slow")) {
 	int taken_out = 0;
 	for (int seed = 0; seed < 480; ++seed) {
 		CAPTURE(seed);

@@ -117,7 +117,7 @@ TEST_CASE("a mesh fills its outline exactly, is Delaunay, has no flipped triangl
 	}
 }
 
-TEST_CASE("a mesh holds for random dented outlines of either winding, wherever they lie") {
+TEST_CASE("a mesh holds for random dented outlines of either winding, wherever they lie" * doctest::test_suite("slow")) {
 	for (std::uint64_t seed = 0; seed < 300; ++seed) {
 		CAPTURE(seed);
 		Random random(seed);

@@ -89,7 +89,7 @@ WorldData random_crowd(std::uint64_t seed, Real damping_ratio) {
 
 } // namespace
 
-TEST_CASE("a crowd in a closed box never gains energy, whatever it is made of: 200 random crowds") {
+TEST_CASE("a crowd in a closed box never gains energy, whatever it is made of: 200 random crowds" * doctest::test_suite("slow")) {
 	int lively = 0;
 	for (int seed = 1; seed <= 200; ++seed) {
 		CAPTURE(seed);
@@ -101,7 +101,7 @@ TEST_CASE("a crowd in a closed box never gains energy, whatever it is made of: 2
 	CHECK(lively >= 150);
 }
 
-TEST_CASE("nor does a crowd of bodies with a little damping, which take fewer substeps near their rest shape: 200 random crowds") {
+TEST_CASE("nor does a crowd of bodies with a little damping, which take fewer substeps near their rest shape: 200 random crowds" * doctest::test_suite("slow")) {
 	for (int seed = 1; seed <= 200; ++seed) {
 		CAPTURE(seed);
 		WorldData world = random_crowd(std::uint64_t(seed), Real(0.01));

@@ -150,7 +150,7 @@ TEST_CASE("a number that is none, in any part of a body and before any part of a
 	}
 }
 
-TEST_CASE("likewise for bodies that touch nothing else, and for every integrator") {
+TEST_CASE("likewise for bodies that touch nothing else, and for every integrator" * doctest::test_suite("slow")) {
 	for (int i = 0; i < INTEGRATOR_COUNT; ++i) {
 		for (const bool is_free : { true, false }) {
 			const Integrator integrator = Integrator(i);

@@ -111,7 +111,7 @@ TEST_CASE("a disk dropped into still water falls asleep within twenty seconds, a
 	}
 }
 
-TEST_CASE("whatever floats falls asleep where its weight is borne: 300 bodies of any form, weight and fall, in any water") {
+TEST_CASE("whatever floats falls asleep where its weight is borne: 300 bodies of any form, weight and fall, in any water" * doctest::test_suite("slow")) {
 	double worst = 0;
 	double longest = 0;
 	for (std::uint64_t seed = 1; seed <= 300; ++seed) {

@@ -165,7 +165,7 @@ TEST_CASE("where other bodies have pushed a body is forgotten when they or the c
 	}
 }
 
-TEST_CASE("a stack of twenty squares stands for a minute, and sleeps within 20 s: of 8e4 and 1.6e5 N/m, five starts each") {
+TEST_CASE("a stack of twenty squares stands for a minute, and sleeps within 20 s: of 8e4 and 1.6e5 N/m, five starts each" * doctest::test_suite("slow")) {
 	const std::vector<Vec2> outline = { { -30, -30 }, { 0, -30 }, { 30, -30 }, { 30, 0 }, { 30, 30 }, { 0, 30 }, { -30, 30 }, { -30, 0 } };
 	constexpr int HIGH = 20;
 	for (const Real stiffness : { Real(8e4), Real(1.6e5) }) {

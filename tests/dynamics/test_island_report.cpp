@@ -139,7 +139,7 @@ TEST_CASE("islands are reported with their bodies, substeps and contact error, a
 	}
 }
 
-TEST_CASE("more contact substeps leave less error, and the report says how much: 20 heaps") {
+TEST_CASE("more contact substeps leave less error, and the report says how much: 20 heaps" * doctest::test_suite("slow")) {
 	std::map<int, double> left;
 	for (std::uint64_t seed = 1; seed <= 20; ++seed) {
 		for (const int substeps : { 4, 32 }) {

@@ -199,7 +199,7 @@ TEST_CASE("what a heap does depends on that heap alone, to the last bit") {
 	}
 }
 
-TEST_CASE("bodies of one shape go side by side, some of them in a heap, in the bits in which each goes alone") {
+TEST_CASE("bodies of one shape go side by side, some of them in a heap, in the bits in which each goes alone" * doctest::test_suite("slow")) {
 	struct Run {
 		std::vector<Vec2> points;
 		std::vector<Real> contacts;

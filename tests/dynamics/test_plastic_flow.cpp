@@ -178,7 +178,7 @@ TEST_CASE("a body that is folded does not flow") {
 	CHECK_FALSE(body.is_dented());
 }
 
-TEST_CASE("flow adds no energy, keeps center, orientation and area, folds nothing and stays below the largest dent: 400 random states of every model") {
+TEST_CASE("flow adds no energy, keeps center, orientation and area, folds nothing and stays below the largest dent: 400 random states of every model" * doctest::test_suite("slow")) {
 	int flowed = 0;
 	for (const ElasticModel model : MODELS) {
 		for (int seed = 1; seed <= 400; ++seed) {

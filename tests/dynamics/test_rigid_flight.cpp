@@ -124,7 +124,7 @@ void fill_with_flyers(WorldData &world, std::uint64_t seed) {
 
 } // namespace
 
-TEST_CASE("momentum and angular momentum are kept by rigid flight, energy and area are never added") {
+TEST_CASE("momentum and angular momentum are kept by rigid flight, energy and area are never added" * doctest::test_suite("slow")) {
 	int flown = 0;
 	for (std::uint64_t seed = 0; seed < 400; ++seed) {
 		CAPTURE(seed);
@@ -169,7 +169,7 @@ TEST_CASE("momentum and angular momentum are kept by rigid flight, energy and ar
 	CHECK(flown > 10000);
 }
 
-TEST_CASE("a body in rigid flight is where a soft one would be, within a quarter of a pixel") {
+TEST_CASE("a body in rigid flight is where a soft one would be, within a quarter of a pixel" * doctest::test_suite("slow")) {
 	int entered = 0;
 	for (std::uint64_t seed = 0; seed < 300; ++seed) {
 		CAPTURE(seed);
@@ -229,7 +229,7 @@ TEST_CASE("a body that begins to fly does not jump") {
 	}
 }
 
-TEST_CASE("no body flies in a step in which it touches anything") {
+TEST_CASE("no body flies in a step in which it touches anything" * doctest::test_suite("slow")) {
 	for (std::uint64_t seed = 0; seed < 200; ++seed) {
 		CAPTURE(seed);
 		Random random(seed);
@@ -353,7 +353,7 @@ TEST_CASE("without rigid flight no body flies, and the bits are those of a world
 	CHECK(identical(state_of(world), state_of(other)));
 }
 
-TEST_CASE("rigid flight gives the same bits alone, in batches, and on any number of threads") {
+TEST_CASE("rigid flight gives the same bits alone, in batches, and on any number of threads" * doctest::test_suite("slow")) {
 	for (std::uint64_t seed = 0; seed < 40; ++seed) {
 		CAPTURE(seed);
 		WorldData world = pixel_world();
@@ -385,7 +385,7 @@ TEST_CASE("rigid flight gives the same bits alone, in batches, and on any number
 	}
 }
 
-TEST_CASE("a world whose state is put back in mid-flight goes on in the same bits") {
+TEST_CASE("a world whose state is put back in mid-flight goes on in the same bits" * doctest::test_suite("slow")) {
 	for (std::uint64_t seed = 0; seed < 20; ++seed) {
 		CAPTURE(seed);
 		WorldData world = pixel_world();

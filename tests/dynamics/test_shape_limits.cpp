@@ -198,7 +198,7 @@ TEST_CASE("a body that is no longer finite is left to be reset") {
 	CHECK(std::isfinite(body.positions()[5].x));
 }
 
-TEST_CASE("a heap of springs far too soft for it stays a heap") {
+TEST_CASE("a heap of springs far too soft for it stays a heap" * doctest::test_suite("slow")) {
 	// Ten high, at a tenth of the stiffness that would hold it: it folded flat, all of it, and stayed so. 25 high a heap
 	// folded that was brought back by at most a twentieth of its size in a substep.
 	for (const int high : { 10, 25, 40 }) {
@@ -257,7 +257,7 @@ TEST_CASE("columns of bodies far too soft for their load come to rest") {
 	}
 }
 
-TEST_CASE("a heap of default bodies twenty high carries itself") {
+TEST_CASE("a heap of default bodies twenty high carries itself" * doctest::test_suite("slow")) {
 	WorldData world = pixel_world();
 	REQUIRE(!world.add_border(floor_at(0)));
 	REQUIRE(!world.add_border({ { { 0, 0 }, { 1, 0 } }, {} }));

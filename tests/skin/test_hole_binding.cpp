@@ -109,7 +109,7 @@ TEST_CASE("the hole of a ring that grows gets wider than the ring does, as that 
 	}
 }
 
-TEST_CASE("the wall of a ring bends and keeps its width") {
+TEST_CASE("the wall of a ring bends and keeps its width" * doctest::test_suite("slow")) {
 	for (const double inner : { 0.9, 0.8, 0.7 }) {
 		const BentRing ring{ inner, 0.05 };
 		for (const int count : { 12, 16, 32, 64 }) {

@@ -26,11 +26,11 @@ void run_all(const StressSetup &setup) {
 } // namespace
 
 // All rates and integrators: scripts/bench.sh stress.
-TEST_CASE("the automatic choice passes every stress scene at 60 ticks a second") {
+TEST_CASE("the automatic choice passes every stress scene at 60 ticks a second" * doctest::test_suite("slow")) {
 	run_all({ Integrator::AUTOMATIC, 60, true });
 }
 
-TEST_CASE("bodies of the default material pass every stress scene at 60 ticks a second") {
+TEST_CASE("bodies of the default material pass every stress scene at 60 ticks a second" * doctest::test_suite("slow")) {
 	run_all({ .rate = 60, .quick = true, .elastic = true });
 }
 

@@ -190,7 +190,7 @@ TEST_CASE("bodies that meet off center come away from the separation force with 
 	}
 }
 
-TEST_CASE("a pile held apart by the separation force never comes to rest, and its bodies stay in one another") {
+TEST_CASE("a pile held apart by the separation force never comes to rest, and its bodies stay in one another" * doctest::test_suite("slow")) {
 	for (const Response response : RESPONSES) {
 		WorldData world;
 		world.set_gravity({ 0, Real(-9.81) });

@@ -64,6 +64,9 @@ std::uint32_t active_index_of(const PairBodies &bodies, BodyId id) {
 		return NOT_ACTIVE;
 	}
 	const std::uint32_t body_index = std::uint32_t(body - bodies.world.soft_bodies().data());
+	if (body_index < bodies.body_indices.size() && bodies.body_indices[body_index] == body_index) {
+		return body_index; // all bodies before it are active, too
+	}
 	const auto found = std::ranges::lower_bound(bodies.body_indices, body_index);
 	return found != bodies.body_indices.end() && *found == body_index ? std::uint32_t(found - bodies.body_indices.begin()) : NOT_ACTIVE;
 }
@@ -166,12 +169,26 @@ void PairContacts::recall_touches(const PairBodies &bodies) {
 			}
 		}
 	}
-	std::ranges::sort(open_, {}, &Open::pair);
 	touches_.assign(pairs().size(), {});
-	for (std::size_t i = 0; i < touches_.size() && !open_.empty(); ++i) {
-		const auto found = std::ranges::lower_bound(open_, pairs()[i], {}, &Open::pair);
-		if (found != open_.end() && found->pair == pairs()[i]) {
-			touches_[i] = found->touch;
+	if (open_.empty()) {
+		return;
+	}
+	const auto first = [](const Open &open) { return open.pair.a; };
+	if (!std::ranges::is_sorted(open_, {}, first)) { // bodies have changed places in the world
+		std::ranges::sort(open_, {}, &Open::pair);
+	}
+	open_begins_.assign(circles_.size() + 1, 0);
+	for (const Open &open : open_) {
+		++open_begins_[open.pair.a + 1];
+	}
+	std::partial_sum(open_begins_.begin(), open_begins_.end(), open_begins_.begin());
+	for (std::size_t i = 0; i < touches_.size(); ++i) {
+		const BodyPair pair = pairs()[i];
+		for (std::uint32_t k = open_begins_[pair.a]; k < open_begins_[pair.a + 1]; ++k) {
+			if (open_[k].pair.b == pair.b) {
+				touches_[i] = open_[k].touch;
+				break;
+			}
 		}
 	}
 }

@@ -91,7 +91,8 @@ private:
 		BodyPair pair;
 		PairTouch touch;
 	};
-	std::vector<Open> open_; ///< of the last step
+	std::vector<Open> open_; ///< of the last step, by first body
+	std::vector<std::uint32_t> open_begins_; ///< index in `open_` of a first body's first touch; one more than bodies
 	std::vector<BodyPair> exceptions_; ///< sorted active indices
 	Real h_ = 0;
 	std::uint32_t layers_ = 0; ///< of all bodies together
