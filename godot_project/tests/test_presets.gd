@@ -102,9 +102,12 @@ func test_the_gallery_shows_all_of_them() -> void:
 	var rope: SoftRope2D = scene.get_node("Rope")
 	var jelly: SoftBody2D = scene.get_node("Jelly")
 	var start := jelly.position
-	await seconds(2)
+	var lowest := -INF
+	for i in 120:
+		await ticks(1)
+		lowest = maxf(lowest, rope.get_center_positions()[16].y)
 	check_above(jelly.position.y, start.y + 150, "where the jelly has fallen to")
-	check_above(rope.get_center_positions()[16].y, rope.global_position.y + 100, "where the free end of the rope has fallen to")
+	check_above(lowest, rope.global_position.y + 100, "where the free end of the rope has swung")
 	await seconds(2.1)
 	check_below(rope.get_center_positions()[16].y, rope.global_position.y + 60, "where the rope is level again")
 	check_below(jelly.position.y, start.y + 60, "where it is dropped again")
