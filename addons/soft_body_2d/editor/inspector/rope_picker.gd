@@ -7,7 +7,7 @@ const RopeKinds := preload("../../materials/rope_kinds.gd")
 const Thumbnail := preload("rope_thumbnail.gd")
 const Words := preload("../logic/words.gd")
 
-const COLUMNS := 4
+const COLUMNS := 2
 
 var thumbnails: Array[Thumbnail] = []
 

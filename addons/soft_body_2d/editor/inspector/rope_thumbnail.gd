@@ -5,8 +5,8 @@ extends "material_thumbnail.gd"
 
 const RopeKinds := preload("../../materials/rope_kinds.gd")
 
-const LENGTH := 90.0
-const WIDTH := 10.0
+const LENGTH := 110.0
+const WIDTH := 16.0
 const LINKS := 12
 ## Heavy enough that a rubber band is seen to stretch.
 const MASS := 1.0
