@@ -12,6 +12,9 @@ func _ready() -> void:
 	for node in get_tree().get_nodes_in_group(&"soft_bodies"):
 		if is_ancestor_of(node):
 			_starts[node] = (node as SoftBody2D).global_transform
+		var rope := node as SoftRope2D
+		if rope != null: # two points of its centerline are held, so that it begins level
+			rope.set_point_pinned(rope.get_center_point(1), true, NodePath())
 
 
 func _physics_process(delta: float) -> void:

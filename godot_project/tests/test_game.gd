@@ -135,6 +135,29 @@ func test_only_a_flat_one_fits_under_a_low_ceiling() -> void:
 	check_below(player.get_penetration(), 1, "penetration in px")
 
 
+# Between them a round one lies until it lets its air out, however it gets there and whatever it tries. As the highest quality has it.
+func test_the_plugs_of_the_burrow_hold_a_round_one_and_let_a_flat_one_through() -> void:
+	var level: Level = (load("res://game/levels/level_2.tscn") as PackedScene).instantiate()
+	for ball in level.find_children("Ball*", "", false, false):
+		ball.free()
+	stage.add_child(level)
+	for plug: String in ["Plug", "Plug2"]:
+		Settings.apply_to_body(level.get_node(plug))
+	var player := _add_player(Vector2(2382, 700))
+	for place: float in [2345, 2370, 2395, 2420]:
+		player.place_at(Vector2(place, 640))
+		for action: StringName in [&"game_right", &"game_left", &"game_jump"]:
+			await seconds(1)
+			Input.action_press(action)
+			await seconds(1)
+			_release()
+		check_below(player.get_center_of_mass_position().y, 980, "height of a round one dropped at %d" % place)
+		Input.action_press(&"game_deflate")
+		await seconds(2)
+		_release()
+		check_above(player.get_center_of_mass_position().y, 980, "height of a flat one dropped at %d" % place)
+
+
 func test_air_changes_its_size_and_its_fall() -> void:
 	var player := _add_player(Vector2.ZERO)
 	var areas := PackedFloat32Array()

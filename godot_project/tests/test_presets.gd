@@ -3,6 +3,7 @@ extends "res://tests/support/suite.gd"
 ## The materials of the addon do what they say they do.
 
 const Presets := preload("res://addons/soft_body_2d/materials/presets.gd")
+const RopeKinds := preload("res://addons/soft_body_2d/materials/rope_kinds.gd")
 const FLOOR := 400.0
 const RADIUS := 50.0
 const FALL := 200.0
@@ -88,13 +89,25 @@ func test_the_gallery_shows_all_of_them() -> void:
 	var scene: Node2D = (load("res://examples/presets.tscn") as PackedScene).instantiate()
 	stage.add_child(scene)
 	var shown := PackedStringArray()
+	var kinds := PackedInt32Array()
 	for body: SoftBody2D in scene.find_children("*", "SoftBody2D", true, false):
+		if body is SoftRope2D:
+			kinds.append((body as SoftRope2D).kind)
+			continue
 		shown.append(body.soft_body_material.resource_path.get_file().get_basename())
 	for preset in Presets.all():
 		check(preset.file in shown, preset.file + " is shown")
+	for line in RopeKinds.all():
+		check(line.kind in kinds, line.file + " is shown")
+	var rope: SoftRope2D = scene.get_node("Rope")
 	var jelly: SoftBody2D = scene.get_node("Jelly")
 	var start := jelly.position
-	await seconds(2)
+	var lowest := -INF
+	for i in 120:
+		await ticks(1)
+		lowest = maxf(lowest, rope.get_center_positions()[16].y)
 	check_above(jelly.position.y, start.y + 150, "where the jelly has fallen to")
+	check_above(lowest, rope.global_position.y + 100, "where the free end of the rope has swung")
 	await seconds(2.1)
+	check_below(rope.get_center_positions()[16].y, rope.global_position.y + 60, "where the rope is level again")
 	check_below(jelly.position.y, start.y + 60, "where it is dropped again")

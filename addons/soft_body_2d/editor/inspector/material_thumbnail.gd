@@ -2,6 +2,8 @@
 @tool
 extends Button
 ## A material as a ball that is dropped: it lies still, and falls again and again while the mouse is over it.
+##
+## Any other preset is shown the same way by a class that overrides [method _fill] and [method _still_ticks].
 
 const Presets := preload("../../materials/presets.gd")
 
@@ -16,7 +18,9 @@ const STILL := 30
 const TICK := 1.0 / 60
 const LABEL_SIZE := 9
 
-var preset: Presets.Preset
+var preset: Presets.Preset # null: not of a material
+var title := ""
+var color := Color.WHITE
 var world: SoftBodyPreview2D
 var played := 0
 var _owed := 0.0
@@ -24,14 +28,20 @@ var _owed := 0.0
 
 func set_up(of: Presets.Preset) -> void:
 	preset = of
-	tooltip_text = "%s\n%s\n%s" % [of.title, of.text, of.figures()]
-	name = of.file.to_pascal_case()
+	set_up_as(of.file, of.title, of.text, of.figures(), of.color)
+
+
+func set_up_as(file: String, p_title: String, text_of_it: String, figures: String, p_color: Color) -> void:
+	title = p_title
+	color = p_color
+	tooltip_text = "%s\n%s\n%s" % [title, text_of_it, figures]
+	name = file.to_pascal_case()
 	custom_minimum_size = Vector2(56, 70) * EditorInterface.get_editor_scale()
 	size_flags_horizontal = SIZE_EXPAND_FILL
 	clip_contents = true
 	mouse_entered.connect(play)
 	mouse_exited.connect(stop)
-	_drop(STILL)
+	_drop(_still_ticks())
 
 
 func _ready() -> void:
@@ -45,15 +55,15 @@ func play() -> void:
 
 func stop() -> void:
 	set_process(false)
-	_drop(STILL)
+	_drop(_still_ticks())
 
 
 func outline() -> PackedVector2Array:
 	return world.get_polygon(0) if world != null and world.get_body_count() > 0 else PackedVector2Array()
 
 
-func _drop(ticks: int) -> void:
-	world = SoftBodyPreview2D.new()
+## Puts what the picture shows into [member world], above a ground at a height of 0.
+func _fill() -> void:
 	var body := SoftBody2D.new()
 	body.polygon = SoftBody2D.make_circle_polygon(RADIUS, BALL_POINTS)
 	body.soft_body_material = preset.load_material()
@@ -61,6 +71,16 @@ func _drop(ticks: int) -> void:
 	world.add_body(body)
 	body.free()
 	world.add_floor(Vector2.ZERO)
+
+
+## Ticks after the start in which the still picture is taken.
+func _still_ticks() -> int:
+	return STILL
+
+
+func _drop(ticks: int) -> void:
+	world = SoftBodyPreview2D.new()
+	_fill()
 	for i in ticks:
 		world.step(TICK)
 	played = ticks
@@ -90,8 +110,8 @@ func _draw() -> void:
 	draw_line(Vector2(4 * scale, ground), Vector2(size.x - 4 * scale, ground), Color(ink, 0.5), scale)
 	var polygon := view * outline()
 	if not Geometry2D.triangulate_polygon(polygon).is_empty():
-		draw_colored_polygon(polygon, preset.color)
+		draw_colored_polygon(polygon, color)
 		polygon.append(polygon[0])
-		draw_polyline(polygon, preset.color.darkened(0.45), 1.5 * scale, true)
-	draw_string(font, Vector2(2 * scale, size.y - text_size * 0.45), preset.title, HORIZONTAL_ALIGNMENT_CENTER, size.x - 4 * scale, text_size,
+		draw_polyline(polygon, color.darkened(0.45), 1.5 * scale, true)
+	draw_string(font, Vector2(2 * scale, size.y - text_size * 0.45), title, HORIZONTAL_ALIGNMENT_CENTER, size.x - 4 * scale, text_size,
 			Color(ink, 0.9))
