@@ -58,7 +58,9 @@ bool SoftBody2D::get_collision_mask_value(int p_layer_number) const {
 }
 
 bool SoftBody2D::uses_self_collision(const Design &p_design) const {
-	return values_.self_collision == SELF_COLLISION_ON || (values_.self_collision == SELF_COLLISION_AUTOMATIC && p_design.has_deep_dents);
+	// A rope that lies folded across itself has no inside: contacts with others would push it either way.
+	const bool may_cross_itself = p_design.has_deep_dents || rope() != nullptr;
+	return values_.self_collision == SELF_COLLISION_ON || (values_.self_collision == SELF_COLLISION_AUTOMATIC && may_cross_itself);
 }
 
 bool SoftBody2D::has_self_collision() const {
