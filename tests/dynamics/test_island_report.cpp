@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <numbers>
 #include <vector>
 
 using namespace softbody;
