@@ -294,14 +294,14 @@ test_engine() {
 	import_project || return 1
 	check_extension || return 1
 	step "Testing in Godot"
-	godot_headless $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd -- --without=test_drawing 2>&1 |
+	godot_headless $((3 * TIME_LIMIT)) --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd -- --without=test_drawing 2>&1 |
 		tee "$log" || status=$?
 	count_engine "$status" "$log"
 
 	# The same with a physics server that has its queue emptied on a thread of its own.
 	step "Testing in Godot, physics on a thread of its own"
 	log=$LOG_DIR/tests_physics_thread.log status=0
-	with_physics_thread godot_headless $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd \
+	with_physics_thread godot_headless $((3 * TIME_LIMIT)) --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd \
 		-- "${PHYSICS_THREAD_SUITES[@]}" 2>&1 | tee "$log" || status=$?
 	count_engine "$status" "$log"
 
@@ -314,7 +314,7 @@ test_engine() {
 	need_window || return 1
 	step "Testing in Godot, what is drawn"
 	log=$LOG_DIR/tests_drawing.log status=0
-	godot_windowed $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd -- test_drawing 2>&1 |
+	godot_windowed $((2 * TIME_LIMIT)) --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd -- test_drawing 2>&1 |
 		tee "$log" || status=$?
 	count_engine "$status" "$log"
 }
@@ -327,7 +327,7 @@ test_levels() {
 	import_project || return 1
 	check_extension || return 1
 	step "Testing in Godot, levels changing every ten ticks"
-	godot_headless $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd -- --levels --without=test_levels "$@" 2>&1 |
+	godot_headless $((3 * TIME_LIMIT)) --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/run.gd -- --levels --without=test_levels "$@" 2>&1 |
 		tee "$log" || status=$?
 	count_engine "$status" "$log"
 }
@@ -369,7 +369,7 @@ test_editor() {
 	need_window || return 1
 	make_editor_project || return 1
 	step "Testing in Godot's editor"
-	run_editor $TIME_LIMIT 2>&1 | tee "$log" || status=$?
+	run_editor $((2 * TIME_LIMIT)) 2>&1 | tee "$log" || status=$?
 	count_engine "$status" "$log"
 }
 
@@ -383,7 +383,7 @@ test_game() {
 	rm -rf "$pictures"
 	mkdir -p "$pictures"
 	step "Playing the game"
-	godot_windowed $TIME_LIMIT --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/play/play_game.gd \
+	godot_windowed $((2 * TIME_LIMIT)) --fixed-fps 60 --path "$PROJECT_DIR" --script res://tests/play/play_game.gd \
 		-- "--pictures=$pictures" 2>&1 | tee "$log" || status=$?
 	count_engine "$status" "$log"
 }
@@ -419,12 +419,12 @@ test_export() {
 		[[ $DEBUG_SUITES == *[[:space:]]$suite[[:space:]]* ]] || suites+=("$suite/")
 	done
 	step "Testing in an exported release"
-	exported_game soft_body_2d_tests $TIME_LIMIT "${options[@]}" -- "${suites[@]}" 2>&1 | tee "$log" || status=$?
+	exported_game soft_body_2d_tests $((3 * TIME_LIMIT)) "${options[@]}" -- "${suites[@]}" 2>&1 | tee "$log" || status=$?
 	count_engine "$status" "$log"
 	step "Testing in an exported release, physics on a thread of its own"
 	log=$LOG_DIR/tests_exported_thread.log status=0
 	printf '[physics]\n\n2d/run_on_separate_thread=true\n' >"$EXPORT_DIR/soft_body_2d_tests/override.cfg"
-	exported_game soft_body_2d_tests $TIME_LIMIT "${options[@]}" -- "${PHYSICS_THREAD_SUITES[@]}" 2>&1 | tee "$log" || status=$?
+	exported_game soft_body_2d_tests $((3 * TIME_LIMIT)) "${options[@]}" -- "${PHYSICS_THREAD_SUITES[@]}" 2>&1 | tee "$log" || status=$?
 	count_engine "$status" "$log"
 }
 
