@@ -171,10 +171,10 @@ func root() -> Node:
 	return EditorInterface.get_edited_scene_root()
 
 
-func save_and_reload() -> void:
+func save_and_reload(path := SCENE) -> void:
 	EditorInterface.save_scene()
 	await frames(5)
-	await open(SCENE)
+	await open(path)
 	await select_body()
 
 

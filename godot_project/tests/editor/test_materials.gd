@@ -3,6 +3,9 @@
 extends "suite.gd"
 ## The materials in the inspector.
 
+## A file of its own: the editor keeps what it has loaded, and would give the values of a node to one of another class.
+const ROPE_SCENE := "res://editor_test_rope.tscn"
+
 
 func test_a_thumbnail_moves_under_the_mouse_and_a_click_sets_its_material_with_undo() -> void:
 	await open_scene({"physics_material_override": PhysicsMaterial.new()})
@@ -45,9 +48,9 @@ func test_a_rope_is_offered_the_kinds_of_ropes_and_a_click_sets_one_with_undo() 
 	rope.name = "Jelly"
 	made.add_child(rope)
 	rope.owner = made
-	await close(SCENE)
-	write_scene(made, SCENE)
-	await open(SCENE)
+	await close(ROPE_SCENE)
+	write_scene(made, ROPE_SCENE)
+	await open(ROPE_SCENE)
 	await select_body()
 	await frames(30)
 	rope = body as SoftRope2D
@@ -79,5 +82,6 @@ func test_a_rope_is_offered_the_kinds_of_ropes_and_a_click_sets_one_with_undo() 
 	check_equal([rope.stretch_stiffness, rope.bend_stiffness, rope.bend_damping, rope.rest_bend], before, "values after undo")
 	check_equal(rope.kind, SoftRope2D.KIND_ROPE, "kind after undo")
 	await redo()
-	await save_and_reload()
+	await save_and_reload(ROPE_SCENE)
 	check_equal((body as SoftRope2D).kind, SoftRope2D.KIND_TENTACLE, "kind after saving")
+	await close(ROPE_SCENE)
