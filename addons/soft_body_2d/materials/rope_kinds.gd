@@ -46,5 +46,5 @@ static func all() -> Array[Kind]:
 		Kind.new(SoftRope2D.KIND_ROPE, "rope", "Rope", "Limp, and keeps its length under any load.", [0.0, 1.0], Color("c9a26b")),
 		Kind.new(SoftRope2D.KIND_STRAP, "strap", "Strap", "Bends in wide curves, and keeps its length.", [0.94, 1.0], Color("d0574f")),
 		Kind.new(SoftRope2D.KIND_TENTACLE, "tentacle", "Tentacle", "Stands out by itself, and bends back to the shape of its path.", [1.0, 1.0], Color("9b6fd0")),
-		Kind.new(SoftRope2D.KIND_RUBBER_BAND, "rubber_band", "Rubber band", "Limp, and stretches.", [0.0, 1.5], Color("e0a13c")),
+		Kind.new(SoftRope2D.KIND_RUBBER_BAND, "rubber_band", "Rubber band", "Limp, and stretches.", [0.06, 1.5], Color("e0a13c")),
 	]

@@ -36,13 +36,6 @@ Real path_ahead(const SolverBody &a, const SolverBody &b, Real h, int substeps_l
 
 } // namespace
 
-namespace {
-
-// Room around the ways of a point and an edge, as a share of their size, within which rounding may find an impact [1].
-constexpr Real IMPACT_ROOM = Real(1e-3);
-
-} // namespace
-
 std::size_t PairContactSolver::handle(SolverBody &a, SolverBody &b, PairCandidates &candidates, int substeps_left) {
 	impulse_ = 0;
 	push_ = {};
@@ -127,21 +120,6 @@ std::uint32_t near_points(std::span<const Vec2> hull, std::uint32_t first, Vec2 
 
 namespace {
 
-Aabb box_around(const Motion &motion) {
-	Aabb box;
-	box.include(motion.from);
-	box.include(motion.to);
-	return box;
-}
-
-// Box around the ways of two points, with room for what rounds in finding where they meet.
-Aabb box_around(const Motion &a, const Motion &b) {
-	Aabb box = box_around(a);
-	box.include(b.from);
-	box.include(b.to);
-	return box.grown(IMPACT_ROOM * (box.max.x - box.min.x + box.max.y - box.min.y));
-}
-
 // Contact of a point that passed edges from outside in this substep, both moving. Only a point still behind such an
 // edge has a contact. It must go back through the first edge that it crossed.
 std::optional<HullContact> find_passage(const SolverBody &body, const SolverBody &other, std::uint32_t point) {
@@ -149,16 +127,12 @@ std::optional<HullContact> find_passage(const SolverBody &body, const SolverBody
 	std::optional<HullContact> first;
 	Real first_time = 2;
 	const std::span<const Vec2> hull = other.hull();
-	const Aabb way = box_around(path);
 	for (std::uint32_t i = 0; i < hull.size(); ++i) {
 		const std::uint32_t next = i + 1 == hull.size() ? 0 : i + 1;
 		const Motion start{ other.before[i], hull[i] };
 		const Motion end{ other.before[next], hull[next] };
 		if (cross(end.from - start.from, path.from - start.from) > 0) {
 			continue; // the point came from inside
-		}
-		if (!box_around(start, end).overlaps(way)) {
-			continue; // most edges are far from the point all the time
 		}
 		const std::optional<SegmentImpact> impact = point_segment_impact(path, start, end);
 		if (!impact || impact->time >= first_time) {
@@ -189,9 +163,6 @@ std::size_t PairContactSolver::handle_points_of(SolverBody &body, SolverBody &ot
 	for (std::uint32_t first = 0; first < body.hull().size(); first += NEAR_BITS) {
 		for (std::uint32_t near = near_points(body.hull(), first, other.center, reach); near != 0; near &= near - 1) {
 			const std::uint32_t point = first + std::uint32_t(std::countr_zero(near));
-			if (are_fast && !box_around({ body.before[point], body.positions[point] }).overlaps(other.box)) {
-				continue;
-			}
 			std::optional<HullContact> found = are_fast ? find_passage(body, other, point) : std::nullopt;
 			const bool is_fresh = found.has_value();
 			if (!found) {
